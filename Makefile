@@ -1,0 +1,36 @@
+# Two commands: `make` sets up, generates, verifies and runs the main job; `make test` tests.
+
+PYTHON3 ?= python3
+VENV    := .venv
+PYTHON  := $(VENV)/bin/python
+PIP     := $(PYTHON) -m pip --quiet --disable-pip-version-check
+SOURCES := $(wildcard generated/gufunc/*.c generated/gufunc/*.h) generated/c/coscrew.h
+
+.PHONY: all generate check build example test bench clean
+
+all: example
+
+# The environment.  Its first install finds generated/ as committed, so coscrew itself is there to
+# be regenerated from.
+$(VENV)/ready: pyproject.toml
+	$(PYTHON3) -m venv $(VENV)
+	$(PIP) install --upgrade pip "setuptools>=77" wheel
+	$(PIP) install "numpy>=2.0"
+	$(PIP) install --no-build-isolation --editable ".[codegen]"
+	touch $@
+
+generate: $(VENV)/ready
+	$(PYTHON) -m coscrew_codegen generate
+
+check: generate
+	$(PYTHON) -m coscrew_codegen generate --check
+
+build: check
+	@$(MAKE) --no-print-directory $(VENV)/built
+
+# The extension module; without a C compiler coscrew runs in pure NumPy, and says so.
+$(VENV)/built: $(SOURCES) codegen/build.py pyproject.toml
+	$(PIP) install --no-build-isolation --no-deps --editable .
+	@$(PYTHON) -c "import coscrew, sys; coscrew.COMPILED or print('no working C compiler: coscrew \
+	runs in pure NumPy (install gcc or clang and the headers of Python to compile it)', file=sys.stderr)"
+	touch $@

@@ -1,0 +1,12 @@
+"""coscrew_codegen: derives spatial algebra symbolically and emits C and Python kernels.
+
+Each stage is a function from one frozen value to the next; imports run one way, downwards:
+
+    algebra            SymPy matrices: skew, Ad, CoAd, ad, coad          (the truth)
+    quantity           vec3, mat3x3, SE3, screw, coscrew, …              (shapes, parts, units)
+    operations/        one Operation each: inputs, outputs, formula      (the table)
+    kernel, passes     Operation → let-bound SymPy, simplified
+    program, tiers/    Kernel → Program: explicit order of evaluation, no SymPy
+    targets/           Program → text of one language and precision
+    emit, __main__     text → templates → files; the command line
+"""

@@ -1,0 +1,73 @@
+"""The command line: `coscrew generate`, also `python -m coscrew_codegen`."""
+
+import argparse
+import sys
+from pathlib import Path
+
+from tqdm import tqdm
+
+from coscrew_codegen.emit import EmitError, differences, stale_files, write
+from coscrew_codegen.layout import Programs, generated_files, program_of
+from coscrew_codegen.operations import FAMILIES
+from coscrew_codegen.selection import LANGUAGES, Selection, SelectionError, select
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command line; returns the exit status: 0, or 1 out of date, 2 for an error."""
+    options = _parser().parse_args(arguments)
+    try:
+        selection = select(options.family or [], options.precision, options.language)
+        return _generate(selection, Path(options.output), options.check)
+    except (SelectionError, EmitError) as error:
+        print(f"coscrew: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("coscrew: interrupted", file=sys.stderr)
+        return 130
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="coscrew", description="Derives spatial algebra and emits C and Python kernels.")
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+    generate = commands.add_parser("generate", help="write the kernels, or check them",
+                                   description="Write the kernels, or check that they are current.")
+    generate.add_argument("--output", metavar="DIR", default="generated",
+                          help="folder to write to (default: generated)")
+    generate.add_argument("--check", action="store_true",
+                          help="write nothing; print what is out of date as a diff and exit 1")
+    generate.add_argument("--family", metavar="NAME", nargs="+", action="extend",
+                          help=f"only these families, of {', '.join(FAMILIES)}")
+    generate.add_argument("--precision", metavar="NAME", default="both",
+                          help="double, single or both (default)")
+    generate.add_argument("--language", metavar="NAME",
+                          help=f"{' or '.join(LANGUAGES)} (default: both, and the extension module)")
+    return parser
+
+
+def _generate(selection: Selection, folder: Path, check: bool) -> int:
+    files = generated_files(selection, _programs(selection))
+    stale = stale_files(files, folder) if selection == Selection() else ()
+    if not check:
+        changed = write(files, folder, stale)
+        print(f"{folder}: {len(files)} files, {len(changed)} changed")
+        return 0
+    diffs = differences(files, folder, stale)
+    if not diffs:
+        print(f"{folder}: {len(files)} files are current")
+        return 0
+    sys.stdout.write("".join(diffs))
+    output = "" if folder == Path("generated") else f" --output {folder}"
+    print(f"{folder}: {len(diffs)} files are out of date; run `{selection.command}{output}`",
+          file=sys.stderr)
+    return 1
+
+
+def _programs(selection: Selection) -> Programs:
+    progress = tqdm(selection.operations, desc="deriving", unit="operation", leave=False,
+                    disable=None, file=sys.stderr)
+    return {operation.name: program_of(operation) for operation in progress}
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,84 @@
+"""Writes generated files, or checks that those on disk are current.  All or nothing."""
+
+import contextlib
+import difflib
+import os
+import tempfile
+from pathlib import Path
+
+from coscrew_codegen.layout import Files
+
+MARK = "Made by `coscrew generate"
+
+
+class EmitError(OSError):
+    """The files cannot be written; those on disk are as they were."""
+
+
+def read(folder: Path, path: str) -> str | None:
+    """The text on disk, or None if there is none."""
+    try:
+        return (folder / path).read_bytes().decode("utf-8", errors="replace")
+    except (FileNotFoundError, NotADirectoryError):
+        return None
+
+
+def differences(files: Files, folder: Path, stale: tuple[str, ...] = ()) -> list[str]:
+    """Unified diffs from what is on disk to what would be generated; empty when current."""
+    wanted: dict[str, str | None] = {**files, **dict.fromkeys(stale)}
+    diffs = []
+    for path, new in sorted(wanted.items()):
+        old = read(folder, path)
+        if old != new:
+            lines = difflib.unified_diff(
+                (old or "").splitlines(keepends=True), (new or "").splitlines(keepends=True),
+                f"{path} (on disk)" if old is not None else "/dev/null",
+                f"{path} (generated)" if new is not None else "/dev/null")
+            diffs.append("".join(line if line.endswith("\n") else f"{line}\n" for line in lines)
+                         or f"{path}: one of the two is missing or empty\n")
+    return diffs
+
+
+def stale_files(files: Files, folder: Path) -> tuple[str, ...]:
+    """Files in the folder that an earlier generator made and this one does not."""
+    found = (p for p in folder.rglob("*") if p.is_file() and p.suffix in (".h", ".c", ".py", ".pyi"))
+    names = sorted(p.relative_to(folder).as_posix() for p in found)
+    return tuple(name for name in names
+                 if name not in files and MARK in (read(folder, name) or "")[:200])
+
+
+def write(files: Files, folder: Path, stale: tuple[str, ...] = ()) -> list[str]:
+    """Write the files that differ and remove the stale ones; returns the paths changed.
+
+    Everything is written to temporary files first and renamed only when all are complete, so that
+    an error or an interrupt before that leaves every old file whole.  Raises EmitError.
+    """
+    changed = [path for path, text in sorted(files.items()) if read(folder, path) != text]
+    waiting: dict[Path, Path] = {}
+    try:
+        try:
+            for path in changed:
+                waiting[folder / path] = _write_temporary(folder / path, files[path])
+            for target, temporary in waiting.items():
+                os.replace(temporary, target)
+            for path in stale:
+                (folder / path).unlink()
+        finally:
+            for temporary in waiting.values():
+                with contextlib.suppress(FileNotFoundError):
+                    temporary.unlink()
+    except OSError as error:
+        raise EmitError(f"cannot write {error.filename or folder}: {error.strerror}; "
+                        "nothing was changed") from error
+    return [*changed, *stale]
+
+
+def _write_temporary(target: Path, text: str) -> Path:
+    if target.is_dir():
+        raise IsADirectoryError(21, "is a folder", str(target))
+    target.parent.mkdir(parents=True, exist_ok=True)
+    descriptor, name = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
+    with os.fdopen(descriptor, "w", encoding="utf-8", newline="\n") as file:
+        file.write(text)
+    os.chmod(name, 0o644)
+    return Path(name)

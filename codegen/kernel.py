@@ -1,0 +1,64 @@
+"""Kernel: an operation as named let-bound assignments with SymPy right-hand sides.
+
+Says what is computed through which intermediate results; knows nothing of rounding or text.
+"""
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from coscrew_codegen.operations import Operation, components
+from coscrew_codegen.quantity import Argument
+
+
+@dataclass(frozen=True)
+class Binding:
+    """One let: component `index` of the intermediate vector or matrix `group` is `expression`."""
+
+    symbol: sp.Symbol
+    group: str
+    index: int
+    expression: sp.Expr
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """inputs → bindings, in order → outputs.  Later bindings may use earlier ones."""
+
+    name: str
+    inputs: tuple[Argument, ...]
+    bindings: tuple[Binding, ...]
+    outputs: tuple[Argument, ...]
+    values: tuple[sp.Expr, ...]  # every component of every output, row by row
+
+
+def kernel_of(operation: Operation) -> Kernel:
+    """The kernel of an operation: its derivation recorded, or its formula without lets."""
+    bindings: list[Binding] = []
+    taken = {a.name for a in (*operation.inputs, *operation.outputs)}
+
+    def let(name, value):
+        if name in taken:
+            raise ValueError(f"{operation.name}: the name {name!r} is bound twice")
+        taken.add(name)
+        parts = components(value)
+        symbols = sp.symbols(f"{name}_0:{len(parts)}") if len(parts) > 1 else (sp.Symbol(name),)
+        bindings.extend(Binding(symbol, name, index, part)
+                        for index, (symbol, part) in enumerate(zip(symbols, parts, strict=True)))
+        return sp.Matrix(*value.shape, symbols) if isinstance(value, sp.MatrixBase) else symbols[0]
+
+    arguments = [a.value for a in operation.inputs]
+    if operation.derivation is None:
+        values = operation.formula(*arguments)
+    else:
+        values = operation.derivation(let, *arguments)
+    return Kernel(operation.name, operation.inputs, tuple(bindings), operation.outputs,
+                  components(values))
+
+
+def expanded(kernel: Kernel) -> tuple[sp.Expr, ...]:
+    """The outputs as functions of the inputs alone: every let substituted."""
+    known: dict[sp.Symbol, sp.Expr] = {}
+    for binding in kernel.bindings:
+        known[binding.symbol] = binding.expression.xreplace(known)
+    return tuple(value.xreplace(known) for value in kernel.values)

@@ -1,0 +1,184 @@
+"""Which files are generated, and what each holds: Selection → {path: text}."""
+
+import hashlib
+from collections.abc import Iterator
+
+from coscrew_codegen.kernel import kernel_of
+from coscrew_codegen.operations import Operation, family_title
+from coscrew_codegen.passes import simplified
+from coscrew_codegen.program import Program
+from coscrew_codegen.quantity import QUANTITIES
+from coscrew_codegen.render import render
+from coscrew_codegen.selection import Selection
+from coscrew_codegen.targets import c, c_storage, gufunc, numpy
+from coscrew_codegen.targets.precision import Precision
+from coscrew_codegen.tiers.plain import plain
+
+Files = dict[str, str]  # by path in the output folder, with forward slashes
+Programs = dict[str, Program]
+
+# What a family's header includes, so that any header may come first.
+_INCLUDES = {
+    "vec3": (), "trig": (), "mat6x6": (), "mat3x3": ("vec3",), "SE3": ("mat3x3",),
+    "matrix": ("SE3", "trig"), "screw": ("matrix", "mat6x6"), "coscrew": ("screw",),
+}
+
+# Short names of constructors, in Python.
+_ALIASES = (("SE3", "SE3_fromRt"), ("screw", "screw_from_lin_ang"),
+            ("coscrew", "coscrew_from_lin_ang"))
+
+
+# NumPy's C names for the precisions: type number, DType.
+_NUMPY_C_NAMES = {"double": ("NPY_DOUBLE", "PyArray_DoubleDType"),
+                  "single": ("NPY_FLOAT", "PyArray_FloatDType")}
+
+
+def program_of(operation: Operation) -> Program:
+    """The operation's program: kernel, passes, plain tier."""
+    return plain(simplified(kernel_of(operation)))
+
+
+def generated_files(selection: Selection, programs: Programs) -> Files:
+    """Every file of the selection, by its path in the output folder."""
+    files: Files = {}
+    headers = _headers(selection, programs)
+    amalgamation = _amalgamation(selection, headers)
+    extension = selection.languages == ("c", "python")
+    if "c" in selection.languages:
+        files |= {f"c/include/ksl/{name}.h": text for name, text in headers.items()}
+        files["c/coscrew.h"] = amalgamation
+    sources = _extension(selection, programs) if extension else {}
+    provenance = _digest(amalgamation, *sources.values())
+    if extension:
+        files["c/__init__.py"] = render("c/__init__.py", banner=selection.banner)
+        files |= {f"gufunc/{name}": text for name, text in sources.items()}
+        files["gufunc/module.c"] = _extension_module(selection, provenance)
+    if "python" in selection.languages:
+        package = _package(selection, programs, extension, provenance)
+        files |= {f"python/{name}": text for name, text in package.items()}
+    return files
+
+
+def _digest(*texts: str) -> str:
+    return hashlib.sha256("\0".join(texts).encode()).hexdigest()[:16]
+
+
+# C headers
+
+
+def _headers(selection: Selection, programs: Programs) -> dict[str, str]:
+    """The headers by name, each after those it includes."""
+    families = selection.families
+    headers = {"ksl_types": _types_header(selection)}
+    for family in families:
+        functions = [function for precision in selection.precisions
+                     for function in (*c_storage.storage_functions(family, precision),
+                                      *_c_functions(selection, programs, family, precision))]
+        allocations = [c_storage.allocation(family, precision)
+                       for precision in selection.precisions]
+        headers[family] = render(
+            "c/family.h", banner=selection.banner, title=family_title(family),
+            guard=f"KSL_{family.upper()}_H", functions=functions,
+            includes=("ksl_types", *_included(family, families)),
+            allocations=[function for function in allocations if function])
+    headers["ksl"] = render("c/ksl.h", banner=selection.banner, includes=families)
+    return headers
+
+
+def _c_functions(selection: Selection, programs: Programs, family: str,
+                 precision: Precision) -> Iterator[c.CFunction]:
+    for operation in selection.operations:
+        if operation.family == family:
+            yield c.function(operation, programs[operation.name], precision)
+
+
+def _types_header(selection: Selection) -> str:
+    types = [{"name": c.type_name(quantity.name, precision),
+              "meaning": f"{c_storage.meaning(quantity)}; {precision.name} precision.",
+              "views": c_storage.views(quantity, precision)}
+             for quantity in c_storage.TYPES for precision in selection.precisions]
+    return render("c/ksl_types.h", banner=selection.banner, types=types)
+
+
+def _included(family: str, families: tuple[str, ...]) -> tuple[str, ...]:
+    """The selected families a header includes directly; through those left out, theirs."""
+    found: list[str] = []
+    for other in _INCLUDES[family]:
+        found += [other] if other in families else _included(other, families)
+    return tuple(dict.fromkeys(found))
+
+
+def _amalgamation(selection: Selection, headers: dict[str, str]) -> str:
+    sections = ["\n".join(line for line in text.splitlines()[1:]
+                          if not line.startswith('#include "')) + "\n"
+                for name, text in headers.items() if name != "ksl"]
+    return render("c/coscrew.h", banner=selection.banner, sections=sections)
+
+
+# the extension module
+
+
+def _extension(selection: Selection, programs: Programs) -> dict[str, str]:
+    """The C sources of the gufuncs, by file name."""
+    accesses = [gufunc.access(quantity, precision)
+                for quantity in QUANTITIES for precision in selection.precisions]
+    sources = {"_gufunc.h": render("gufunc/_gufunc.h", banner=selection.banner, accesses=accesses,
+                                   families=selection.families,
+                                   amalgamation="../c/coscrew.h")}
+    for family in selection.families:
+        gufuncs = [gufunc.gufunc(op, selection.precisions,
+                                 numpy.docstring_of(op, programs[op.name]))
+                   for op in selection.operations if op.family == family]
+        sources[f"{family}.c"] = render("gufunc/family.c", banner=selection.banner,
+                                        family=family, gufuncs=gufuncs)
+    return sources
+
+
+def _extension_module(selection: Selection, provenance: str) -> str:
+    names = [_NUMPY_C_NAMES[precision.name] for precision in selection.precisions]
+    most = max(len(op.inputs) + len(op.outputs) for op in selection.operations)
+    return render("gufunc/module.c", banner=selection.banner, families=selection.families,
+                  most_arguments=most, provenance=provenance,
+                  types=[number for number, _ in names], dtypes=[dtype for _, dtype in names])
+
+
+# the Python package
+
+
+def _package(selection: Selection, programs: Programs, extension: bool,
+             provenance: str) -> dict[str, str]:
+    """The files of the package `coscrew`, by path in it."""
+    names = [op.name for op in selection.operations]
+    aliases = [(alias, name) for alias, name in _ALIASES if name in names]
+    shared = {"banner": selection.banner, "names": names, "aliases": aliases,
+              "precisions": [precision.name for precision in selection.precisions],
+              "extension": extension, "provenance": provenance}
+
+    def stub_file(scalar: str, top: bool) -> str:
+        stubs = [numpy.stub(op, programs[op.name], scalar) for op in selection.operations]
+        return render("python/operations.pyi", stubs=stubs, top=top, **shared)
+
+    package = {name: render(f"python/{name}", **shared)
+               for name in ("__init__.py", "_dispatch.py", "_kernel.py")}
+    package["__init__.pyi"] = stub_file("np.floating", top=True)
+    package["py.typed"] = ""
+    for precision in selection.precisions:
+        folder = precision.name
+        package[f"{folder}/__init__.pyi"] = stub_file(f"np.{precision.numpy_type}", top=False)
+        by_family = [{"name": family, "operations": [op.name for op in selection.operations
+                                                     if op.family == family]}
+                     for family in selection.families]
+        package[f"{folder}/__init__.py"] = render(
+            "python/precision.py", banner=selection.banner, precision=precision,
+            families=by_family, aliases=aliases)
+        for family in selection.families:
+            package[f"{folder}/{family}.py"] = _twins(selection, programs, family, precision)
+    return package
+
+
+def _twins(selection: Selection, programs: Programs, family: str, precision: Precision) -> str:
+    operations = [op for op in selection.operations if op.family == family]
+    functions = [numpy.function(op, programs[op.name], precision) for op in operations]
+    return render("python/family.py", banner=selection.banner, title=family_title(family),
+                  precision=precision, functions=functions,
+                  imported=numpy.imported(tuple(programs[op.name] for op in operations)))

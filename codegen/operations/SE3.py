@@ -1,0 +1,28 @@
+"""Displacements D = [R | t]."""
+
+import sympy as sp
+
+from coscrew_codegen.algebra import I3, displacement, inverse, rotation, translation
+from coscrew_codegen.operations.operation import Operation
+from coscrew_codegen.quantity import MAT3X3, SE3, VEC3, Argument
+
+FAMILY = "SE3"
+
+_D, _self, _Do = (Argument(name, SE3) for name in ("D", "self", "Do"))
+_R, _t = Argument("R", MAT3X3), Argument("t", VEC3)
+
+
+def _op(name, statement, inputs, outputs, formula, by_value=False):
+    return Operation(name, FAMILY, statement, inputs, outputs, formula, by_value=by_value)
+
+
+OPERATIONS = (
+    _op("SE3_fromRt", "D = [R | t]", (_R, _t), (_D,), displacement, by_value=True),
+    _op("SE3_copy", "Do = D", (_D,), (_Do,), lambda D: D),
+    _op("SE3_setIdentity", "self = [I | 0]", (_self,), (_self,),
+        lambda D: displacement(I3, sp.zeros(3, 1))),
+    _op("SE3_getTranslation", "t of D = [R | t]", (_D,), (_t,), translation),
+    _op("SE3_getRotation", "R of D = [R | t]", (_D,), (_R,), rotation),
+    _op("SE3_invert", "self = self^-1 = [R^T | -R^T t]", (_self,), (_self,), inverse),
+    _op("SE3_inverted", "Do = D^-1 = [R^T | -R^T t]", (_D,), (_Do,), inverse),
+)

@@ -1,0 +1,19 @@
+"""The table of operations, family by family.  Everything else iterates over it."""
+
+from coscrew_codegen.operations import SE3, coscrew, mat3x3, mat6x6, matrix, screw, trig, vec3
+from coscrew_codegen.operations.operation import NORM_THRESHOLD, Operation, components
+
+_MODULES = (vec3, mat3x3, SE3, mat6x6, matrix, trig, screw, coscrew)
+
+FAMILIES: tuple[str, ...] = tuple(module.FAMILY for module in _MODULES)
+OPERATIONS: tuple[Operation, ...] = tuple(op for module in _MODULES for op in module.OPERATIONS)
+
+
+def family_title(family: str) -> str:
+    """The first line of the family's documentation."""
+    module = next(module for module in _MODULES if module.FAMILY == family)
+    return module.__doc__.splitlines()[0]
+
+
+__all__ = ["FAMILIES", "NORM_THRESHOLD", "OPERATIONS", "Operation", "components",
+           "family_title"]

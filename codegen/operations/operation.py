@@ -1,0 +1,57 @@
+"""What an operation is: one entry of the table everything else iterates over."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import sympy as sp
+
+from coscrew_codegen.quantity import Argument
+
+Value = sp.Matrix | sp.Expr
+Let = Callable[[str, Value], Value]
+
+# Below it every component counts as zero when a norm chooses between linear and angular part;
+# 1e-9 in double, 1e-6 in single precision.
+NORM_THRESHOLD = sp.Symbol("norm_threshold", positive=True)
+
+
+@dataclass(frozen=True)
+class Operation:
+    """A pure function from inputs to outputs.
+
+    `formula` says what the outputs are, as plain mathematics.  `derivation`, where given, says the
+    same through intermediate results bound by its first argument, `let(name, value)`, so that a
+    product of operators costs a product of sparse operators.  Both take the inputs' values and
+    return one value per output (a tuple when there are several).
+
+    An output that carries an input's name is updated in place in C.  `order` is the order of C
+    parameters where it is not inputs, then outputs.
+    """
+
+    name: str
+    family: str
+    statement: str
+    inputs: tuple[Argument, ...]
+    outputs: tuple[Argument, ...]
+    formula: Callable[..., Value | tuple[Value, ...]]
+    derivation: Callable[..., Value | tuple[Value, ...]] | None = None
+    order: tuple[str, ...] = ()
+    by_value: bool = False  # in C, arguments and result are passed by value
+
+    @property
+    def signature(self) -> str:
+        """The gufunc signature: '(3,4),(6)->(6)'."""
+        inputs = ",".join(a.quantity.core for a in self.inputs)
+        return f"{inputs}->{','.join(a.quantity.core for a in self.outputs)}"
+
+    def truth(self) -> tuple[sp.Expr, ...]:
+        """`formula` on the inputs' symbols: every component of every output, row by row."""
+        return components(self.formula(*(a.value for a in self.inputs)))
+
+
+def components(values: Value | tuple[Value, ...]) -> tuple[sp.Expr, ...]:
+    """All components of one or several values, row by row."""
+    result: list[sp.Expr] = []
+    for value in values if isinstance(values, tuple) else (values,):
+        result.extend(value if isinstance(value, sp.MatrixBase) else (sp.sympify(value),))
+    return tuple(result)

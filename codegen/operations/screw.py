@@ -1,0 +1,35 @@
+"""Screws: twists, spatial velocities and accelerations, s = (v; ω)."""
+
+from coscrew_codegen.algebra import Ad, ad, ang, lin, rotation, stack, translation
+from coscrew_codegen.operations.spatial import Space, space_operations
+from coscrew_codegen.quantity import COSCREW, MAT6X6, SCALAR, SCREW, SE3, VEC3, Argument
+
+import sympy as sp
+
+FAMILY = "screw"
+
+_SPACE = Space(SCREW, "s", Ad, "Ad", "[Ad]", ang, lin,
+               "|ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6)")
+_s, _s1, _s2, _so = (Argument(name, SCREW) for name in ("s", "s1", "s2", "so"))
+_c, _D, _axis = Argument("c", COSCREW), Argument("D", SE3), Argument("axis", VEC3)
+_power, _M = Argument("power", SCALAR), Argument("M", MAT6X6)
+
+
+def _about(let, D, axis):
+    a = let("a", rotation(D) * axis)
+    return stack(translation(D).cross(a), a)
+
+
+OPERATIONS = (
+    *space_operations(_SPACE),
+    _SPACE.op("dot_cs", "power = f·v + τ·ω, in W", (_c, _s), (_power,), lambda c, s: c.dot(s)),
+    _SPACE.op("cross_ss", "so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2); exactly zero for s1 = s2",
+              (_s1, _s2), (_so,), lambda s1, s2: ad(s1) * s2),
+    _SPACE.op("cross_sst", "so = (ω1×v2 ; 0)", (_s1, _s2), (_so,),
+              lambda s1, s2: stack(ang(s1).cross(lin(s2)), sp.zeros(3, 1))),
+    _SPACE.op("hsra", "so = (t×R a ; R a), a = axis in the body's frame", (_D, _axis), (_so,),
+              lambda D, axis: Ad(D) * stack(sp.zeros(3, 1), axis), _about),
+    _SPACE.op("hsta", "so = (R a ; 0), a = axis in the body's frame", (_D, _axis), (_so,),
+              lambda D, axis: Ad(D) * stack(axis, sp.zeros(3, 1))),
+    _SPACE.op("ad", "M = [ad](s) = [Ad]' [Ad]^-1 = [[ω~, v~], [0, ω~]]", (_s,), (_M,), ad),
+)

@@ -1,0 +1,15 @@
+"""Sine and cosine of a joint angle."""
+
+import sympy as sp
+
+from coscrew_codegen.operations.operation import Operation
+from coscrew_codegen.quantity import DC, SCALAR, Argument
+
+FAMILY = "trig"
+
+_theta, _dc = Argument("theta", SCALAR), Argument("dc", DC)
+
+OPERATIONS = (
+    Operation("dc", FAMILY, "dc = (sin θ, cos θ), θ in rad; accurate as the platform's sin and cos",
+              (_theta,), (_dc,), lambda theta: sp.Matrix([sp.sin(theta), sp.cos(theta)])),
+)

@@ -1,0 +1,52 @@
+"""Vectors of three components."""
+
+import sympy as sp
+
+from coscrew_codegen.algebra import unit
+from coscrew_codegen.operations.linear import linear_space
+from coscrew_codegen.operations.norm import divided, l2, nonzero
+from coscrew_codegen.operations.operation import Operation
+from coscrew_codegen.quantity import SCALAR, VEC3, Argument
+
+FAMILY = "vec3"
+
+_v, _self, _vo = (Argument(name, VEC3) for name in ("v", "self", "vo"))
+_v1, _v2 = Argument("v1", VEC3), Argument("v2", VEC3)
+_k, _norm, _dot = (Argument(name, SCALAR) for name in ("k", "norm", "dot"))
+
+
+def _normalized(let, v):
+    return divided(v, let("d", nonzero(let("n", l2(v)))))
+
+
+def _op(name, statement, inputs, outputs, formula, derivation=None, order=()):
+    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation, order)
+
+
+_PRODUCTS = (
+    _op("vec3_scaled", "vo = k v", (_v, _k), (_vo,), lambda v, k: k * v),
+    _op("vec3_swap", "v1, v2 = v2, v1", (_v1, _v2), (_v1, _v2), lambda v1, v2: (v2, v1)),
+    _op("vec3_l2norm", "|v| = sqrt(v·v)", (_v,), (_norm,), l2),
+    _op("vec3_normalize", "self = self / |self|; the zero vector stays zero", (_self,), (_self,),
+        lambda v: divided(v, nonzero(l2(v))), _normalized),
+    _op("vec3_normalized", "vo = v / |v|; the zero vector stays zero", (_v,), (_vo,),
+        lambda v: divided(v, nonzero(l2(v))), _normalized),
+    _op("dot_vv", "v1·v2", (_v1, _v2), (_dot,), lambda v1, v2: v1.dot(v2)),
+    _op("product_avinv", "vo = k (-v)", (_k, _v), (_vo,), lambda k, v: -k * v),
+    _op("product_ainvv", "vo = k^-1 v", (_k, _v), (_vo,), lambda k, v: v / k,
+        lambda let, k, v: let("r", 1 / k) * v),
+    _op("cross_vv", "vo = v1 × v2; exactly zero for v1 = v2", (_v1, _v2), (_vo,),
+        lambda v1, v2: v1.cross(v2)),
+    _op("cross_vvinv", "vo = v1 × (-v2)", (_v1, _v2), (_vo,), lambda v1, v2: v1.cross(-v2)),
+)
+
+
+def _shift(axis: int, sign: int) -> Operation:
+    letter = "xyz"[axis]
+    name = f"add_vv{letter}" + ("inv" if sign < 0 else "")
+    statement = f"vo = v {'-' if sign < 0 else '+'} k e_{letter}"
+    return _op(name, statement, (_v, _k), (_vo,), lambda v, k: v + sign * k * sp.Matrix(unit(axis)))
+
+
+OPERATIONS = (*linear_space(FAMILY, VEC3, "v"), *_PRODUCTS,
+              *(_shift(axis, sign) for axis in range(3) for sign in (1, -1)))

@@ -1,0 +1,104 @@
+"""Program: a kernel with its order of evaluation, one rounding an instruction.
+
+A Program knows neither SymPy, nor its scalar type, nor a language: it is evaluated in double or
+single precision, on NumPy arrays, on exact rationals or on symbols alike.
+"""
+
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from enum import Enum
+from fractions import Fraction
+from itertools import groupby
+
+from coscrew_codegen.quantity import Argument
+
+
+class Op(Enum):
+    """What an instruction does with its operands."""
+
+    ADD = "add"
+    SUB = "sub"
+    MUL = "mul"
+    DIV = "div"
+    NEG = "neg"
+    ABS = "abs"
+    SQRT = "sqrt"
+    SIN = "sin"
+    COS = "cos"
+    LESS = "less"  # a < b
+    EQUAL = "equal"  # a == b
+    SELECT = "select"  # a ? b : c
+
+
+@dataclass(frozen=True)
+class Input:
+    """Component `index` (row by row) of the input number `argument`."""
+
+    argument: int
+    index: int
+
+
+@dataclass(frozen=True)
+class Constant:
+    """A number, which may differ between the precisions (a threshold)."""
+
+    double: Fraction
+    single: Fraction
+
+
+@dataclass(frozen=True)
+class Ref:
+    """The result of an earlier instruction."""
+
+    name: str
+
+
+Operand = Input | Constant | Ref
+
+
+@dataclass(frozen=True)
+class Instruction:
+    """name = op(operands), a step towards `component`; the last step bears its name."""
+
+    name: str
+    op: Op
+    operands: tuple[Operand, ...]
+    component: str
+
+
+@dataclass(frozen=True)
+class Program:
+    """inputs → instructions, in order → outputs."""
+
+    name: str
+    inputs: tuple[Argument, ...]
+    outputs: tuple[Argument, ...]
+    instructions: tuple[Instruction, ...]
+    results: tuple[Operand, ...]  # every component of every output, row by row
+
+    @property
+    def counts(self) -> Mapping[Op, int]:
+        """How many instructions of each kind."""
+        return Counter(instruction.op for instruction in self.instructions)
+
+    def used_inputs(self) -> frozenset[Input]:
+        """The input components anything depends on."""
+        operands = [x for instruction in self.instructions for x in instruction.operands]
+        return frozenset(x for x in (*operands, *self.results) if isinstance(x, Input))
+
+
+def by_component(program: Program) -> Iterator[tuple[Instruction, ...]]:
+    """The instructions, those of each component together: the lines a reader expects."""
+    for _, steps in groupby(program.instructions, key=lambda step: step.component):
+        yield tuple(steps)
+
+
+def counts_in_words(program: Program) -> str:
+    """'24 mul, 18 add': operations by kind, additions and subtractions together."""
+    counts = Counter(program.counts)
+    counts[Op.ADD] += counts.pop(Op.SUB, 0)
+    order = (Op.MUL, Op.ADD, Op.DIV, Op.SQRT, Op.SIN, Op.COS, Op.NEG, Op.ABS, Op.LESS, Op.EQUAL,
+             Op.SELECT)
+    words = [f"{counts[op]} {op.value}" for op in order if counts[op]]
+    return ", ".join(words) if words else "no arithmetic"

@@ -1,0 +1,115 @@
+"""The quantities operations act on: shape, named parts, units.
+
+A quantity knows how its components are addressed mathematically; how a language stores them is the
+targets' business.
+"""
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+
+@dataclass(frozen=True)
+class Part:
+    """A named block of a quantity: `R` and `t` of a displacement, `lin` and `ang` of a screw."""
+
+    name: str
+    rows: range
+    columns: range
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A kind of value.  `shape` is its array shape: () scalar, (n,) column, (rows, columns)."""
+
+    name: str
+    shape: tuple[int, ...]
+    parts: tuple[Part, ...]
+    words: str  # what it is, with units, as documentation prints it
+
+    @property
+    def size(self) -> int:
+        """Number of components."""
+        rows, columns = self.rows_columns
+        return rows * columns
+
+    @property
+    def rows_columns(self) -> tuple[int, int]:
+        """The shape as a matrix: a scalar is 1×1, a column n×1."""
+        return (*self.shape, 1, 1)[:2]
+
+    @property
+    def indices(self) -> tuple[tuple[int, int], ...]:
+        """(row, column) of every component, row by row."""
+        rows, columns = self.rows_columns
+        return tuple((i, j) for i in range(rows) for j in range(columns))
+
+    @property
+    def core(self) -> str:
+        """The shape as a gufunc signature writes it: '(3,4)'."""
+        return f"({','.join(map(str, self.shape))})"
+
+    def place(self, row: int, column: int) -> tuple[int, int]:
+        """(number of the part, index inside the part, row by row) of a component."""
+        for number, part in enumerate(self.parts):
+            if row in part.rows and column in part.columns:
+                inner = (row - part.rows.start) * len(part.columns) + column - part.columns.start
+                return number, inner
+        raise ValueError(f"{self.name} has no component ({row}, {column})")
+
+
+def _whole(name: str, shape: tuple[int, ...], words: str) -> Quantity:
+    rows, columns = (*shape, 1, 1)[:2]
+    return Quantity(name, shape, (Part("", range(rows), range(columns)),), words)
+
+
+def _halves(name: str, words: str) -> Quantity:
+    lin, ang = Part("lin", range(3), range(1)), Part("ang", range(3, 6), range(1))
+    return Quantity(name, (6,), (lin, ang), words)
+
+
+SCALAR = _whole("scalar", (), "number")
+DC = _whole("dc", (2,), "(sin θ, cos θ)")
+VEC3 = _whole("vec3", (3,), "vector")
+MAT3X3 = _whole("mat3x3", (3, 3), "rotation or other 3×3 matrix")
+SE3 = Quantity("SE3", (3, 4), (Part("R", range(3), range(3)), Part("t", range(3), range(3, 4))),
+               "displacement [R | t], R rotation, t in m")
+SCREW = _halves("screw", "screw (v in m/s; ω in rad/s)")
+COSCREW = _halves("coscrew", "coscrew (f in N; τ in N m)")
+ANGULAR_FIRST = _whole("angular_first", (6,), "six components with the angular part on top")
+MAT6X6 = _whole("mat6x6", (6, 6), "6×6 operator")
+
+QUANTITIES = (SCALAR, DC, VEC3, MAT3X3, SE3, SCREW, COSCREW, ANGULAR_FIRST, MAT6X6)
+
+
+@dataclass(frozen=True)
+class Argument:
+    """A named input or output of an operation."""
+
+    name: str
+    quantity: Quantity
+
+    @property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """One SymPy symbol per component, row by row: `a`, `c_0`, `D_03`."""
+        shape = self.quantity.shape
+        if not shape:
+            return (sp.Symbol(self.name),)
+        if len(shape) == 1:
+            return tuple(sp.Symbol(f"{self.name}_{i}") for i in range(shape[0]))
+        return tuple(sp.Symbol(f"{self.name}_{i}{j}") for i, j in self.quantity.indices)
+
+    @property
+    def value(self) -> sp.Matrix | sp.Symbol:
+        """The argument as formulas see it: a scalar symbol or a matrix of symbols."""
+        if not self.quantity.shape:
+            return self.symbols[0]
+        return sp.Matrix(*self.quantity.rows_columns, self.symbols)
+
+
+def in_words(arguments: tuple[Argument, ...]) -> str:
+    """'D: displacement …; ci, co: coscrew …': what the arguments are, with units."""
+    names: dict[str, list[str]] = {}
+    for argument in arguments:
+        names.setdefault(argument.quantity.words, []).append(argument.name)
+    return "; ".join(f"{', '.join(group)}: {words}" for words, group in names.items())

@@ -1,0 +1,65 @@
+"""Which part of the library is generated: families, precisions, languages."""
+
+from dataclasses import dataclass
+from difflib import get_close_matches
+
+from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation
+from coscrew_codegen.targets.precision import PRECISIONS, Precision
+
+LANGUAGES = ("c", "python")
+
+
+class SelectionError(ValueError):
+    """A name that means nothing here; the message gives the nearest that does."""
+
+
+@dataclass(frozen=True)
+class Selection:
+    """What to generate; by default everything."""
+
+    families: tuple[str, ...] = FAMILIES
+    precisions: tuple[Precision, ...] = PRECISIONS
+    languages: tuple[str, ...] = LANGUAGES
+
+    @property
+    def operations(self) -> tuple[Operation, ...]:
+        """The selected operations, in the table's order."""
+        return tuple(op for op in OPERATIONS if op.family in self.families)
+
+    @property
+    def command(self) -> str:
+        """The command that generates exactly this."""
+        words = ["coscrew generate"]
+        if self.families != FAMILIES:
+            words.append(f"--family {' '.join(self.families)}")
+        if self.precisions != PRECISIONS:
+            words.append(f"--precision {self.precisions[0].name}")
+        if self.languages != LANGUAGES:
+            words.append(f"--language {self.languages[0]}")
+        return " ".join(words)
+
+    @property
+    def banner(self) -> str:
+        """The first line of every generated file, as a comment's text."""
+        return f"Made by `{self.command}`; changes are overwritten."
+
+
+def select(families: list[str], precision: str, language: str | None) -> Selection:
+    """The selection these names stand for.  Raises SelectionError for an unknown one."""
+    for family in families:
+        _known("family", family, FAMILIES)
+    _known("precision", precision, ("double", "single", "both"))
+    if language is not None:
+        _known("language", language, LANGUAGES)
+    return Selection(
+        tuple(f for f in FAMILIES if not families or f in families),
+        tuple(p for p in PRECISIONS if precision in (p.name, "both")),
+        tuple(name for name in LANGUAGES if language in (None, name)),
+    )
+
+
+def _known(kind: str, name: str, names: tuple[str, ...]) -> None:
+    if name not in names:
+        near = get_close_matches(name, names, n=1, cutoff=0.0)
+        raise SelectionError(f"unknown {kind} {name!r}: did you mean {near[0]!r}?  "
+                             f"There are {', '.join(names)}.")

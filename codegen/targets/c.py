@@ -1,0 +1,193 @@
+"""The C target: functions, comments and names of both precisions.
+
+One operation a statement (declarators count as statements), so that no compiler that contracts
+within expressions can fuse a product into a sum.  Results are stored last: outputs may alias inputs.
+"""
+
+import textwrap
+from dataclasses import dataclass
+
+from coscrew_codegen.operations import Operation
+from coscrew_codegen.program import (Constant, Input, Instruction, Op, Operand, Program,
+                                     by_component, counts_in_words)
+from coscrew_codegen.quantity import SCALAR, Argument, Quantity, in_words
+from coscrew_codegen.targets.precision import Precision
+
+WIDTH = 100
+
+STRUCTS = ("vec3", "mat3x3", "SE3", "screw", "coscrew", "mat6x6")
+
+_SPELLING = {
+    Op.ADD: "{} + {}", Op.SUB: "{} - {}", Op.MUL: "{} * {}", Op.DIV: "{} / {}", Op.NEG: "-{}",
+    Op.ABS: "fabs{f}({})", Op.SQRT: "sqrt{f}({})", Op.SIN: "sin{f}({})", Op.COS: "cos{f}({})",
+    Op.LESS: "{} < {}", Op.EQUAL: "{} == {}", Op.SELECT: "{} ? {} : {}",
+}
+
+
+@dataclass(frozen=True)
+class CFunction:
+    """The text of one function: comment, head without `static inline`, body lines."""
+
+    name: str
+    comment: str
+    head: str
+    body: str
+
+
+def c_type(quantity: Quantity, precision: Precision) -> str:
+    """The type of one value: ksl_SE3f_t, double."""
+    return type_name(quantity.name, precision) if quantity.name in STRUCTS else precision.c_type
+
+
+def type_name(name: str, precision: Precision) -> str:
+    """ksl_SE3_t, ksl_SE3f_t."""
+    return f"ksl_{name}{precision.suffix}_t"
+
+
+def c_name(name: str, precision: Precision) -> str:
+    """The function's C name; single precision puts its f behind the type the name starts with
+    (ksl_coscrewf_copy), else at the end (ksl_product_CoAdcf)."""
+    head, underscore, tail = name.partition("_")
+    if head in STRUCTS:
+        return f"ksl_{head}{precision.suffix}{underscore}{tail}"
+    return f"ksl_{name}{precision.suffix}"
+
+
+def member(quantity: Quantity, index: int) -> str:
+    """How C writes component `index` (row by row) behind a value's name."""
+    row, column = quantity.indices[index]
+    if quantity.name == "vec3":
+        return "." + "xyz"[row]
+    if quantity.name in ("screw", "coscrew"):
+        return f".m{row}"
+    if quantity.name in ("mat3x3", "SE3"):
+        return f".m{row}{column}"
+    if quantity.name == "mat6x6":
+        return f".at[{column}][{row}]"
+    return f"[{index}]" if quantity.shape else ""
+
+
+def returned(operation: Operation) -> Argument | None:
+    """The output that is the function's value, if it has one."""
+    first = operation.outputs[0]
+    return first if operation.by_value or first.quantity == SCALAR else None
+
+
+def parameters(operation: Operation) -> tuple[Argument, ...]:
+    """The C parameters, in order."""
+    arguments = {a.name: a for a in (*operation.inputs, *operation.outputs)}
+    value = returned(operation)
+    names = operation.order or [n for n in arguments if value is None or n != value.name]
+    return tuple(arguments[name] for name in names)
+
+
+def function(operation: Operation, program: Program, precision: Precision) -> CFunction:
+    """The operation as a C function."""
+    return _Writer(operation, program, precision).function()
+
+
+def comment_of(lines: list[str]) -> str:
+    """A C comment of these paragraphs, wrapped."""
+    wrapped = [row for line in lines
+               for row in textwrap.wrap(line, WIDTH - 6, subsequent_indent="  ")]
+    return "/* " + "\n   ".join(wrapped) + " */"
+
+
+def listed(before: str, items: list[str], after: str, width: int = WIDTH) -> str:
+    """`before`, the items with commas, `after`; broken between items, indented by four."""
+    lines = [before]
+    for number, item in enumerate(items):
+        piece = item + (after if number == len(items) - 1 else ",")
+        glue = "" if number == 0 else " "
+        if number and len(lines[-1]) + len(glue) + len(piece) > width:
+            lines.append(f"    {piece}")
+        else:
+            lines[-1] += glue + piece
+    return "\n".join(lines)
+
+
+class _Writer:
+    def __init__(self, operation: Operation, program: Program, precision: Precision):
+        self.operation, self.program, self.precision = operation, program, precision
+        self.written = {a.name for a in operation.outputs}
+        self.value = returned(operation)
+        self.inlined = {step.name: step for step in program.instructions
+                        if step.op in (Op.LESS, Op.EQUAL)}
+
+    def function(self) -> CFunction:
+        name = c_name(self.operation.name, self.precision)
+        kind = c_type(self.value.quantity, self.precision) if self.value else "void"
+        declared = [self._parameter(a) for a in parameters(self.operation)]
+        head = listed(f"{kind} {name}(", declared, ")", WIDTH - 16)
+        return CFunction(name, self._comment(), head, "\n".join(self._body()))
+
+    def _comment(self) -> str:
+        return comment_of([f"{self.operation.statement}.",
+                           f"{in_words(parameters(self.operation))}.",
+                           f"{counts_in_words(self.program).capitalize()}."])
+
+    def _parameter(self, argument: Argument) -> str:
+        kind = c_type(argument.quantity, self.precision)
+        const = "" if argument.name in self.written else "const "
+        if argument.quantity.name in STRUCTS:
+            star = "" if self.operation.by_value else "*"
+            return f"{const}{kind} {star}{argument.name}"
+        size = f"[{argument.quantity.size}]" if argument.quantity.shape else ""
+        return f"{const}{kind} {argument.name}{size}"
+
+    def _body(self) -> list[str]:
+        lines = [f"(void){a.name};" for n, a in enumerate(self.program.inputs)
+                 if a.name not in self.written
+                 and not any(x.argument == n for x in self.program.used_inputs())]
+        for steps in by_component(self.program):
+            declarators = [f"{step.name} = {self._expression(step)}" for step in steps
+                           if step.name not in self.inlined]
+            lines.append(listed(f"const {self.precision.c_type} ", declarators, ";", WIDTH - 2))
+        return [f"  {line}".replace("\n", "\n  ") for line in (*lines, *self._stores())]
+
+    def _expression(self, step: Instruction) -> str:
+        operands = [self._operand(x) for x in step.operands]
+        return _SPELLING[step.op].format(*operands, f=self.precision.suffix)
+
+    def _operand(self, operand: Operand) -> str:
+        if isinstance(operand, Input):
+            argument = self.program.inputs[operand.argument]
+            return self._access(argument, operand.index)
+        if isinstance(operand, Constant):
+            return self.precision.literal(operand) + self.precision.suffix
+        return (self._expression(self.inlined[operand.name]) if operand.name in self.inlined
+                else operand.name)
+
+    def _access(self, argument: Argument, index: int) -> str:
+        path = member(argument.quantity, index)
+        pointed = argument.quantity.name in STRUCTS and not self.operation.by_value
+        return argument.name + (path.replace(".", "->", 1) if pointed else path)
+
+    def _stores(self) -> list[str]:
+        results = [self._operand(x) for x in self.program.results]
+        if self.value and not self.value.quantity.shape:
+            return [f"return {results[0]};"]
+        targets = [self._access(a, i) for a in self.operation.outputs
+                   for i in range(a.quantity.size)]
+        pairs = list(zip(targets, results, strict=True))
+        saved = self._saved({t for t, _ in pairs}, pairs)
+        stores = [f"{t} = {saved.get(r, r)};" for t, r in pairs if t != r]
+        before = [f"const {self.precision.c_type} {name} = {source};"
+                  for source, name in saved.items()]
+        if self.value:
+            kind = c_type(self.value.quantity, self.precision)
+            return [f"{kind} {self.value.name};", *before, *stores, f"return {self.value.name};"]
+        return [*before, *stores]
+
+    def _saved(self, targets: set[str], pairs: list[tuple[str, str]]) -> dict[str, str]:
+        """Inputs that are stored elsewhere unchanged are read before anything is written, since
+        the output may be the same object: source → the local that holds it."""
+        moved = [r for t, r in pairs if t != r and ("->" in r or "[" in r)]
+        if len(pairs) == 1 or self.operation.by_value:
+            return {}
+        return {source: _local_name(source) for source in dict.fromkeys(moved)}
+
+
+def _local_name(access: str) -> str:
+    """D->m03 → D_m03, dc[1] → dc_1."""
+    return access.replace("->", "_").replace("][", "").replace(".", "_").replace("[", "_").rstrip("]")

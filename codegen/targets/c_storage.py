@@ -1,0 +1,120 @@
+"""The C functions that only move numbers: constructors, allocation, element access.
+
+They exist in C alone: Python has arrays.
+"""
+
+from coscrew_codegen.quantity import (COSCREW, MAT3X3, MAT6X6, SCREW, SE3, VEC3, Quantity)
+from coscrew_codegen.targets.c import CFunction, comment_of, member, type_name
+from coscrew_codegen.targets.precision import Precision
+
+_FIELDS = {
+    "vec3": (("{real} at[3];",), ("{real} x, y, z;",)),
+    "mat3x3": (("{real} as_array[9];",), ("{real} at[3][3];",),
+               ("{real} m00, m10, m20;", "{real} m01, m11, m21;", "{real} m02, m12, m22;"),
+               ("ksl_vec3{f}_t v0, v1, v2;",), ("ksl_vec3{f}_t v[3];",)),
+    "SE3": (("{real} as_array[12];",), ("{real} at[4][3];",),
+            ("ksl_mat3x3{f}_t R;", "ksl_vec3{f}_t t;"),
+            ("{real} m00, m10, m20;", "{real} m01, m11, m21;", "{real} m02, m12, m22;",
+             "{real} m03, m13, m23;"),
+            ("ksl_vec3{f}_t v0, v1, v2, v3;",), ("ksl_vec3{f}_t v[4];",)),
+    "screw": (("{real} at[6];",), ("ksl_vec3{f}_t lin, ang;",),
+              ("{real} m0, m1, m2, m3, m4, m5;",)),
+    "coscrew": (("{real} at[6];",), ("ksl_vec3{f}_t lin, ang;",),
+                ("{real} m0, m1, m2, m3, m4, m5;",)),
+    "mat6x6": (("{real} as_array[36];",), ("{real} at[6][6];",)),
+}
+
+_MEANING = {
+    "vec3": "vector (x, y, z)",
+    "mat3x3": "3×3 matrix, stored column by column: m21 is row 2, column 1, also at[1][2]",
+    "SE3": "displacement [R | t], stored column by column: m13 is t.y, also at[3][1]",
+    "screw": "screw (lin; ang) = (v; ω)",
+    "coscrew": "coscrew (lin; ang) = (f; τ)",
+    "mat6x6": "6×6 operator, stored column by column: at[column][row]",
+}
+
+TYPES = (VEC3, MAT3X3, SE3, SCREW, COSCREW, MAT6X6)
+"""The struct types, each after those it is made of."""
+
+
+def views(quantity: Quantity, precision: Precision) -> list[list[str]]:
+    """The anonymous structs of the type's union: member declarations of each."""
+    return [[line.format(real=precision.c_type, f=precision.suffix) for line in view]
+            for view in _FIELDS[quantity.name]]
+
+
+def meaning(quantity: Quantity) -> str:
+    """What the type holds, for the comment above it."""
+    return _MEANING[quantity.name]
+
+
+def storage_functions(family: str, precision: Precision) -> tuple[CFunction, ...]:
+    """Constructors, alloc, get and set of the type a family is named after, if there is one."""
+    quantity = next((q for q in TYPES if q.name == family), None)
+    if quantity is None:
+        return ()
+    stem = f"ksl_{family}{precision.suffix}"
+    functions = [] if quantity is MAT6X6 else [_constructor(quantity, precision, stem)]
+    if quantity in (MAT3X3, SE3):
+        functions.append(_constructor(quantity, precision, f"{stem}_cmo", by_columns=True))
+    if quantity is SE3:
+        functions.append(_identity(precision, stem))
+    if quantity in (MAT3X3, SE3, MAT6X6):
+        functions += _element_access(quantity, precision, stem)
+    return tuple(functions)
+
+
+def allocation(family: str, precision: Precision) -> CFunction | None:
+    """The family's _alloc function; it is the only one that needs <stdlib.h>."""
+    if family not in _FIELDS:
+        return None
+    kind = f"ksl_{family}{precision.suffix}"
+    return CFunction(
+        f"{kind}_alloc",
+        comment_of([f"n zeroed {kind}_t on the heap, to be freed by the caller; NULL for n <= 0 or "
+                    "when there is no memory."]),
+        f"{kind}_t *{kind}_alloc(int n)",
+        f"  return n > 0 ? ({kind}_t *)calloc((size_t)n, sizeof({kind}_t)) : NULL;")
+
+
+def _constructor(quantity: Quantity, precision: Precision, name: str,
+                 by_columns: bool = False) -> CFunction:
+    kind, order = type_name(quantity.name, precision), range(quantity.size)
+    if by_columns:
+        order = sorted(order, key=lambda i: quantity.indices[i][::-1])
+    fields = [member(quantity, i).lstrip(".") for i in order]
+    declared = [f"const {precision.c_type} {field}" for field in fields]
+    rows = len(fields) // 3 if len(fields) > 6 else len(fields)
+    wrapped = ",\n    ".join(", ".join(declared[i:i + rows]) for i in range(0, len(fields), rows))
+    words = "column by column" if by_columns else "row by row" if quantity.shape[1:] else "in order"
+    body = [f"  {kind} value;", *(f"  value.{field} = {field};" for field in fields),
+            "  return value;"]
+    return CFunction(name, comment_of([f"A {quantity.name} from its entries, {words}."]),
+                     f"{kind} {name}({wrapped})", "\n".join(body))
+
+
+def _identity(precision: Precision, stem: str) -> CFunction:
+    entries = (f"{float(i == j)}{precision.suffix}" for i, j in SE3.indices)
+    return CFunction(f"{stem}_identity", comment_of(["The displacement [I | 0]."]),
+                     f"{stem}_t {stem}_identity(void)", f"  return {stem}({', '.join(entries)});")
+
+
+def _element_access(quantity: Quantity, precision: Precision,
+                    stem: str) -> tuple[CFunction, CFunction]:
+    rows, columns = quantity.shape
+    inside = f"row >= 0 && row < {rows} && column >= 0 && column < {columns}"
+    real, kind, name = precision.c_type, f"{stem}_t", quantity.name[0].upper()
+    name = "D" if quantity is SE3 else "R" if quantity is MAT3X3 else name
+    where = f"for 0 <= row < {rows} and 0 <= column < {columns}"
+    return (
+        CFunction(f"{stem}_get",
+                  comment_of([f"The entry of {name} at (row, column), {where}; NaN outside."]),
+                  f"{real} {stem}_get(const {kind} *{name}, const int row, const int column)",
+                  f"  return {inside} ? {name}->at[column][row] : ({real})NAN;"),
+        CFunction(f"{stem}_set",
+                  comment_of([f"Sets the entry of {name} at (row, column), {where}; does nothing "
+                              "outside."]),
+                  f"void {stem}_set({kind} *{name}, const int row, const int column,\n"
+                  f"    const {real} value)",
+                  f"  if ({inside}) {{\n    {name}->at[column][row] = value;\n  }}"),
+    )

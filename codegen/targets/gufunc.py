@@ -1,0 +1,119 @@
+"""The gufunc target: NumPy generalized ufuncs whose loops call the C kernels.
+
+A loop reads its core dimensions through strides into the kernels' structs, calls the kernel, and
+writes back; nothing is copied but the structs themselves.
+"""
+
+from dataclasses import dataclass
+
+from coscrew_codegen.operations import Operation
+from coscrew_codegen.quantity import Argument, Quantity
+from coscrew_codegen.targets.c import STRUCTS, c_name, c_type, member, parameters, returned
+from coscrew_codegen.targets.precision import Precision
+
+
+@dataclass(frozen=True)
+class Loop:
+    """The inner loop of one gufunc in one precision."""
+
+    name: str  # of the C function
+    declarations: str
+    loads: tuple[str, ...]
+    call: str
+    stores: tuple[str, ...]
+    dense: str  # core strides of C-ordered arrays, as an initialiser; empty without core axes
+    core: int  # where the core strides begin among the steps
+
+
+@dataclass(frozen=True)
+class Gufunc:
+    """One gufunc: its loops, and what NumPy is told about it."""
+
+    name: str
+    signature: str
+    inputs: int
+    outputs: int
+    docstring: str  # as a C string literal's lines
+    loops: tuple[Loop, ...]
+
+
+@dataclass(frozen=True)
+class Access:
+    """How the components of a quantity are found behind a pointer and core strides."""
+
+    quantity: str
+    type: str
+    real: str
+    precision: str
+    places: tuple[tuple[str, str], ...]  # (member, byte offset)
+
+
+def gufunc(operation: Operation, precisions: tuple[Precision, ...], docstring: str) -> Gufunc:
+    """The operation as a gufunc with one loop per precision."""
+    lines = docstring.replace("\\", "\\\\").replace('"', '\\"').splitlines()
+    literal = "\n".join(f'    "{line}\\n"' for line in lines)
+    return Gufunc(operation.name, operation.signature, len(operation.inputs),
+                  len(operation.outputs), literal,
+                  tuple(_loop(operation, precision) for precision in precisions))
+
+
+def access(quantity: Quantity, precision: Precision) -> Access:
+    """Where each component of the quantity lies in a NumPy array."""
+    rank = len(quantity.shape)
+    places = []
+    for index, (row, column) in enumerate(quantity.indices):
+        steps = [f"{n} * s[{axis}]" for axis, n in enumerate((row, column)[:rank]) if n]
+        path = member(quantity, index)
+        place = path.replace(".", "x->", 1) if path.startswith(".") else f"x{path or '[0]'}"
+        places.append((place, " + ".join(["p", *steps])))
+    return Access(quantity.name, c_type(quantity, precision), precision.c_type, precision.name,
+                  tuple(places))
+
+
+def _loop(operation: Operation, precision: Precision) -> Loop:
+    arguments = (*operation.inputs, *operation.outputs)
+    ranks = [len(a.quantity.shape) for a in arguments]
+    starts = [sum(ranks[:n]) for n in range(len(ranks))]
+
+    def line(verb: str, number: int) -> str:
+        argument = arguments[number]
+        return (f"{verb}_{argument.quantity.name}_{precision.name}({_pointer(argument)}, "
+                f"data[{number}] + i * step[{number}], core + {starts[number]});")
+
+    inputs = range(len(operation.inputs))
+    outputs = range(len(operation.inputs), len(arguments))
+    distinct = {a.name: a for a in arguments}.values()
+    return Loop(
+        name=f"{operation.name}_{precision.name}",
+        declarations=" ".join(f"{_declared(a, precision)};" for a in distinct),
+        loads=tuple(line("load", n) for n in inputs),
+        call=_call(operation, precision),
+        stores=tuple(line("store", n) for n in outputs),
+        dense=", ".join(str(s) for a in arguments for s in _dense(a.quantity, precision)),
+        core=len(arguments),
+    )
+
+
+def _call(operation: Operation, precision: Precision) -> str:
+    passed = ", ".join(a.name if operation.by_value or not a.quantity.name in STRUCTS
+                       else f"&{a.name}" for a in parameters(operation))
+    value = returned(operation)
+    result = f"{value.name} = " if value else ""
+    return f"{result}{c_name(operation.name, precision)}({passed});"
+
+
+def _declared(argument: Argument, precision: Precision) -> str:
+    kind = c_type(argument.quantity, precision)
+    array = argument.quantity.shape and argument.quantity.name not in STRUCTS
+    return f"{kind} {argument.name}" + (f"[{argument.quantity.size}]" if array else "")
+
+
+def _pointer(argument: Argument) -> str:
+    array = argument.quantity.shape and argument.quantity.name not in STRUCTS
+    return argument.name if array else f"&{argument.name}"
+
+
+def _dense(quantity: Quantity, precision: Precision) -> tuple[int, ...]:
+    rows, columns = quantity.rows_columns
+    return (columns * precision.bytes, precision.bytes)[:len(quantity.shape)] if len(
+        quantity.shape) == 2 else (precision.bytes,) * len(quantity.shape)

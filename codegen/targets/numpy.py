@@ -1,0 +1,135 @@
+"""The NumPy target: pure-Python twins of the C kernels, component by component.
+
+NumPy rounds every operation once and contracts nothing, so steps used once are nested into readable
+expressions; parentheses keep the Program's order.
+"""
+
+from collections import Counter
+from dataclasses import dataclass
+
+from coscrew_codegen.operations import Operation
+from coscrew_codegen.program import (Constant, Input, Instruction, Op, Operand, Program, Ref,
+                                     counts_in_words)
+from coscrew_codegen.quantity import Argument, in_words
+from coscrew_codegen.targets.c import WIDTH, listed
+from coscrew_codegen.targets.precision import Precision
+
+# spelling, and how tightly it binds
+_SPELLING = {
+    Op.ADD: ("{} + {}", 1), Op.SUB: ("{} - {}", 1), Op.MUL: ("{} * {}", 2), Op.DIV: ("{} / {}", 2),
+    Op.NEG: ("-{}", 3), Op.ABS: ("absolute({})", 4), Op.SQRT: ("sqrt({})", 4),
+    Op.SIN: ("sin({})", 4), Op.COS: ("cos({})", 4), Op.LESS: ("{} < {}", 0),
+    Op.EQUAL: ("{} == {}", 0), Op.SELECT: ("where({}, {}, {})", 4),
+}
+_CALLS = 4
+
+FUNCTIONS = {Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SIN: "sin", Op.COS: "cos",
+             Op.SELECT: "where"}
+
+
+@dataclass(frozen=True)
+class PythonFunction:
+    """The text of one kernel: name, signature, arguments, docstring lines, body lines."""
+
+    name: str
+    signature: str
+    arguments: str
+    docstring: str
+    body: str
+
+
+def function(operation: Operation, program: Program, precision: Precision) -> PythonFunction:
+    """The operation as a NumPy kernel on tuples of components."""
+    return _Writer(operation, program, precision).function()
+
+
+@dataclass(frozen=True)
+class Stub:
+    """The typed signature of one operation, for .pyi files."""
+
+    name: str
+    arguments: str
+    out: str
+    result: str
+    docstring: str
+
+
+def stub(operation: Operation, program: Program, scalar: str) -> Stub:
+    """The operation's typed signature, its results arrays of `scalar` (np.float64, …)."""
+    arguments = ", ".join(f"{a.name}: ArrayLike" for a in operation.inputs)
+    array, count = f"NDArray[{scalar}]", len(operation.outputs)
+    result = array if count == 1 else f"tuple[{', '.join([array] * count)}]"
+    out = array if count == 1 else f"tuple[{', '.join([f'{array} | None'] * count)}]"
+    return Stub(operation.name, arguments, out, result, _indented(docstring_of(operation, program)))
+
+
+def docstring_of(operation: Operation, program: Program) -> str:
+    """Equation, shapes, units, cost: the docstring of the operation in Python."""
+    arguments = tuple({a.name: a for a in (*operation.inputs, *operation.outputs)}.values())
+    return (f"{operation.statement}.\n\n{operation.signature}.  {in_words(arguments)}.\n"
+            f"{counts_in_words(program).capitalize()}.")
+
+
+def imported(programs: tuple[Program, ...]) -> str:
+    """The NumPy functions these programs call, as an import list; empty if none."""
+    used = {FUNCTIONS[op] for program in programs for op in program.counts if op in FUNCTIONS}
+    return ", ".join(sorted(used))
+
+
+def _indented(docstring: str) -> str:
+    first, *rest = docstring.splitlines()
+    return "\n".join([first, *(f"    {line}" if line else "" for line in rest)])
+
+
+class _Writer:
+    def __init__(self, operation: Operation, program: Program, precision: Precision):
+        self.operation, self.program, self.precision = operation, program, precision
+        uses = Counter(x.name for step in program.instructions for x in step.operands
+                       if isinstance(x, Ref))
+        uses.update(x.name for x in program.results if isinstance(x, Ref))
+        self.nested = {step.name: step for step in program.instructions
+                       if step.op in (Op.LESS, Op.EQUAL)
+                       or uses[step.name] == 1 and step.name != step.component}
+
+    def function(self) -> PythonFunction:
+        return PythonFunction(self.operation.name, self.operation.signature,
+                              ", ".join(a.name for a in self.operation.inputs),
+                              _indented(docstring_of(self.operation, self.program)),
+                              "\n".join(f"    {line}" for line in self._body()))
+
+    def _body(self) -> list[str]:
+        used = {x.argument for x in self.program.used_inputs()}
+        lines = [self._unpacked(a) for n, a in enumerate(self.program.inputs)
+                 if n in used and a.quantity.shape]
+        lines += [self._assigned(step) for step in self.program.instructions
+                  if step.name not in self.nested]
+        results = [self._operand(x, 0) for x in self.program.results]
+        lines.append(f"return {results[0]}" if len(results) == 1
+                     else listed("return (", results, ")", WIDTH - 4))
+        return [line.replace("\n", "\n    ") for line in lines]
+
+    def _unpacked(self, argument: Argument) -> str:
+        names = [symbol.name for symbol in argument.symbols]
+        if len(names) <= 12:
+            return f"{', '.join(names)} = {argument.name}"
+        return listed("(", names, f") = {argument.name}", WIDTH - 4)
+
+    def _assigned(self, step: Instruction) -> str:
+        return f"{step.name} = {self._expression(step)[0]}"
+
+    def _expression(self, step: Instruction) -> tuple[str, int]:
+        spelling, binding = _SPELLING[step.op]
+        needed = [0] * 3 if binding == _CALLS else [binding, binding + 1]
+        operands = [self._operand(x, n) for x, n in zip(step.operands, needed, strict=False)]
+        return spelling.format(*operands), binding
+
+    def _operand(self, operand: Operand, needed: int) -> str:
+        """The operand's text, in parentheses where it binds less tightly than needed."""
+        if isinstance(operand, Input):
+            return self.program.inputs[operand.argument].symbols[operand.index].name
+        if isinstance(operand, Constant):
+            return self.precision.literal(operand)
+        if operand.name not in self.nested:
+            return operand.name
+        text, binding = self._expression(self.nested[operand.name])
+        return text if binding >= needed else f"({text})"

@@ -1,0 +1,1 @@
+"""Accuracy tiers: one function Kernel → Program each."""

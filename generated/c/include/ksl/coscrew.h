@@ -1,0 +1,2391 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* Coscrews: wrenches and momenta, c = (f; τ). */
+#ifndef KSL_COSCREW_H
+#define KSL_COSCREW_H
+
+#include "ksl_types.h"
+#include "screw.h"
+
+/* A coscrew from its entries, in order. */
+static inline ksl_coscrew_t ksl_coscrew(const double m0, const double m1, const double m2, const double m3, const double m4, const double m5) {
+  ksl_coscrew_t value;
+  value.m0 = m0;
+  value.m1 = m1;
+  value.m2 = m2;
+  value.m3 = m3;
+  value.m4 = m4;
+  value.m5 = m5;
+  return value;
+}
+
+/* co = ci.
+   ci, co: coscrew (f in N; τ in N m).
+   No arithmetic. */
+static inline void ksl_coscrew_copy(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
+  const double ci_m0 = ci->m0;
+  const double ci_m1 = ci->m1;
+  const double ci_m2 = ci->m2;
+  const double ci_m3 = ci->m3;
+  const double ci_m4 = ci->m4;
+  const double ci_m5 = ci->m5;
+  co->m0 = ci_m0;
+  co->m1 = ci_m1;
+  co->m2 = ci_m2;
+  co->m3 = ci_m3;
+  co->m4 = ci_m4;
+  co->m5 = ci_m5;
+}
+
+/* self = a self.
+   self: coscrew (f in N; τ in N m); a: number.
+   6 mul. */
+static inline void ksl_coscrew_scale(ksl_coscrew_t *self, const double a) {
+  const double self_0_new = self->m0 * a;
+  const double self_1_new = self->m1 * a;
+  const double self_2_new = self->m2 * a;
+  const double self_3_new = self->m3 * a;
+  const double self_4_new = self->m4 * a;
+  const double self_5_new = self->m5 * a;
+  self->m0 = self_0_new;
+  self->m1 = self_1_new;
+  self->m2 = self_2_new;
+  self->m3 = self_3_new;
+  self->m4 = self_4_new;
+  self->m5 = self_5_new;
+}
+
+/* co = -ci.
+   ci, co: coscrew (f in N; τ in N m).
+   6 neg. */
+static inline void ksl_coscrew_inverted(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
+  const double co_0 = -ci->m0;
+  const double co_1 = -ci->m1;
+  const double co_2 = -ci->m2;
+  const double co_3 = -ci->m3;
+  const double co_4 = -ci->m4;
+  const double co_5 = -ci->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* self = -self.
+   self: coscrew (f in N; τ in N m).
+   6 neg. */
+static inline void ksl_coscrew_invert(ksl_coscrew_t *self) {
+  const double self_0_new = -self->m0;
+  const double self_1_new = -self->m1;
+  const double self_2_new = -self->m2;
+  const double self_3_new = -self->m3;
+  const double self_4_new = -self->m4;
+  const double self_5_new = -self->m5;
+  self->m0 = self_0_new;
+  self->m1 = self_1_new;
+  self->m2 = self_2_new;
+  self->m3 = self_3_new;
+  self->m4 = self_4_new;
+  self->m5 = self_5_new;
+}
+
+/* y = a x + y.
+   a: number; x, y: coscrew (f in N; τ in N m).
+   6 mul, 6 add. */
+static inline void ksl_axpy_cc(const double a, const ksl_coscrew_t *x, ksl_coscrew_t *y) {
+  const double y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
+  const double y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
+  const double y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2;
+  const double y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3;
+  const double y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4;
+  const double y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5;
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* y = x + y.
+   x, y: coscrew (f in N; τ in N m).
+   6 add. */
+static inline void ksl_xpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
+  const double y_0_new = x->m0 + y->m0;
+  const double y_1_new = x->m1 + y->m1;
+  const double y_2_new = x->m2 + y->m2;
+  const double y_3_new = x->m3 + y->m3;
+  const double y_4_new = x->m4 + y->m4;
+  const double y_5_new = x->m5 + y->m5;
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* y = -x + y.
+   x, y: coscrew (f in N; τ in N m).
+   6 add. */
+static inline void ksl_nxpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
+  const double y_0_new = y->m0 - x->m0;
+  const double y_1_new = y->m1 - x->m1;
+  const double y_2_new = y->m2 - x->m2;
+  const double y_3_new = y->m3 - x->m3;
+  const double y_4_new = y->m4 - x->m4;
+  const double y_5_new = y->m5 - x->m5;
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* co = a ci.
+   a: number; ci, co: coscrew (f in N; τ in N m).
+   6 mul. */
+static inline void ksl_product_ac(const double a, const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
+  const double co_0 = a * ci->m0;
+  const double co_1 = a * ci->m1;
+  const double co_2 = a * ci->m2;
+  const double co_3 = a * ci->m3;
+  const double co_4 = a * ci->m4;
+  const double co_5 = a * ci->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = c1 + c2.
+   c1, c2, co: coscrew (f in N; τ in N m).
+   6 add. */
+static inline void ksl_add_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2, ksl_coscrew_t *co) {
+  const double co_0 = c1->m0 + c2->m0;
+  const double co_1 = c1->m1 + c2->m1;
+  const double co_2 = c1->m2 + c2->m2;
+  const double co_3 = c1->m3 + c2->m3;
+  const double co_4 = c1->m4 + c2->m4;
+  const double co_5 = c1->m5 + c2->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = c1 - c2.
+   c1, c2, co: coscrew (f in N; τ in N m).
+   6 add. */
+static inline void ksl_subtract_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
+    ksl_coscrew_t *co) {
+  const double co_0 = c1->m0 - c2->m0;
+  const double co_1 = c1->m1 - c2->m1;
+  const double co_2 = c1->m2 - c2->m2;
+  const double co_3 = c1->m3 - c2->m3;
+  const double co_4 = c1->m4 - c2->m4;
+  const double co_5 = c1->m5 - c2->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
+   ci: coscrew (f in N; τ in N m).
+   6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select. */
+static inline double ksl_coscrew_norm(const ksl_coscrew_t *ci) {
+  const double q_a = ci->m0 * ci->m0, q_b = ci->m1 * ci->m1, q_c = q_a + q_b, q_d = ci->m2 * ci->m2,
+      q_e = q_c + q_d, q_f = ci->m3 * ci->m3, q_g = ci->m4 * ci->m4, q_h = q_f + q_g,
+      q_i = ci->m5 * ci->m5, q_j = q_h + q_i, q_k = fabs(ci->m2), q_m = q_k < 1e-09 ? q_j : q_e,
+      q_n = fabs(ci->m1), q_p = q_n < 1e-09 ? q_m : q_e, q_q = fabs(ci->m0),
+      q = q_q < 1e-09 ? q_p : q_e;
+  const double norm = sqrt(q);
+  return norm;
+}
+
+/* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
+   self: coscrew (f in N; τ in N m).
+   6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
+static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
+  const double q_a = self->m0 * self->m0, q_b = self->m1 * self->m1, q_c = q_a + q_b,
+      q_d = self->m2 * self->m2, q_e = q_c + q_d, q_f = self->m3 * self->m3,
+      q_g = self->m4 * self->m4, q_h = q_f + q_g, q_i = self->m5 * self->m5, q_j = q_h + q_i,
+      q_k = fabs(self->m2), q_m = q_k < 1e-09 ? q_j : q_e, q_n = fabs(self->m1),
+      q_p = q_n < 1e-09 ? q_m : q_e, q_q = fabs(self->m0), q = q_q < 1e-09 ? q_p : q_e;
+  const double n = sqrt(q);
+  const double d = n == 0.0 ? 1.0 : n;
+  const double self_0_new = self->m0 / d;
+  const double self_1_new = self->m1 / d;
+  const double self_2_new = self->m2 / d;
+  const double self_3_new = self->m3 / d;
+  const double self_4_new = self->m4 / d;
+  const double self_5_new = self->m5 / d;
+  self->m0 = self_0_new;
+  self->m1 = self_1_new;
+  self->m2 = self_2_new;
+  self->m3 = self_3_new;
+  self->m4 = self_4_new;
+  self->m5 = self_5_new;
+}
+
+/* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
+   ci, co: coscrew (f in N; τ in N m).
+   6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
+static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
+  const double q_a = ci->m0 * ci->m0, q_b = ci->m1 * ci->m1, q_c = q_a + q_b, q_d = ci->m2 * ci->m2,
+      q_e = q_c + q_d, q_f = ci->m3 * ci->m3, q_g = ci->m4 * ci->m4, q_h = q_f + q_g,
+      q_i = ci->m5 * ci->m5, q_j = q_h + q_i, q_k = fabs(ci->m2), q_m = q_k < 1e-09 ? q_j : q_e,
+      q_n = fabs(ci->m1), q_p = q_n < 1e-09 ? q_m : q_e, q_q = fabs(ci->m0),
+      q = q_q < 1e-09 ? q_p : q_e;
+  const double n = sqrt(q);
+  const double d = n == 0.0 ? 1.0 : n;
+  const double co_0 = ci->m0 / d;
+  const double co_1 = ci->m1 / d;
+  const double co_2 = ci->m2 / d;
+  const double co_3 = ci->m3 / d;
+  const double co_4 = ci->m4 / d;
+  const double co_5 = ci->m5 / d;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = (lin; ang).
+   lin, ang: vector; co: coscrew (f in N; τ in N m).
+   No arithmetic. */
+static inline void ksl_coscrew_from_lin_ang(const ksl_vec3_t *lin, const ksl_vec3_t *ang,
+    ksl_coscrew_t *co) {
+  const double lin_x = lin->x;
+  const double lin_y = lin->y;
+  const double lin_z = lin->z;
+  const double ang_x = ang->x;
+  const double ang_y = ang->y;
+  const double ang_z = ang->z;
+  co->m0 = lin_x;
+  co->m1 = lin_y;
+  co->m2 = lin_z;
+  co->m3 = ang_x;
+  co->m4 = ang_y;
+  co->m5 = ang_z;
+}
+
+/* x = (ang; lin) of ci.
+   ci: coscrew (f in N; τ in N m); x: six components with the angular part on top.
+   No arithmetic. */
+static inline void ksl_coscrew_to_angular_first(const ksl_coscrew_t *ci, double x[6]) {
+  const double ci_m3 = ci->m3;
+  const double ci_m4 = ci->m4;
+  const double ci_m5 = ci->m5;
+  const double ci_m0 = ci->m0;
+  const double ci_m1 = ci->m1;
+  const double ci_m2 = ci->m2;
+  x[0] = ci_m3;
+  x[1] = ci_m4;
+  x[2] = ci_m5;
+  x[3] = ci_m0;
+  x[4] = ci_m1;
+  x[5] = ci_m2;
+}
+
+/* co = (lin; ang) of x = (ang; lin).
+   x: six components with the angular part on top; co: coscrew (f in N; τ in N m).
+   No arithmetic. */
+static inline void ksl_coscrew_from_angular_first(const double x[6], ksl_coscrew_t *co) {
+  const double x_3 = x[3];
+  const double x_4 = x[4];
+  const double x_5 = x[5];
+  const double x_0 = x[0];
+  const double x_1 = x[1];
+  const double x_2 = x[2];
+  co->m0 = x_3;
+  co->m1 = x_4;
+  co->m2 = x_5;
+  co->m3 = x_0;
+  co->m4 = x_1;
+  co->m5 = x_2;
+}
+
+/* co = (c1.lin + c2.lin ; c1.ang).
+   c1, c2, co: coscrew (f in N; τ in N m).
+   3 add. */
+static inline void ksl_add_cct(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
+    ksl_coscrew_t *co) {
+  const double co_0 = c1->m0 + c2->m0;
+  const double co_1 = c1->m1 + c2->m1;
+  const double co_2 = c1->m2 + c2->m2;
+  const double c1_m3 = c1->m3;
+  const double c1_m4 = c1->m4;
+  const double c1_m5 = c1->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = c1_m3;
+  co->m4 = c1_m4;
+  co->m5 = c1_m5;
+}
+
+/* co = [Ad]*(t) ci.
+   t: vector; ci, co: coscrew (f in N; τ in N m).
+   6 mul, 6 add. */
+static inline void ksl_product_CoAdtc(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double co_3a = t->y * ci->m2, co_3b = t->z * ci->m1, co_3c = co_3a - co_3b,
+      co_3 = co_3c + ci->m3;
+  const double co_4a = t->z * ci->m0, co_4b = t->x * ci->m2, co_4c = co_4a - co_4b,
+      co_4 = co_4c + ci->m4;
+  const double co_5a = t->x * ci->m1, co_5b = t->y * ci->m0, co_5c = co_5a - co_5b,
+      co_5 = co_5c + ci->m5;
+  const double ci_m0 = ci->m0;
+  const double ci_m1 = ci->m1;
+  const double ci_m2 = ci->m2;
+  co->m0 = ci_m0;
+  co->m1 = ci_m1;
+  co->m2 = ci_m2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(t)^-1 ci.
+   t: vector; ci, co: coscrew (f in N; τ in N m).
+   6 mul, 6 add. */
+static inline void ksl_product_CoAdtinvc(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+      co_3 = co_3c + ci->m3;
+  const double co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+      co_4 = co_4c + ci->m4;
+  const double co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+      co_5 = co_5c + ci->m5;
+  const double ci_m0 = ci->m0;
+  const double ci_m1 = ci->m1;
+  const double ci_m2 = ci->m2;
+  co->m0 = ci_m0;
+  co->m1 = ci_m1;
+  co->m2 = ci_m2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(t) (-ci).
+   t: vector; ci, co: coscrew (f in N; τ in N m).
+   6 mul, 6 add, 3 neg. */
+static inline void ksl_product_CoAdtcinv(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double co_0 = -ci->m0;
+  const double co_1 = -ci->m1;
+  const double co_2 = -ci->m2;
+  const double co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+      co_3 = co_3c - ci->m3;
+  const double co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+      co_4 = co_4c - ci->m4;
+  const double co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+      co_5 = co_5c - ci->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(R) ci.
+   R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
+   18 mul, 12 add. */
+static inline void ksl_product_CoAdrc(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
+      co_0d = R->m02 * ci->m2, co_0 = co_0c + co_0d;
+  const double co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
+      co_1d = R->m12 * ci->m2, co_1 = co_1c + co_1d;
+  const double co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
+      co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d;
+  const double co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
+      co_3d = R->m02 * ci->m5, co_3 = co_3c + co_3d;
+  const double co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
+      co_4d = R->m12 * ci->m5, co_4 = co_4c + co_4d;
+  const double co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
+      co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(R)^-1 ci.
+   R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
+   18 mul, 12 add. */
+static inline void ksl_product_CoAdrinvc(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double co_0a = R->m00 * ci->m0, co_0b = R->m10 * ci->m1, co_0c = co_0a + co_0b,
+      co_0d = R->m20 * ci->m2, co_0 = co_0c + co_0d;
+  const double co_1a = R->m01 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
+      co_1d = R->m21 * ci->m2, co_1 = co_1c + co_1d;
+  const double co_2a = R->m02 * ci->m0, co_2b = R->m12 * ci->m1, co_2c = co_2a + co_2b,
+      co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d;
+  const double co_3a = R->m00 * ci->m3, co_3b = R->m10 * ci->m4, co_3c = co_3a + co_3b,
+      co_3d = R->m20 * ci->m5, co_3 = co_3c + co_3d;
+  const double co_4a = R->m01 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
+      co_4d = R->m21 * ci->m5, co_4 = co_4c + co_4d;
+  const double co_5a = R->m02 * ci->m3, co_5b = R->m12 * ci->m4, co_5c = co_5a + co_5b,
+      co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(R) (-ci).
+   R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
+   18 mul, 12 add, 6 neg. */
+static inline void ksl_product_CoAdrcinv(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
+      co_0d = R->m02 * ci->m2, co_0e = co_0c + co_0d, co_0 = -co_0e;
+  const double co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
+      co_1d = R->m12 * ci->m2, co_1e = co_1c + co_1d, co_1 = -co_1e;
+  const double co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
+      co_2d = R->m22 * ci->m2, co_2e = co_2c + co_2d, co_2 = -co_2e;
+  const double co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
+      co_3d = R->m02 * ci->m5, co_3e = co_3c + co_3d, co_3 = -co_3e;
+  const double co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
+      co_4d = R->m12 * ci->m5, co_4e = co_4c + co_4d, co_4 = -co_4e;
+  const double co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
+      co_5d = R->m22 * ci->m5, co_5e = co_5c + co_5d, co_5 = -co_5e;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.
+   D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
+   24 mul, 18 add. */
+static inline void ksl_product_CoAdc(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
+      w_0d = D->m02 * ci->m2, w_0 = w_0c + w_0d;
+  const double w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
+      w_1d = D->m12 * ci->m2, w_1 = w_1c + w_1d;
+  const double w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
+      w_2d = D->m22 * ci->m2, w_2 = w_2c + w_2d;
+  const double w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
+      w_3d = D->m02 * ci->m5, w_3 = w_3c + w_3d;
+  const double w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
+      w_4d = D->m12 * ci->m5, w_4 = w_4c + w_4d;
+  const double w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
+      w_5d = D->m22 * ci->m5, w_5 = w_5c + w_5d;
+  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.
+   D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
+   24 mul, 18 add. */
+static inline void ksl_product_CoAdinvc(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double w_3a = D->m23 * ci->m1, w_3b = D->m13 * ci->m2, w_3c = w_3a - w_3b,
+      w_3 = w_3c + ci->m3;
+  const double w_4a = D->m03 * ci->m2, w_4b = D->m23 * ci->m0, w_4c = w_4a - w_4b,
+      w_4 = w_4c + ci->m4;
+  const double w_5a = D->m13 * ci->m0, w_5b = D->m03 * ci->m1, w_5c = w_5a - w_5b,
+      w_5 = w_5c + ci->m5;
+  const double co_0a = D->m00 * ci->m0, co_0b = D->m10 * ci->m1, co_0c = co_0a + co_0b,
+      co_0d = D->m20 * ci->m2, co_0 = co_0c + co_0d;
+  const double co_1a = D->m01 * ci->m0, co_1b = D->m11 * ci->m1, co_1c = co_1a + co_1b,
+      co_1d = D->m21 * ci->m2, co_1 = co_1c + co_1d;
+  const double co_2a = D->m02 * ci->m0, co_2b = D->m12 * ci->m1, co_2c = co_2a + co_2b,
+      co_2d = D->m22 * ci->m2, co_2 = co_2c + co_2d;
+  const double co_3a = D->m00 * w_3, co_3b = D->m10 * w_4, co_3c = co_3a + co_3b,
+      co_3d = D->m20 * w_5, co_3 = co_3c + co_3d;
+  const double co_4a = D->m01 * w_3, co_4b = D->m11 * w_4, co_4c = co_4a + co_4b,
+      co_4d = D->m21 * w_5, co_4 = co_4c + co_4d;
+  const double co_5a = D->m02 * w_3, co_5b = D->m12 * w_4, co_5c = co_5a + co_5b,
+      co_5d = D->m22 * w_5, co_5 = co_5c + co_5d;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(D) (-ci).
+   D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
+   24 mul, 18 add, 6 neg. */
+static inline void ksl_product_CoAdcinv(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
+      w_0d = D->m02 * ci->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
+  const double w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
+      w_1d = D->m12 * ci->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
+  const double w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
+      w_2d = D->m22 * ci->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
+  const double w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
+      w_3d = D->m02 * ci->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
+  const double w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
+      w_4d = D->m12 * ci->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
+  const double w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
+      w_5d = D->m22 * ci->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h_tx: column 0 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 3 add. */
+static inline void ksl_hctx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double co_3a = D->m20 * D->m13, co_3b = D->m10 * D->m23, co_3 = co_3a - co_3b;
+  const double co_4a = D->m00 * D->m23, co_4b = D->m20 * D->m03, co_4 = co_4a - co_4b;
+  const double co_5a = D->m10 * D->m03, co_5b = D->m00 * D->m13, co_5 = co_5a - co_5b;
+  const double D_m00 = D->m00;
+  const double D_m10 = D->m10;
+  const double D_m20 = D->m20;
+  co->m0 = D_m00;
+  co->m1 = D_m10;
+  co->m2 = D_m20;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h_ty: column 1 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 3 add. */
+static inline void ksl_hcty(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double co_3a = D->m21 * D->m13, co_3b = D->m11 * D->m23, co_3 = co_3a - co_3b;
+  const double co_4a = D->m01 * D->m23, co_4b = D->m21 * D->m03, co_4 = co_4a - co_4b;
+  const double co_5a = D->m11 * D->m03, co_5b = D->m01 * D->m13, co_5 = co_5a - co_5b;
+  const double D_m01 = D->m01;
+  const double D_m11 = D->m11;
+  const double D_m21 = D->m21;
+  co->m0 = D_m01;
+  co->m1 = D_m11;
+  co->m2 = D_m21;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h_tz: column 2 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 3 add. */
+static inline void ksl_hctz(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double co_3a = D->m22 * D->m13, co_3b = D->m12 * D->m23, co_3 = co_3a - co_3b;
+  const double co_4a = D->m02 * D->m23, co_4b = D->m22 * D->m03, co_4 = co_4a - co_4b;
+  const double co_5a = D->m12 * D->m03, co_5b = D->m02 * D->m13, co_5 = co_5a - co_5b;
+  const double D_m02 = D->m02;
+  const double D_m12 = D->m12;
+  const double D_m22 = D->m22;
+  co->m0 = D_m02;
+  co->m1 = D_m12;
+  co->m2 = D_m22;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h_rx: column 3 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   No arithmetic. */
+static inline void ksl_hcrx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double D_m00 = D->m00;
+  const double D_m10 = D->m10;
+  const double D_m20 = D->m20;
+  co->m0 = 0.0;
+  co->m1 = 0.0;
+  co->m2 = 0.0;
+  co->m3 = D_m00;
+  co->m4 = D_m10;
+  co->m5 = D_m20;
+}
+
+/* co = h_ry: column 4 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   No arithmetic. */
+static inline void ksl_hcry(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double D_m01 = D->m01;
+  const double D_m11 = D->m11;
+  const double D_m21 = D->m21;
+  co->m0 = 0.0;
+  co->m1 = 0.0;
+  co->m2 = 0.0;
+  co->m3 = D_m01;
+  co->m4 = D_m11;
+  co->m5 = D_m21;
+}
+
+/* co = h_rz: column 5 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   No arithmetic. */
+static inline void ksl_hcrz(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double D_m02 = D->m02;
+  const double D_m12 = D->m12;
+  const double D_m22 = D->m22;
+  co->m0 = 0.0;
+  co->m1 = 0.0;
+  co->m2 = 0.0;
+  co->m3 = D_m02;
+  co->m4 = D_m12;
+  co->m5 = D_m22;
+}
+
+/* co = -h_tx: -column 0 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 3 add, 3 neg. */
+static inline void ksl_hctxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double co_0 = -D->m00;
+  const double co_1 = -D->m10;
+  const double co_2 = -D->m20;
+  const double co_3a = D->m10 * D->m23, co_3b = D->m20 * D->m13, co_3 = co_3a - co_3b;
+  const double co_4a = D->m20 * D->m03, co_4b = D->m00 * D->m23, co_4 = co_4a - co_4b;
+  const double co_5a = D->m00 * D->m13, co_5b = D->m10 * D->m03, co_5 = co_5a - co_5b;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = -h_ty: -column 1 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 3 add, 3 neg. */
+static inline void ksl_hctyinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double co_0 = -D->m01;
+  const double co_1 = -D->m11;
+  const double co_2 = -D->m21;
+  const double co_3a = D->m11 * D->m23, co_3b = D->m21 * D->m13, co_3 = co_3a - co_3b;
+  const double co_4a = D->m21 * D->m03, co_4b = D->m01 * D->m23, co_4 = co_4a - co_4b;
+  const double co_5a = D->m01 * D->m13, co_5b = D->m11 * D->m03, co_5 = co_5a - co_5b;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = -h_tz: -column 2 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 3 add, 3 neg. */
+static inline void ksl_hctzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double co_0 = -D->m02;
+  const double co_1 = -D->m12;
+  const double co_2 = -D->m22;
+  const double co_3a = D->m12 * D->m23, co_3b = D->m22 * D->m13, co_3 = co_3a - co_3b;
+  const double co_4a = D->m22 * D->m03, co_4b = D->m02 * D->m23, co_4 = co_4a - co_4b;
+  const double co_5a = D->m02 * D->m13, co_5b = D->m12 * D->m03, co_5 = co_5a - co_5b;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = -h_rx: -column 3 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   3 neg. */
+static inline void ksl_hcrxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double co_3 = -D->m00;
+  const double co_4 = -D->m10;
+  const double co_5 = -D->m20;
+  co->m0 = 0.0;
+  co->m1 = 0.0;
+  co->m2 = 0.0;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = -h_ry: -column 4 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   3 neg. */
+static inline void ksl_hcryinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double co_3 = -D->m01;
+  const double co_4 = -D->m11;
+  const double co_5 = -D->m21;
+  co->m0 = 0.0;
+  co->m1 = 0.0;
+  co->m2 = 0.0;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = -h_rz: -column 5 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   3 neg. */
+static inline void ksl_hcrzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double co_3 = -D->m02;
+  const double co_4 = -D->m12;
+  const double co_5 = -D->m22;
+  co->m0 = 0.0;
+  co->m1 = 0.0;
+  co->m2 = 0.0;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* M = [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
+   18 mul, 9 add. */
+static inline void ksl_CoAd(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
+  const double M_30a = D->m20 * D->m13, M_30b = D->m10 * D->m23, M_30 = M_30a - M_30b;
+  const double M_31a = D->m21 * D->m13, M_31b = D->m11 * D->m23, M_31 = M_31a - M_31b;
+  const double M_32a = D->m22 * D->m13, M_32b = D->m12 * D->m23, M_32 = M_32a - M_32b;
+  const double M_40a = D->m00 * D->m23, M_40b = D->m20 * D->m03, M_40 = M_40a - M_40b;
+  const double M_41a = D->m01 * D->m23, M_41b = D->m21 * D->m03, M_41 = M_41a - M_41b;
+  const double M_42a = D->m02 * D->m23, M_42b = D->m22 * D->m03, M_42 = M_42a - M_42b;
+  const double M_50a = D->m10 * D->m03, M_50b = D->m00 * D->m13, M_50 = M_50a - M_50b;
+  const double M_51a = D->m11 * D->m03, M_51b = D->m01 * D->m13, M_51 = M_51a - M_51b;
+  const double M_52a = D->m12 * D->m03, M_52b = D->m02 * D->m13, M_52 = M_52a - M_52b;
+  const double D_m00 = D->m00;
+  const double D_m01 = D->m01;
+  const double D_m02 = D->m02;
+  const double D_m10 = D->m10;
+  const double D_m11 = D->m11;
+  const double D_m12 = D->m12;
+  const double D_m20 = D->m20;
+  const double D_m21 = D->m21;
+  const double D_m22 = D->m22;
+  M->at[0][0] = D_m00;
+  M->at[1][0] = D_m01;
+  M->at[2][0] = D_m02;
+  M->at[3][0] = 0.0;
+  M->at[4][0] = 0.0;
+  M->at[5][0] = 0.0;
+  M->at[0][1] = D_m10;
+  M->at[1][1] = D_m11;
+  M->at[2][1] = D_m12;
+  M->at[3][1] = 0.0;
+  M->at[4][1] = 0.0;
+  M->at[5][1] = 0.0;
+  M->at[0][2] = D_m20;
+  M->at[1][2] = D_m21;
+  M->at[2][2] = D_m22;
+  M->at[3][2] = 0.0;
+  M->at[4][2] = 0.0;
+  M->at[5][2] = 0.0;
+  M->at[0][3] = M_30;
+  M->at[1][3] = M_31;
+  M->at[2][3] = M_32;
+  M->at[3][3] = D_m00;
+  M->at[4][3] = D_m01;
+  M->at[5][3] = D_m02;
+  M->at[0][4] = M_40;
+  M->at[1][4] = M_41;
+  M->at[2][4] = M_42;
+  M->at[3][4] = D_m10;
+  M->at[4][4] = D_m11;
+  M->at[5][4] = D_m12;
+  M->at[0][5] = M_50;
+  M->at[1][5] = M_51;
+  M->at[2][5] = M_52;
+  M->at[3][5] = D_m20;
+  M->at[4][5] = D_m21;
+  M->at[5][5] = D_m22;
+}
+
+/* power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).
+   c: coscrew (f in N; τ in N m); x: six components with the angular part on top.
+   6 mul, 5 add. */
+static inline double ksl_reciprocal_product(const ksl_coscrew_t *c, const double x[6]) {
+  const double power_a = c->m0 * x[3], power_b = c->m1 * x[4], power_c = power_a + power_b,
+      power_d = c->m2 * x[5], power_e = power_c + power_d, power_f = c->m3 * x[0],
+      power_g = c->m4 * x[1], power_h = power_f + power_g, power_i = c->m5 * x[2],
+      power_j = power_h + power_i, power = power_e + power_j;
+  return power;
+}
+
+/* co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
+   s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
+   18 mul, 12 add. */
+static inline void ksl_cross_sc(const ksl_screw_t *s, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
+  const double co_0a = s->m4 * c->m2, co_0b = s->m5 * c->m1, co_0 = co_0a - co_0b;
+  const double co_1a = s->m5 * c->m0, co_1b = s->m3 * c->m2, co_1 = co_1a - co_1b;
+  const double co_2a = s->m3 * c->m1, co_2b = s->m4 * c->m0, co_2 = co_2a - co_2b;
+  const double co_3a = s->m1 * c->m2, co_3b = s->m2 * c->m1, co_3c = co_3a - co_3b,
+      co_3d = s->m4 * c->m5, co_3e = s->m5 * c->m4, co_3f = co_3d - co_3e, co_3 = co_3c + co_3f;
+  const double co_4a = s->m2 * c->m0, co_4b = s->m0 * c->m2, co_4c = co_4a - co_4b,
+      co_4d = s->m5 * c->m3, co_4e = s->m3 * c->m5, co_4f = co_4d - co_4e, co_4 = co_4c + co_4f;
+  const double co_5a = s->m0 * c->m1, co_5b = s->m1 * c->m0, co_5c = co_5a - co_5b,
+      co_5d = s->m3 * c->m4, co_5e = s->m4 * c->m3, co_5f = co_5d - co_5e, co_5 = co_5c + co_5f;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = (0 ; ω×τ).
+   s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
+   6 mul, 3 add. */
+static inline void ksl_cross_sca(const ksl_screw_t *s, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
+  const double co_3a = s->m4 * c->m5, co_3b = s->m5 * c->m4, co_3 = co_3a - co_3b;
+  const double co_4a = s->m5 * c->m3, co_4b = s->m3 * c->m5, co_4 = co_4a - co_4b;
+  const double co_5a = s->m3 * c->m4, co_5b = s->m4 * c->m3, co_5 = co_5a - co_5b;
+  co->m0 = 0.0;
+  co->m1 = 0.0;
+  co->m2 = 0.0;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   21 mul, 15 add. */
+static inline void ksl_constraint_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m01 * c->m1, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
+  const double w_1a = D->m11 * c->m1, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b;
+  const double w_2a = D->m21 * c->m1, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b;
+  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
+      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
+  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
+      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
+  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
+      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
+  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   21 mul, 15 add. */
+static inline void ksl_constraint_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m00 * c->m0, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
+  const double w_1a = D->m10 * c->m0, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b;
+  const double w_2a = D->m20 * c->m0, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b;
+  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
+      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
+  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
+      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
+  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
+      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
+  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   21 mul, 15 add. */
+static inline void ksl_constraint_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0 = w_0a + w_0b;
+  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1 = w_1a + w_1b;
+  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2 = w_2a + w_2b;
+  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
+      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
+  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
+      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
+  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
+      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
+  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   21 mul, 15 add. */
+static inline void ksl_constraint_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
+      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
+  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
+      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
+  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
+      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
+  const double w_3a = D->m01 * c->m4, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b;
+  const double w_4a = D->m11 * c->m4, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b;
+  const double w_5a = D->m21 * c->m4, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b;
+  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   21 mul, 15 add. */
+static inline void ksl_constraint_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
+      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
+  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
+      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
+  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
+      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
+  const double w_3a = D->m00 * c->m3, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b;
+  const double w_4a = D->m10 * c->m3, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b;
+  const double w_5a = D->m20 * c->m3, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b;
+  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   21 mul, 15 add. */
+static inline void ksl_constraint_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
+      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
+  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
+      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
+  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
+      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
+  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3 = w_3a + w_3b;
+  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4 = w_4a + w_4b;
+  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5 = w_5a + w_5b;
+  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add. */
+static inline void ksl_working_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
+  const double w_0 = D->m00 * c->m0;
+  const double w_1 = D->m10 * c->m0;
+  const double w_2 = D->m20 * c->m0;
+  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
+  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
+  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add. */
+static inline void ksl_working_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
+  const double w_0 = D->m01 * c->m1;
+  const double w_1 = D->m11 * c->m1;
+  const double w_2 = D->m21 * c->m1;
+  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
+  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
+  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add. */
+static inline void ksl_working_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
+  const double w_0 = D->m02 * c->m2;
+  const double w_1 = D->m12 * c->m2;
+  const double w_2 = D->m22 * c->m2;
+  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
+  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
+  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   3 mul. */
+static inline void ksl_working_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
+  const double w_3 = D->m00 * c->m3;
+  const double w_4 = D->m10 * c->m3;
+  const double w_5 = D->m20 * c->m3;
+  co->m0 = 0.0;
+  co->m1 = 0.0;
+  co->m2 = 0.0;
+  co->m3 = w_3;
+  co->m4 = w_4;
+  co->m5 = w_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   3 mul. */
+static inline void ksl_working_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
+  const double w_3 = D->m01 * c->m4;
+  const double w_4 = D->m11 * c->m4;
+  const double w_5 = D->m21 * c->m4;
+  co->m0 = 0.0;
+  co->m1 = 0.0;
+  co->m2 = 0.0;
+  co->m3 = w_3;
+  co->m4 = w_4;
+  co->m5 = w_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   3 mul. */
+static inline void ksl_working_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
+  const double w_3 = D->m02 * c->m5;
+  const double w_4 = D->m12 * c->m5;
+  const double w_5 = D->m22 * c->m5;
+  co->m0 = 0.0;
+  co->m1 = 0.0;
+  co->m2 = 0.0;
+  co->m3 = w_3;
+  co->m4 = w_4;
+  co->m5 = w_5;
+}
+
+/* M = [ad]*(s) = [Ad]*' [Ad]*^-1 = [[ω~, 0], [v~, ω~]].
+   s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+   6 neg. */
+static inline void ksl_coad(const ksl_screw_t *s, ksl_mat6x6_t *M) {
+  const double M_01 = -s->m5;
+  const double M_12 = -s->m3;
+  const double M_20 = -s->m4;
+  const double M_31 = -s->m2;
+  const double M_42 = -s->m0;
+  const double M_50 = -s->m1;
+  const double s_m4 = s->m4;
+  const double s_m5 = s->m5;
+  const double s_m3 = s->m3;
+  const double s_m1 = s->m1;
+  const double s_m2 = s->m2;
+  const double s_m0 = s->m0;
+  M->at[0][0] = 0.0;
+  M->at[1][0] = M_01;
+  M->at[2][0] = s_m4;
+  M->at[3][0] = 0.0;
+  M->at[4][0] = 0.0;
+  M->at[5][0] = 0.0;
+  M->at[0][1] = s_m5;
+  M->at[1][1] = 0.0;
+  M->at[2][1] = M_12;
+  M->at[3][1] = 0.0;
+  M->at[4][1] = 0.0;
+  M->at[5][1] = 0.0;
+  M->at[0][2] = M_20;
+  M->at[1][2] = s_m3;
+  M->at[2][2] = 0.0;
+  M->at[3][2] = 0.0;
+  M->at[4][2] = 0.0;
+  M->at[5][2] = 0.0;
+  M->at[0][3] = 0.0;
+  M->at[1][3] = M_31;
+  M->at[2][3] = s_m1;
+  M->at[3][3] = 0.0;
+  M->at[4][3] = M_01;
+  M->at[5][3] = s_m4;
+  M->at[0][4] = s_m2;
+  M->at[1][4] = 0.0;
+  M->at[2][4] = M_42;
+  M->at[3][4] = s_m5;
+  M->at[4][4] = 0.0;
+  M->at[5][4] = M_12;
+  M->at[0][5] = M_50;
+  M->at[1][5] = s_m0;
+  M->at[2][5] = 0.0;
+  M->at[3][5] = M_20;
+  M->at[4][5] = s_m3;
+  M->at[5][5] = 0.0;
+}
+
+/* A coscrew from its entries, in order. */
+static inline ksl_coscrewf_t ksl_coscrewf(const float m0, const float m1, const float m2, const float m3, const float m4, const float m5) {
+  ksl_coscrewf_t value;
+  value.m0 = m0;
+  value.m1 = m1;
+  value.m2 = m2;
+  value.m3 = m3;
+  value.m4 = m4;
+  value.m5 = m5;
+  return value;
+}
+
+/* co = ci.
+   ci, co: coscrew (f in N; τ in N m).
+   No arithmetic. */
+static inline void ksl_coscrewf_copy(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
+  const float ci_m0 = ci->m0;
+  const float ci_m1 = ci->m1;
+  const float ci_m2 = ci->m2;
+  const float ci_m3 = ci->m3;
+  const float ci_m4 = ci->m4;
+  const float ci_m5 = ci->m5;
+  co->m0 = ci_m0;
+  co->m1 = ci_m1;
+  co->m2 = ci_m2;
+  co->m3 = ci_m3;
+  co->m4 = ci_m4;
+  co->m5 = ci_m5;
+}
+
+/* self = a self.
+   self: coscrew (f in N; τ in N m); a: number.
+   6 mul. */
+static inline void ksl_coscrewf_scale(ksl_coscrewf_t *self, const float a) {
+  const float self_0_new = self->m0 * a;
+  const float self_1_new = self->m1 * a;
+  const float self_2_new = self->m2 * a;
+  const float self_3_new = self->m3 * a;
+  const float self_4_new = self->m4 * a;
+  const float self_5_new = self->m5 * a;
+  self->m0 = self_0_new;
+  self->m1 = self_1_new;
+  self->m2 = self_2_new;
+  self->m3 = self_3_new;
+  self->m4 = self_4_new;
+  self->m5 = self_5_new;
+}
+
+/* co = -ci.
+   ci, co: coscrew (f in N; τ in N m).
+   6 neg. */
+static inline void ksl_coscrewf_inverted(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
+  const float co_0 = -ci->m0;
+  const float co_1 = -ci->m1;
+  const float co_2 = -ci->m2;
+  const float co_3 = -ci->m3;
+  const float co_4 = -ci->m4;
+  const float co_5 = -ci->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* self = -self.
+   self: coscrew (f in N; τ in N m).
+   6 neg. */
+static inline void ksl_coscrewf_invert(ksl_coscrewf_t *self) {
+  const float self_0_new = -self->m0;
+  const float self_1_new = -self->m1;
+  const float self_2_new = -self->m2;
+  const float self_3_new = -self->m3;
+  const float self_4_new = -self->m4;
+  const float self_5_new = -self->m5;
+  self->m0 = self_0_new;
+  self->m1 = self_1_new;
+  self->m2 = self_2_new;
+  self->m3 = self_3_new;
+  self->m4 = self_4_new;
+  self->m5 = self_5_new;
+}
+
+/* y = a x + y.
+   a: number; x, y: coscrew (f in N; τ in N m).
+   6 mul, 6 add. */
+static inline void ksl_axpy_ccf(const float a, const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
+  const float y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
+  const float y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
+  const float y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2;
+  const float y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3;
+  const float y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4;
+  const float y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5;
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* y = x + y.
+   x, y: coscrew (f in N; τ in N m).
+   6 add. */
+static inline void ksl_xpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
+  const float y_0_new = x->m0 + y->m0;
+  const float y_1_new = x->m1 + y->m1;
+  const float y_2_new = x->m2 + y->m2;
+  const float y_3_new = x->m3 + y->m3;
+  const float y_4_new = x->m4 + y->m4;
+  const float y_5_new = x->m5 + y->m5;
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* y = -x + y.
+   x, y: coscrew (f in N; τ in N m).
+   6 add. */
+static inline void ksl_nxpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
+  const float y_0_new = y->m0 - x->m0;
+  const float y_1_new = y->m1 - x->m1;
+  const float y_2_new = y->m2 - x->m2;
+  const float y_3_new = y->m3 - x->m3;
+  const float y_4_new = y->m4 - x->m4;
+  const float y_5_new = y->m5 - x->m5;
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* co = a ci.
+   a: number; ci, co: coscrew (f in N; τ in N m).
+   6 mul. */
+static inline void ksl_product_acf(const float a, const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
+  const float co_0 = a * ci->m0;
+  const float co_1 = a * ci->m1;
+  const float co_2 = a * ci->m2;
+  const float co_3 = a * ci->m3;
+  const float co_4 = a * ci->m4;
+  const float co_5 = a * ci->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = c1 + c2.
+   c1, c2, co: coscrew (f in N; τ in N m).
+   6 add. */
+static inline void ksl_add_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
+    ksl_coscrewf_t *co) {
+  const float co_0 = c1->m0 + c2->m0;
+  const float co_1 = c1->m1 + c2->m1;
+  const float co_2 = c1->m2 + c2->m2;
+  const float co_3 = c1->m3 + c2->m3;
+  const float co_4 = c1->m4 + c2->m4;
+  const float co_5 = c1->m5 + c2->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = c1 - c2.
+   c1, c2, co: coscrew (f in N; τ in N m).
+   6 add. */
+static inline void ksl_subtract_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
+    ksl_coscrewf_t *co) {
+  const float co_0 = c1->m0 - c2->m0;
+  const float co_1 = c1->m1 - c2->m1;
+  const float co_2 = c1->m2 - c2->m2;
+  const float co_3 = c1->m3 - c2->m3;
+  const float co_4 = c1->m4 - c2->m4;
+  const float co_5 = c1->m5 - c2->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
+   ci: coscrew (f in N; τ in N m).
+   6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select. */
+static inline float ksl_coscrewf_norm(const ksl_coscrewf_t *ci) {
+  const float q_a = ci->m0 * ci->m0, q_b = ci->m1 * ci->m1, q_c = q_a + q_b, q_d = ci->m2 * ci->m2,
+      q_e = q_c + q_d, q_f = ci->m3 * ci->m3, q_g = ci->m4 * ci->m4, q_h = q_f + q_g,
+      q_i = ci->m5 * ci->m5, q_j = q_h + q_i, q_k = fabsf(ci->m2), q_m = q_k < 1e-06f ? q_j : q_e,
+      q_n = fabsf(ci->m1), q_p = q_n < 1e-06f ? q_m : q_e, q_q = fabsf(ci->m0),
+      q = q_q < 1e-06f ? q_p : q_e;
+  const float norm = sqrtf(q);
+  return norm;
+}
+
+/* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
+   self: coscrew (f in N; τ in N m).
+   6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
+static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
+  const float q_a = self->m0 * self->m0, q_b = self->m1 * self->m1, q_c = q_a + q_b,
+      q_d = self->m2 * self->m2, q_e = q_c + q_d, q_f = self->m3 * self->m3,
+      q_g = self->m4 * self->m4, q_h = q_f + q_g, q_i = self->m5 * self->m5, q_j = q_h + q_i,
+      q_k = fabsf(self->m2), q_m = q_k < 1e-06f ? q_j : q_e, q_n = fabsf(self->m1),
+      q_p = q_n < 1e-06f ? q_m : q_e, q_q = fabsf(self->m0), q = q_q < 1e-06f ? q_p : q_e;
+  const float n = sqrtf(q);
+  const float d = n == 0.0f ? 1.0f : n;
+  const float self_0_new = self->m0 / d;
+  const float self_1_new = self->m1 / d;
+  const float self_2_new = self->m2 / d;
+  const float self_3_new = self->m3 / d;
+  const float self_4_new = self->m4 / d;
+  const float self_5_new = self->m5 / d;
+  self->m0 = self_0_new;
+  self->m1 = self_1_new;
+  self->m2 = self_2_new;
+  self->m3 = self_3_new;
+  self->m4 = self_4_new;
+  self->m5 = self_5_new;
+}
+
+/* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
+   ci, co: coscrew (f in N; τ in N m).
+   6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
+static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
+  const float q_a = ci->m0 * ci->m0, q_b = ci->m1 * ci->m1, q_c = q_a + q_b, q_d = ci->m2 * ci->m2,
+      q_e = q_c + q_d, q_f = ci->m3 * ci->m3, q_g = ci->m4 * ci->m4, q_h = q_f + q_g,
+      q_i = ci->m5 * ci->m5, q_j = q_h + q_i, q_k = fabsf(ci->m2), q_m = q_k < 1e-06f ? q_j : q_e,
+      q_n = fabsf(ci->m1), q_p = q_n < 1e-06f ? q_m : q_e, q_q = fabsf(ci->m0),
+      q = q_q < 1e-06f ? q_p : q_e;
+  const float n = sqrtf(q);
+  const float d = n == 0.0f ? 1.0f : n;
+  const float co_0 = ci->m0 / d;
+  const float co_1 = ci->m1 / d;
+  const float co_2 = ci->m2 / d;
+  const float co_3 = ci->m3 / d;
+  const float co_4 = ci->m4 / d;
+  const float co_5 = ci->m5 / d;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = (lin; ang).
+   lin, ang: vector; co: coscrew (f in N; τ in N m).
+   No arithmetic. */
+static inline void ksl_coscrewf_from_lin_ang(const ksl_vec3f_t *lin, const ksl_vec3f_t *ang,
+    ksl_coscrewf_t *co) {
+  const float lin_x = lin->x;
+  const float lin_y = lin->y;
+  const float lin_z = lin->z;
+  const float ang_x = ang->x;
+  const float ang_y = ang->y;
+  const float ang_z = ang->z;
+  co->m0 = lin_x;
+  co->m1 = lin_y;
+  co->m2 = lin_z;
+  co->m3 = ang_x;
+  co->m4 = ang_y;
+  co->m5 = ang_z;
+}
+
+/* x = (ang; lin) of ci.
+   ci: coscrew (f in N; τ in N m); x: six components with the angular part on top.
+   No arithmetic. */
+static inline void ksl_coscrewf_to_angular_first(const ksl_coscrewf_t *ci, float x[6]) {
+  const float ci_m3 = ci->m3;
+  const float ci_m4 = ci->m4;
+  const float ci_m5 = ci->m5;
+  const float ci_m0 = ci->m0;
+  const float ci_m1 = ci->m1;
+  const float ci_m2 = ci->m2;
+  x[0] = ci_m3;
+  x[1] = ci_m4;
+  x[2] = ci_m5;
+  x[3] = ci_m0;
+  x[4] = ci_m1;
+  x[5] = ci_m2;
+}
+
+/* co = (lin; ang) of x = (ang; lin).
+   x: six components with the angular part on top; co: coscrew (f in N; τ in N m).
+   No arithmetic. */
+static inline void ksl_coscrewf_from_angular_first(const float x[6], ksl_coscrewf_t *co) {
+  const float x_3 = x[3];
+  const float x_4 = x[4];
+  const float x_5 = x[5];
+  const float x_0 = x[0];
+  const float x_1 = x[1];
+  const float x_2 = x[2];
+  co->m0 = x_3;
+  co->m1 = x_4;
+  co->m2 = x_5;
+  co->m3 = x_0;
+  co->m4 = x_1;
+  co->m5 = x_2;
+}
+
+/* co = (c1.lin + c2.lin ; c1.ang).
+   c1, c2, co: coscrew (f in N; τ in N m).
+   3 add. */
+static inline void ksl_add_cctf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
+    ksl_coscrewf_t *co) {
+  const float co_0 = c1->m0 + c2->m0;
+  const float co_1 = c1->m1 + c2->m1;
+  const float co_2 = c1->m2 + c2->m2;
+  const float c1_m3 = c1->m3;
+  const float c1_m4 = c1->m4;
+  const float c1_m5 = c1->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = c1_m3;
+  co->m4 = c1_m4;
+  co->m5 = c1_m5;
+}
+
+/* co = [Ad]*(t) ci.
+   t: vector; ci, co: coscrew (f in N; τ in N m).
+   6 mul, 6 add. */
+static inline void ksl_product_CoAdtcf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const float co_3a = t->y * ci->m2, co_3b = t->z * ci->m1, co_3c = co_3a - co_3b,
+      co_3 = co_3c + ci->m3;
+  const float co_4a = t->z * ci->m0, co_4b = t->x * ci->m2, co_4c = co_4a - co_4b,
+      co_4 = co_4c + ci->m4;
+  const float co_5a = t->x * ci->m1, co_5b = t->y * ci->m0, co_5c = co_5a - co_5b,
+      co_5 = co_5c + ci->m5;
+  const float ci_m0 = ci->m0;
+  const float ci_m1 = ci->m1;
+  const float ci_m2 = ci->m2;
+  co->m0 = ci_m0;
+  co->m1 = ci_m1;
+  co->m2 = ci_m2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(t)^-1 ci.
+   t: vector; ci, co: coscrew (f in N; τ in N m).
+   6 mul, 6 add. */
+static inline void ksl_product_CoAdtinvcf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const float co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+      co_3 = co_3c + ci->m3;
+  const float co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+      co_4 = co_4c + ci->m4;
+  const float co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+      co_5 = co_5c + ci->m5;
+  const float ci_m0 = ci->m0;
+  const float ci_m1 = ci->m1;
+  const float ci_m2 = ci->m2;
+  co->m0 = ci_m0;
+  co->m1 = ci_m1;
+  co->m2 = ci_m2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(t) (-ci).
+   t: vector; ci, co: coscrew (f in N; τ in N m).
+   6 mul, 6 add, 3 neg. */
+static inline void ksl_product_CoAdtcinvf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const float co_0 = -ci->m0;
+  const float co_1 = -ci->m1;
+  const float co_2 = -ci->m2;
+  const float co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+      co_3 = co_3c - ci->m3;
+  const float co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+      co_4 = co_4c - ci->m4;
+  const float co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+      co_5 = co_5c - ci->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(R) ci.
+   R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
+   18 mul, 12 add. */
+static inline void ksl_product_CoAdrcf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const float co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
+      co_0d = R->m02 * ci->m2, co_0 = co_0c + co_0d;
+  const float co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
+      co_1d = R->m12 * ci->m2, co_1 = co_1c + co_1d;
+  const float co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
+      co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d;
+  const float co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
+      co_3d = R->m02 * ci->m5, co_3 = co_3c + co_3d;
+  const float co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
+      co_4d = R->m12 * ci->m5, co_4 = co_4c + co_4d;
+  const float co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
+      co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(R)^-1 ci.
+   R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
+   18 mul, 12 add. */
+static inline void ksl_product_CoAdrinvcf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const float co_0a = R->m00 * ci->m0, co_0b = R->m10 * ci->m1, co_0c = co_0a + co_0b,
+      co_0d = R->m20 * ci->m2, co_0 = co_0c + co_0d;
+  const float co_1a = R->m01 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
+      co_1d = R->m21 * ci->m2, co_1 = co_1c + co_1d;
+  const float co_2a = R->m02 * ci->m0, co_2b = R->m12 * ci->m1, co_2c = co_2a + co_2b,
+      co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d;
+  const float co_3a = R->m00 * ci->m3, co_3b = R->m10 * ci->m4, co_3c = co_3a + co_3b,
+      co_3d = R->m20 * ci->m5, co_3 = co_3c + co_3d;
+  const float co_4a = R->m01 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
+      co_4d = R->m21 * ci->m5, co_4 = co_4c + co_4d;
+  const float co_5a = R->m02 * ci->m3, co_5b = R->m12 * ci->m4, co_5c = co_5a + co_5b,
+      co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(R) (-ci).
+   R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
+   18 mul, 12 add, 6 neg. */
+static inline void ksl_product_CoAdrcinvf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const float co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
+      co_0d = R->m02 * ci->m2, co_0e = co_0c + co_0d, co_0 = -co_0e;
+  const float co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
+      co_1d = R->m12 * ci->m2, co_1e = co_1c + co_1d, co_1 = -co_1e;
+  const float co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
+      co_2d = R->m22 * ci->m2, co_2e = co_2c + co_2d, co_2 = -co_2e;
+  const float co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
+      co_3d = R->m02 * ci->m5, co_3e = co_3c + co_3d, co_3 = -co_3e;
+  const float co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
+      co_4d = R->m12 * ci->m5, co_4e = co_4c + co_4d, co_4 = -co_4e;
+  const float co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
+      co_5d = R->m22 * ci->m5, co_5e = co_5c + co_5d, co_5 = -co_5e;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.
+   D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
+   24 mul, 18 add. */
+static inline void ksl_product_CoAdcf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const float w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
+      w_0d = D->m02 * ci->m2, w_0 = w_0c + w_0d;
+  const float w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
+      w_1d = D->m12 * ci->m2, w_1 = w_1c + w_1d;
+  const float w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
+      w_2d = D->m22 * ci->m2, w_2 = w_2c + w_2d;
+  const float w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
+      w_3d = D->m02 * ci->m5, w_3 = w_3c + w_3d;
+  const float w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
+      w_4d = D->m12 * ci->m5, w_4 = w_4c + w_4d;
+  const float w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
+      w_5d = D->m22 * ci->m5, w_5 = w_5c + w_5d;
+  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
+  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
+  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.
+   D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
+   24 mul, 18 add. */
+static inline void ksl_product_CoAdinvcf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const float w_3a = D->m23 * ci->m1, w_3b = D->m13 * ci->m2, w_3c = w_3a - w_3b,
+      w_3 = w_3c + ci->m3;
+  const float w_4a = D->m03 * ci->m2, w_4b = D->m23 * ci->m0, w_4c = w_4a - w_4b,
+      w_4 = w_4c + ci->m4;
+  const float w_5a = D->m13 * ci->m0, w_5b = D->m03 * ci->m1, w_5c = w_5a - w_5b,
+      w_5 = w_5c + ci->m5;
+  const float co_0a = D->m00 * ci->m0, co_0b = D->m10 * ci->m1, co_0c = co_0a + co_0b,
+      co_0d = D->m20 * ci->m2, co_0 = co_0c + co_0d;
+  const float co_1a = D->m01 * ci->m0, co_1b = D->m11 * ci->m1, co_1c = co_1a + co_1b,
+      co_1d = D->m21 * ci->m2, co_1 = co_1c + co_1d;
+  const float co_2a = D->m02 * ci->m0, co_2b = D->m12 * ci->m1, co_2c = co_2a + co_2b,
+      co_2d = D->m22 * ci->m2, co_2 = co_2c + co_2d;
+  const float co_3a = D->m00 * w_3, co_3b = D->m10 * w_4, co_3c = co_3a + co_3b,
+      co_3d = D->m20 * w_5, co_3 = co_3c + co_3d;
+  const float co_4a = D->m01 * w_3, co_4b = D->m11 * w_4, co_4c = co_4a + co_4b,
+      co_4d = D->m21 * w_5, co_4 = co_4c + co_4d;
+  const float co_5a = D->m02 * w_3, co_5b = D->m12 * w_4, co_5c = co_5a + co_5b,
+      co_5d = D->m22 * w_5, co_5 = co_5c + co_5d;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(D) (-ci).
+   D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
+   24 mul, 18 add, 6 neg. */
+static inline void ksl_product_CoAdcinvf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const float w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
+      w_0d = D->m02 * ci->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
+  const float w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
+      w_1d = D->m12 * ci->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
+  const float w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
+      w_2d = D->m22 * ci->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
+  const float w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
+      w_3d = D->m02 * ci->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
+  const float w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
+      w_4d = D->m12 * ci->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
+  const float w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
+      w_5d = D->m22 * ci->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
+  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
+  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h_tx: column 0 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 3 add. */
+static inline void ksl_hctxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const float co_3a = D->m20 * D->m13, co_3b = D->m10 * D->m23, co_3 = co_3a - co_3b;
+  const float co_4a = D->m00 * D->m23, co_4b = D->m20 * D->m03, co_4 = co_4a - co_4b;
+  const float co_5a = D->m10 * D->m03, co_5b = D->m00 * D->m13, co_5 = co_5a - co_5b;
+  const float D_m00 = D->m00;
+  const float D_m10 = D->m10;
+  const float D_m20 = D->m20;
+  co->m0 = D_m00;
+  co->m1 = D_m10;
+  co->m2 = D_m20;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h_ty: column 1 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 3 add. */
+static inline void ksl_hctyf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const float co_3a = D->m21 * D->m13, co_3b = D->m11 * D->m23, co_3 = co_3a - co_3b;
+  const float co_4a = D->m01 * D->m23, co_4b = D->m21 * D->m03, co_4 = co_4a - co_4b;
+  const float co_5a = D->m11 * D->m03, co_5b = D->m01 * D->m13, co_5 = co_5a - co_5b;
+  const float D_m01 = D->m01;
+  const float D_m11 = D->m11;
+  const float D_m21 = D->m21;
+  co->m0 = D_m01;
+  co->m1 = D_m11;
+  co->m2 = D_m21;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h_tz: column 2 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 3 add. */
+static inline void ksl_hctzf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const float co_3a = D->m22 * D->m13, co_3b = D->m12 * D->m23, co_3 = co_3a - co_3b;
+  const float co_4a = D->m02 * D->m23, co_4b = D->m22 * D->m03, co_4 = co_4a - co_4b;
+  const float co_5a = D->m12 * D->m03, co_5b = D->m02 * D->m13, co_5 = co_5a - co_5b;
+  const float D_m02 = D->m02;
+  const float D_m12 = D->m12;
+  const float D_m22 = D->m22;
+  co->m0 = D_m02;
+  co->m1 = D_m12;
+  co->m2 = D_m22;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h_rx: column 3 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   No arithmetic. */
+static inline void ksl_hcrxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const float D_m00 = D->m00;
+  const float D_m10 = D->m10;
+  const float D_m20 = D->m20;
+  co->m0 = 0.0f;
+  co->m1 = 0.0f;
+  co->m2 = 0.0f;
+  co->m3 = D_m00;
+  co->m4 = D_m10;
+  co->m5 = D_m20;
+}
+
+/* co = h_ry: column 4 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   No arithmetic. */
+static inline void ksl_hcryf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const float D_m01 = D->m01;
+  const float D_m11 = D->m11;
+  const float D_m21 = D->m21;
+  co->m0 = 0.0f;
+  co->m1 = 0.0f;
+  co->m2 = 0.0f;
+  co->m3 = D_m01;
+  co->m4 = D_m11;
+  co->m5 = D_m21;
+}
+
+/* co = h_rz: column 5 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   No arithmetic. */
+static inline void ksl_hcrzf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const float D_m02 = D->m02;
+  const float D_m12 = D->m12;
+  const float D_m22 = D->m22;
+  co->m0 = 0.0f;
+  co->m1 = 0.0f;
+  co->m2 = 0.0f;
+  co->m3 = D_m02;
+  co->m4 = D_m12;
+  co->m5 = D_m22;
+}
+
+/* co = -h_tx: -column 0 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 3 add, 3 neg. */
+static inline void ksl_hctxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const float co_0 = -D->m00;
+  const float co_1 = -D->m10;
+  const float co_2 = -D->m20;
+  const float co_3a = D->m10 * D->m23, co_3b = D->m20 * D->m13, co_3 = co_3a - co_3b;
+  const float co_4a = D->m20 * D->m03, co_4b = D->m00 * D->m23, co_4 = co_4a - co_4b;
+  const float co_5a = D->m00 * D->m13, co_5b = D->m10 * D->m03, co_5 = co_5a - co_5b;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = -h_ty: -column 1 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 3 add, 3 neg. */
+static inline void ksl_hctyinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const float co_0 = -D->m01;
+  const float co_1 = -D->m11;
+  const float co_2 = -D->m21;
+  const float co_3a = D->m11 * D->m23, co_3b = D->m21 * D->m13, co_3 = co_3a - co_3b;
+  const float co_4a = D->m21 * D->m03, co_4b = D->m01 * D->m23, co_4 = co_4a - co_4b;
+  const float co_5a = D->m01 * D->m13, co_5b = D->m11 * D->m03, co_5 = co_5a - co_5b;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = -h_tz: -column 2 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 3 add, 3 neg. */
+static inline void ksl_hctzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const float co_0 = -D->m02;
+  const float co_1 = -D->m12;
+  const float co_2 = -D->m22;
+  const float co_3a = D->m12 * D->m23, co_3b = D->m22 * D->m13, co_3 = co_3a - co_3b;
+  const float co_4a = D->m22 * D->m03, co_4b = D->m02 * D->m23, co_4 = co_4a - co_4b;
+  const float co_5a = D->m02 * D->m13, co_5b = D->m12 * D->m03, co_5 = co_5a - co_5b;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = -h_rx: -column 3 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   3 neg. */
+static inline void ksl_hcrxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const float co_3 = -D->m00;
+  const float co_4 = -D->m10;
+  const float co_5 = -D->m20;
+  co->m0 = 0.0f;
+  co->m1 = 0.0f;
+  co->m2 = 0.0f;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = -h_ry: -column 4 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   3 neg. */
+static inline void ksl_hcryinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const float co_3 = -D->m01;
+  const float co_4 = -D->m11;
+  const float co_5 = -D->m21;
+  co->m0 = 0.0f;
+  co->m1 = 0.0f;
+  co->m2 = 0.0f;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = -h_rz: -column 5 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   3 neg. */
+static inline void ksl_hcrzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const float co_3 = -D->m02;
+  const float co_4 = -D->m12;
+  const float co_5 = -D->m22;
+  co->m0 = 0.0f;
+  co->m1 = 0.0f;
+  co->m2 = 0.0f;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* M = [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
+   18 mul, 9 add. */
+static inline void ksl_CoAdf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
+  const float M_30a = D->m20 * D->m13, M_30b = D->m10 * D->m23, M_30 = M_30a - M_30b;
+  const float M_31a = D->m21 * D->m13, M_31b = D->m11 * D->m23, M_31 = M_31a - M_31b;
+  const float M_32a = D->m22 * D->m13, M_32b = D->m12 * D->m23, M_32 = M_32a - M_32b;
+  const float M_40a = D->m00 * D->m23, M_40b = D->m20 * D->m03, M_40 = M_40a - M_40b;
+  const float M_41a = D->m01 * D->m23, M_41b = D->m21 * D->m03, M_41 = M_41a - M_41b;
+  const float M_42a = D->m02 * D->m23, M_42b = D->m22 * D->m03, M_42 = M_42a - M_42b;
+  const float M_50a = D->m10 * D->m03, M_50b = D->m00 * D->m13, M_50 = M_50a - M_50b;
+  const float M_51a = D->m11 * D->m03, M_51b = D->m01 * D->m13, M_51 = M_51a - M_51b;
+  const float M_52a = D->m12 * D->m03, M_52b = D->m02 * D->m13, M_52 = M_52a - M_52b;
+  const float D_m00 = D->m00;
+  const float D_m01 = D->m01;
+  const float D_m02 = D->m02;
+  const float D_m10 = D->m10;
+  const float D_m11 = D->m11;
+  const float D_m12 = D->m12;
+  const float D_m20 = D->m20;
+  const float D_m21 = D->m21;
+  const float D_m22 = D->m22;
+  M->at[0][0] = D_m00;
+  M->at[1][0] = D_m01;
+  M->at[2][0] = D_m02;
+  M->at[3][0] = 0.0f;
+  M->at[4][0] = 0.0f;
+  M->at[5][0] = 0.0f;
+  M->at[0][1] = D_m10;
+  M->at[1][1] = D_m11;
+  M->at[2][1] = D_m12;
+  M->at[3][1] = 0.0f;
+  M->at[4][1] = 0.0f;
+  M->at[5][1] = 0.0f;
+  M->at[0][2] = D_m20;
+  M->at[1][2] = D_m21;
+  M->at[2][2] = D_m22;
+  M->at[3][2] = 0.0f;
+  M->at[4][2] = 0.0f;
+  M->at[5][2] = 0.0f;
+  M->at[0][3] = M_30;
+  M->at[1][3] = M_31;
+  M->at[2][3] = M_32;
+  M->at[3][3] = D_m00;
+  M->at[4][3] = D_m01;
+  M->at[5][3] = D_m02;
+  M->at[0][4] = M_40;
+  M->at[1][4] = M_41;
+  M->at[2][4] = M_42;
+  M->at[3][4] = D_m10;
+  M->at[4][4] = D_m11;
+  M->at[5][4] = D_m12;
+  M->at[0][5] = M_50;
+  M->at[1][5] = M_51;
+  M->at[2][5] = M_52;
+  M->at[3][5] = D_m20;
+  M->at[4][5] = D_m21;
+  M->at[5][5] = D_m22;
+}
+
+/* power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).
+   c: coscrew (f in N; τ in N m); x: six components with the angular part on top.
+   6 mul, 5 add. */
+static inline float ksl_reciprocal_productf(const ksl_coscrewf_t *c, const float x[6]) {
+  const float power_a = c->m0 * x[3], power_b = c->m1 * x[4], power_c = power_a + power_b,
+      power_d = c->m2 * x[5], power_e = power_c + power_d, power_f = c->m3 * x[0],
+      power_g = c->m4 * x[1], power_h = power_f + power_g, power_i = c->m5 * x[2],
+      power_j = power_h + power_i, power = power_e + power_j;
+  return power;
+}
+
+/* co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
+   s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
+   18 mul, 12 add. */
+static inline void ksl_cross_scf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float co_0a = s->m4 * c->m2, co_0b = s->m5 * c->m1, co_0 = co_0a - co_0b;
+  const float co_1a = s->m5 * c->m0, co_1b = s->m3 * c->m2, co_1 = co_1a - co_1b;
+  const float co_2a = s->m3 * c->m1, co_2b = s->m4 * c->m0, co_2 = co_2a - co_2b;
+  const float co_3a = s->m1 * c->m2, co_3b = s->m2 * c->m1, co_3c = co_3a - co_3b,
+      co_3d = s->m4 * c->m5, co_3e = s->m5 * c->m4, co_3f = co_3d - co_3e, co_3 = co_3c + co_3f;
+  const float co_4a = s->m2 * c->m0, co_4b = s->m0 * c->m2, co_4c = co_4a - co_4b,
+      co_4d = s->m5 * c->m3, co_4e = s->m3 * c->m5, co_4f = co_4d - co_4e, co_4 = co_4c + co_4f;
+  const float co_5a = s->m0 * c->m1, co_5b = s->m1 * c->m0, co_5c = co_5a - co_5b,
+      co_5d = s->m3 * c->m4, co_5e = s->m4 * c->m3, co_5f = co_5d - co_5e, co_5 = co_5c + co_5f;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = (0 ; ω×τ).
+   s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
+   6 mul, 3 add. */
+static inline void ksl_cross_scaf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float co_3a = s->m4 * c->m5, co_3b = s->m5 * c->m4, co_3 = co_3a - co_3b;
+  const float co_4a = s->m5 * c->m3, co_4b = s->m3 * c->m5, co_4 = co_4a - co_4b;
+  const float co_5a = s->m3 * c->m4, co_5b = s->m4 * c->m3, co_5 = co_5a - co_5b;
+  co->m0 = 0.0f;
+  co->m1 = 0.0f;
+  co->m2 = 0.0f;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   21 mul, 15 add. */
+static inline void ksl_constraint_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_0a = D->m01 * c->m1, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
+  const float w_1a = D->m11 * c->m1, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b;
+  const float w_2a = D->m21 * c->m1, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b;
+  const float w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
+      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
+  const float w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
+      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
+  const float w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
+      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
+  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
+  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
+  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   21 mul, 15 add. */
+static inline void ksl_constraint_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_0a = D->m00 * c->m0, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
+  const float w_1a = D->m10 * c->m0, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b;
+  const float w_2a = D->m20 * c->m0, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b;
+  const float w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
+      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
+  const float w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
+      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
+  const float w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
+      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
+  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
+  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
+  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   21 mul, 15 add. */
+static inline void ksl_constraint_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0 = w_0a + w_0b;
+  const float w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1 = w_1a + w_1b;
+  const float w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2 = w_2a + w_2b;
+  const float w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
+      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
+  const float w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
+      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
+  const float w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
+      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
+  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
+  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
+  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   21 mul, 15 add. */
+static inline void ksl_constraint_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
+      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
+  const float w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
+      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
+  const float w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
+      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
+  const float w_3a = D->m01 * c->m4, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b;
+  const float w_4a = D->m11 * c->m4, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b;
+  const float w_5a = D->m21 * c->m4, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b;
+  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
+  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
+  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   21 mul, 15 add. */
+static inline void ksl_constraint_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
+      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
+  const float w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
+      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
+  const float w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
+      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
+  const float w_3a = D->m00 * c->m3, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b;
+  const float w_4a = D->m10 * c->m3, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b;
+  const float w_5a = D->m20 * c->m3, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b;
+  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
+  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
+  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   21 mul, 15 add. */
+static inline void ksl_constraint_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
+      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
+  const float w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
+      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
+  const float w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
+      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
+  const float w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3 = w_3a + w_3b;
+  const float w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4 = w_4a + w_4b;
+  const float w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5 = w_5a + w_5b;
+  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
+  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
+  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add. */
+static inline void ksl_working_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_0 = D->m00 * c->m0;
+  const float w_1 = D->m10 * c->m0;
+  const float w_2 = D->m20 * c->m0;
+  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
+  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
+  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add. */
+static inline void ksl_working_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_0 = D->m01 * c->m1;
+  const float w_1 = D->m11 * c->m1;
+  const float w_2 = D->m21 * c->m1;
+  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
+  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
+  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add. */
+static inline void ksl_working_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_0 = D->m02 * c->m2;
+  const float w_1 = D->m12 * c->m2;
+  const float w_2 = D->m22 * c->m2;
+  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
+  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
+  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   3 mul. */
+static inline void ksl_working_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_3 = D->m00 * c->m3;
+  const float w_4 = D->m10 * c->m3;
+  const float w_5 = D->m20 * c->m3;
+  co->m0 = 0.0f;
+  co->m1 = 0.0f;
+  co->m2 = 0.0f;
+  co->m3 = w_3;
+  co->m4 = w_4;
+  co->m5 = w_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   3 mul. */
+static inline void ksl_working_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_3 = D->m01 * c->m4;
+  const float w_4 = D->m11 * c->m4;
+  const float w_5 = D->m21 * c->m4;
+  co->m0 = 0.0f;
+  co->m1 = 0.0f;
+  co->m2 = 0.0f;
+  co->m3 = w_3;
+  co->m4 = w_4;
+  co->m5 = w_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   3 mul. */
+static inline void ksl_working_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_3 = D->m02 * c->m5;
+  const float w_4 = D->m12 * c->m5;
+  const float w_5 = D->m22 * c->m5;
+  co->m0 = 0.0f;
+  co->m1 = 0.0f;
+  co->m2 = 0.0f;
+  co->m3 = w_3;
+  co->m4 = w_4;
+  co->m5 = w_5;
+}
+
+/* M = [ad]*(s) = [Ad]*' [Ad]*^-1 = [[ω~, 0], [v~, ω~]].
+   s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+   6 neg. */
+static inline void ksl_coadf(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
+  const float M_01 = -s->m5;
+  const float M_12 = -s->m3;
+  const float M_20 = -s->m4;
+  const float M_31 = -s->m2;
+  const float M_42 = -s->m0;
+  const float M_50 = -s->m1;
+  const float s_m4 = s->m4;
+  const float s_m5 = s->m5;
+  const float s_m3 = s->m3;
+  const float s_m1 = s->m1;
+  const float s_m2 = s->m2;
+  const float s_m0 = s->m0;
+  M->at[0][0] = 0.0f;
+  M->at[1][0] = M_01;
+  M->at[2][0] = s_m4;
+  M->at[3][0] = 0.0f;
+  M->at[4][0] = 0.0f;
+  M->at[5][0] = 0.0f;
+  M->at[0][1] = s_m5;
+  M->at[1][1] = 0.0f;
+  M->at[2][1] = M_12;
+  M->at[3][1] = 0.0f;
+  M->at[4][1] = 0.0f;
+  M->at[5][1] = 0.0f;
+  M->at[0][2] = M_20;
+  M->at[1][2] = s_m3;
+  M->at[2][2] = 0.0f;
+  M->at[3][2] = 0.0f;
+  M->at[4][2] = 0.0f;
+  M->at[5][2] = 0.0f;
+  M->at[0][3] = 0.0f;
+  M->at[1][3] = M_31;
+  M->at[2][3] = s_m1;
+  M->at[3][3] = 0.0f;
+  M->at[4][3] = M_01;
+  M->at[5][3] = s_m4;
+  M->at[0][4] = s_m2;
+  M->at[1][4] = 0.0f;
+  M->at[2][4] = M_42;
+  M->at[3][4] = s_m5;
+  M->at[4][4] = 0.0f;
+  M->at[5][4] = M_12;
+  M->at[0][5] = M_50;
+  M->at[1][5] = s_m0;
+  M->at[2][5] = 0.0f;
+  M->at[3][5] = M_20;
+  M->at[4][5] = s_m3;
+  M->at[5][5] = 0.0f;
+}
+
+#ifndef KSL_NO_ALLOC
+#include <stdlib.h>
+
+/* n zeroed ksl_coscrew_t on the heap, to be freed by the caller; NULL for n <= 0 or when there
+     is no memory. */
+static inline ksl_coscrew_t *ksl_coscrew_alloc(int n) {
+  return n > 0 ? (ksl_coscrew_t *)calloc((size_t)n, sizeof(ksl_coscrew_t)) : NULL;
+}
+
+/* n zeroed ksl_coscrewf_t on the heap, to be freed by the caller; NULL for n <= 0 or when there
+     is no memory. */
+static inline ksl_coscrewf_t *ksl_coscrewf_alloc(int n) {
+  return n > 0 ? (ksl_coscrewf_t *)calloc((size_t)n, sizeof(ksl_coscrewf_t)) : NULL;
+}
+
+#endif
+
+#endif

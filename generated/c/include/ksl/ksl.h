@@ -1,0 +1,15 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* Everything: spatial algebra of vectors, rotations, displacements, screws and coscrews. */
+#ifndef KSL_H
+#define KSL_H
+
+#include "vec3.h"
+#include "mat3x3.h"
+#include "SE3.h"
+#include "mat6x6.h"
+#include "matrix.h"
+#include "trig.h"
+#include "screw.h"
+#include "coscrew.h"
+
+#endif

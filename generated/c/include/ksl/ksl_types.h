@@ -1,0 +1,141 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* Types of the spatial algebra, in double and single precision.
+
+   Every quantity is a union, so that it can be reached several ways.  Matrices are stored column by
+   column.  Screws s = (v; ω) and coscrews c = (f; τ) have the linear part on top, so that power is
+   their dot product.
+
+   All functions: pointers must point to valid objects; an output may be the same object as an input;
+   nothing else is read or written.  Every operation is rounded once, in the order written, so that
+   results are the same bits everywhere: compile with -ffp-contract=off. */
+#ifndef KSL_TYPES_H
+#define KSL_TYPES_H
+
+#include <math.h>
+#include <string.h>
+
+#if defined(__FAST_MATH__) && !defined(KSL_ALLOW_FAST_MATH)
+#error "-ffast-math breaks the bits these functions promise; define KSL_ALLOW_FAST_MATH to accept that"
+#endif
+
+#if defined(__GNUC__)
+#define KSL_VIEW __extension__ struct
+#else
+#define KSL_VIEW struct
+#endif
+
+/* vector (x, y, z); double precision. */
+typedef union ksl_vec3_t {
+  KSL_VIEW { double at[3]; };
+  KSL_VIEW { double x, y, z; };
+} ksl_vec3_t;
+
+/* vector (x, y, z); single precision. */
+typedef union ksl_vec3f_t {
+  KSL_VIEW { float at[3]; };
+  KSL_VIEW { float x, y, z; };
+} ksl_vec3f_t;
+
+/* 3×3 matrix, stored column by column: m21 is row 2, column 1, also at[1][2]; double precision. */
+typedef union ksl_mat3x3_t {
+  KSL_VIEW { double as_array[9]; };
+  KSL_VIEW { double at[3][3]; };
+  KSL_VIEW {
+    double m00, m10, m20;
+    double m01, m11, m21;
+    double m02, m12, m22;
+  };
+  KSL_VIEW { ksl_vec3_t v0, v1, v2; };
+  KSL_VIEW { ksl_vec3_t v[3]; };
+} ksl_mat3x3_t;
+
+/* 3×3 matrix, stored column by column: m21 is row 2, column 1, also at[1][2]; single precision. */
+typedef union ksl_mat3x3f_t {
+  KSL_VIEW { float as_array[9]; };
+  KSL_VIEW { float at[3][3]; };
+  KSL_VIEW {
+    float m00, m10, m20;
+    float m01, m11, m21;
+    float m02, m12, m22;
+  };
+  KSL_VIEW { ksl_vec3f_t v0, v1, v2; };
+  KSL_VIEW { ksl_vec3f_t v[3]; };
+} ksl_mat3x3f_t;
+
+/* displacement [R | t], stored column by column: m13 is t.y, also at[3][1]; double precision. */
+typedef union ksl_SE3_t {
+  KSL_VIEW { double as_array[12]; };
+  KSL_VIEW { double at[4][3]; };
+  KSL_VIEW {
+    ksl_mat3x3_t R;
+    ksl_vec3_t t;
+  };
+  KSL_VIEW {
+    double m00, m10, m20;
+    double m01, m11, m21;
+    double m02, m12, m22;
+    double m03, m13, m23;
+  };
+  KSL_VIEW { ksl_vec3_t v0, v1, v2, v3; };
+  KSL_VIEW { ksl_vec3_t v[4]; };
+} ksl_SE3_t;
+
+/* displacement [R | t], stored column by column: m13 is t.y, also at[3][1]; single precision. */
+typedef union ksl_SE3f_t {
+  KSL_VIEW { float as_array[12]; };
+  KSL_VIEW { float at[4][3]; };
+  KSL_VIEW {
+    ksl_mat3x3f_t R;
+    ksl_vec3f_t t;
+  };
+  KSL_VIEW {
+    float m00, m10, m20;
+    float m01, m11, m21;
+    float m02, m12, m22;
+    float m03, m13, m23;
+  };
+  KSL_VIEW { ksl_vec3f_t v0, v1, v2, v3; };
+  KSL_VIEW { ksl_vec3f_t v[4]; };
+} ksl_SE3f_t;
+
+/* screw (lin; ang) = (v; ω); double precision. */
+typedef union ksl_screw_t {
+  KSL_VIEW { double at[6]; };
+  KSL_VIEW { ksl_vec3_t lin, ang; };
+  KSL_VIEW { double m0, m1, m2, m3, m4, m5; };
+} ksl_screw_t;
+
+/* screw (lin; ang) = (v; ω); single precision. */
+typedef union ksl_screwf_t {
+  KSL_VIEW { float at[6]; };
+  KSL_VIEW { ksl_vec3f_t lin, ang; };
+  KSL_VIEW { float m0, m1, m2, m3, m4, m5; };
+} ksl_screwf_t;
+
+/* coscrew (lin; ang) = (f; τ); double precision. */
+typedef union ksl_coscrew_t {
+  KSL_VIEW { double at[6]; };
+  KSL_VIEW { ksl_vec3_t lin, ang; };
+  KSL_VIEW { double m0, m1, m2, m3, m4, m5; };
+} ksl_coscrew_t;
+
+/* coscrew (lin; ang) = (f; τ); single precision. */
+typedef union ksl_coscrewf_t {
+  KSL_VIEW { float at[6]; };
+  KSL_VIEW { ksl_vec3f_t lin, ang; };
+  KSL_VIEW { float m0, m1, m2, m3, m4, m5; };
+} ksl_coscrewf_t;
+
+/* 6×6 operator, stored column by column: at[column][row]; double precision. */
+typedef union ksl_mat6x6_t {
+  KSL_VIEW { double as_array[36]; };
+  KSL_VIEW { double at[6][6]; };
+} ksl_mat6x6_t;
+
+/* 6×6 operator, stored column by column: at[column][row]; single precision. */
+typedef union ksl_mat6x6f_t {
+  KSL_VIEW { float as_array[36]; };
+  KSL_VIEW { float at[6][6]; };
+} ksl_mat6x6f_t;
+
+#endif

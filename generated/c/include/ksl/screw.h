@@ -1,0 +1,1937 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* Screws: twists, spatial velocities and accelerations, s = (v; ω). */
+#ifndef KSL_SCREW_H
+#define KSL_SCREW_H
+
+#include "ksl_types.h"
+#include "matrix.h"
+#include "mat6x6.h"
+
+/* A screw from its entries, in order. */
+static inline ksl_screw_t ksl_screw(const double m0, const double m1, const double m2, const double m3, const double m4, const double m5) {
+  ksl_screw_t value;
+  value.m0 = m0;
+  value.m1 = m1;
+  value.m2 = m2;
+  value.m3 = m3;
+  value.m4 = m4;
+  value.m5 = m5;
+  return value;
+}
+
+/* so = si.
+   si, so: screw (v in m/s; ω in rad/s).
+   No arithmetic. */
+static inline void ksl_screw_copy(const ksl_screw_t *si, ksl_screw_t *so) {
+  const double si_m0 = si->m0;
+  const double si_m1 = si->m1;
+  const double si_m2 = si->m2;
+  const double si_m3 = si->m3;
+  const double si_m4 = si->m4;
+  const double si_m5 = si->m5;
+  so->m0 = si_m0;
+  so->m1 = si_m1;
+  so->m2 = si_m2;
+  so->m3 = si_m3;
+  so->m4 = si_m4;
+  so->m5 = si_m5;
+}
+
+/* self = a self.
+   self: screw (v in m/s; ω in rad/s); a: number.
+   6 mul. */
+static inline void ksl_screw_scale(ksl_screw_t *self, const double a) {
+  const double self_0_new = self->m0 * a;
+  const double self_1_new = self->m1 * a;
+  const double self_2_new = self->m2 * a;
+  const double self_3_new = self->m3 * a;
+  const double self_4_new = self->m4 * a;
+  const double self_5_new = self->m5 * a;
+  self->m0 = self_0_new;
+  self->m1 = self_1_new;
+  self->m2 = self_2_new;
+  self->m3 = self_3_new;
+  self->m4 = self_4_new;
+  self->m5 = self_5_new;
+}
+
+/* so = -si.
+   si, so: screw (v in m/s; ω in rad/s).
+   6 neg. */
+static inline void ksl_screw_inverted(const ksl_screw_t *si, ksl_screw_t *so) {
+  const double so_0 = -si->m0;
+  const double so_1 = -si->m1;
+  const double so_2 = -si->m2;
+  const double so_3 = -si->m3;
+  const double so_4 = -si->m4;
+  const double so_5 = -si->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* self = -self.
+   self: screw (v in m/s; ω in rad/s).
+   6 neg. */
+static inline void ksl_screw_invert(ksl_screw_t *self) {
+  const double self_0_new = -self->m0;
+  const double self_1_new = -self->m1;
+  const double self_2_new = -self->m2;
+  const double self_3_new = -self->m3;
+  const double self_4_new = -self->m4;
+  const double self_5_new = -self->m5;
+  self->m0 = self_0_new;
+  self->m1 = self_1_new;
+  self->m2 = self_2_new;
+  self->m3 = self_3_new;
+  self->m4 = self_4_new;
+  self->m5 = self_5_new;
+}
+
+/* y = a x + y.
+   a: number; x, y: screw (v in m/s; ω in rad/s).
+   6 mul, 6 add. */
+static inline void ksl_axpy_ss(const double a, const ksl_screw_t *x, ksl_screw_t *y) {
+  const double y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
+  const double y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
+  const double y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2;
+  const double y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3;
+  const double y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4;
+  const double y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5;
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* y = x + y.
+   x, y: screw (v in m/s; ω in rad/s).
+   6 add. */
+static inline void ksl_xpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
+  const double y_0_new = x->m0 + y->m0;
+  const double y_1_new = x->m1 + y->m1;
+  const double y_2_new = x->m2 + y->m2;
+  const double y_3_new = x->m3 + y->m3;
+  const double y_4_new = x->m4 + y->m4;
+  const double y_5_new = x->m5 + y->m5;
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* y = -x + y.
+   x, y: screw (v in m/s; ω in rad/s).
+   6 add. */
+static inline void ksl_nxpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
+  const double y_0_new = y->m0 - x->m0;
+  const double y_1_new = y->m1 - x->m1;
+  const double y_2_new = y->m2 - x->m2;
+  const double y_3_new = y->m3 - x->m3;
+  const double y_4_new = y->m4 - x->m4;
+  const double y_5_new = y->m5 - x->m5;
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* so = a si.
+   a: number; si, so: screw (v in m/s; ω in rad/s).
+   6 mul. */
+static inline void ksl_product_as(const double a, const ksl_screw_t *si, ksl_screw_t *so) {
+  const double so_0 = a * si->m0;
+  const double so_1 = a * si->m1;
+  const double so_2 = a * si->m2;
+  const double so_3 = a * si->m3;
+  const double so_4 = a * si->m4;
+  const double so_5 = a * si->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = s1 + s2.
+   s1, s2, so: screw (v in m/s; ω in rad/s).
+   6 add. */
+static inline void ksl_add_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
+  const double so_0 = s1->m0 + s2->m0;
+  const double so_1 = s1->m1 + s2->m1;
+  const double so_2 = s1->m2 + s2->m2;
+  const double so_3 = s1->m3 + s2->m3;
+  const double so_4 = s1->m4 + s2->m4;
+  const double so_5 = s1->m5 + s2->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = s1 - s2.
+   s1, s2, so: screw (v in m/s; ω in rad/s).
+   6 add. */
+static inline void ksl_subtract_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
+  const double so_0 = s1->m0 - s2->m0;
+  const double so_1 = s1->m1 - s2->m1;
+  const double so_2 = s1->m2 - s2->m2;
+  const double so_3 = s1->m3 - s2->m3;
+  const double so_4 = s1->m4 - s2->m4;
+  const double so_5 = s1->m5 - s2->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
+   si: screw (v in m/s; ω in rad/s).
+   6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select. */
+static inline double ksl_screw_norm(const ksl_screw_t *si) {
+  const double q_a = si->m3 * si->m3, q_b = si->m4 * si->m4, q_c = q_a + q_b, q_d = si->m5 * si->m5,
+      q_e = q_c + q_d, q_f = si->m0 * si->m0, q_g = si->m1 * si->m1, q_h = q_f + q_g,
+      q_i = si->m2 * si->m2, q_j = q_h + q_i, q_k = fabs(si->m5), q_m = q_k < 1e-09 ? q_j : q_e,
+      q_n = fabs(si->m4), q_p = q_n < 1e-09 ? q_m : q_e, q_q = fabs(si->m3),
+      q = q_q < 1e-09 ? q_p : q_e;
+  const double norm = sqrt(q);
+  return norm;
+}
+
+/* self = self / |self|, with screw_norm; the zero screw stays zero.
+   self: screw (v in m/s; ω in rad/s).
+   6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
+static inline void ksl_screw_normalize(ksl_screw_t *self) {
+  const double q_a = self->m3 * self->m3, q_b = self->m4 * self->m4, q_c = q_a + q_b,
+      q_d = self->m5 * self->m5, q_e = q_c + q_d, q_f = self->m0 * self->m0,
+      q_g = self->m1 * self->m1, q_h = q_f + q_g, q_i = self->m2 * self->m2, q_j = q_h + q_i,
+      q_k = fabs(self->m5), q_m = q_k < 1e-09 ? q_j : q_e, q_n = fabs(self->m4),
+      q_p = q_n < 1e-09 ? q_m : q_e, q_q = fabs(self->m3), q = q_q < 1e-09 ? q_p : q_e;
+  const double n = sqrt(q);
+  const double d = n == 0.0 ? 1.0 : n;
+  const double self_0_new = self->m0 / d;
+  const double self_1_new = self->m1 / d;
+  const double self_2_new = self->m2 / d;
+  const double self_3_new = self->m3 / d;
+  const double self_4_new = self->m4 / d;
+  const double self_5_new = self->m5 / d;
+  self->m0 = self_0_new;
+  self->m1 = self_1_new;
+  self->m2 = self_2_new;
+  self->m3 = self_3_new;
+  self->m4 = self_4_new;
+  self->m5 = self_5_new;
+}
+
+/* so = si / |si|, with screw_norm; the zero screw stays zero.
+   si, so: screw (v in m/s; ω in rad/s).
+   6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
+static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) {
+  const double q_a = si->m3 * si->m3, q_b = si->m4 * si->m4, q_c = q_a + q_b, q_d = si->m5 * si->m5,
+      q_e = q_c + q_d, q_f = si->m0 * si->m0, q_g = si->m1 * si->m1, q_h = q_f + q_g,
+      q_i = si->m2 * si->m2, q_j = q_h + q_i, q_k = fabs(si->m5), q_m = q_k < 1e-09 ? q_j : q_e,
+      q_n = fabs(si->m4), q_p = q_n < 1e-09 ? q_m : q_e, q_q = fabs(si->m3),
+      q = q_q < 1e-09 ? q_p : q_e;
+  const double n = sqrt(q);
+  const double d = n == 0.0 ? 1.0 : n;
+  const double so_0 = si->m0 / d;
+  const double so_1 = si->m1 / d;
+  const double so_2 = si->m2 / d;
+  const double so_3 = si->m3 / d;
+  const double so_4 = si->m4 / d;
+  const double so_5 = si->m5 / d;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = (lin; ang).
+   lin, ang: vector; so: screw (v in m/s; ω in rad/s).
+   No arithmetic. */
+static inline void ksl_screw_from_lin_ang(const ksl_vec3_t *lin, const ksl_vec3_t *ang,
+    ksl_screw_t *so) {
+  const double lin_x = lin->x;
+  const double lin_y = lin->y;
+  const double lin_z = lin->z;
+  const double ang_x = ang->x;
+  const double ang_y = ang->y;
+  const double ang_z = ang->z;
+  so->m0 = lin_x;
+  so->m1 = lin_y;
+  so->m2 = lin_z;
+  so->m3 = ang_x;
+  so->m4 = ang_y;
+  so->m5 = ang_z;
+}
+
+/* x = (ang; lin) of si.
+   si: screw (v in m/s; ω in rad/s); x: six components with the angular part on top.
+   No arithmetic. */
+static inline void ksl_screw_to_angular_first(const ksl_screw_t *si, double x[6]) {
+  const double si_m3 = si->m3;
+  const double si_m4 = si->m4;
+  const double si_m5 = si->m5;
+  const double si_m0 = si->m0;
+  const double si_m1 = si->m1;
+  const double si_m2 = si->m2;
+  x[0] = si_m3;
+  x[1] = si_m4;
+  x[2] = si_m5;
+  x[3] = si_m0;
+  x[4] = si_m1;
+  x[5] = si_m2;
+}
+
+/* so = (lin; ang) of x = (ang; lin).
+   x: six components with the angular part on top; so: screw (v in m/s; ω in rad/s).
+   No arithmetic. */
+static inline void ksl_screw_from_angular_first(const double x[6], ksl_screw_t *so) {
+  const double x_3 = x[3];
+  const double x_4 = x[4];
+  const double x_5 = x[5];
+  const double x_0 = x[0];
+  const double x_1 = x[1];
+  const double x_2 = x[2];
+  so->m0 = x_3;
+  so->m1 = x_4;
+  so->m2 = x_5;
+  so->m3 = x_0;
+  so->m4 = x_1;
+  so->m5 = x_2;
+}
+
+/* so = (s1.lin + s2.lin ; s1.ang).
+   s1, s2, so: screw (v in m/s; ω in rad/s).
+   3 add. */
+static inline void ksl_add_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
+  const double so_0 = s1->m0 + s2->m0;
+  const double so_1 = s1->m1 + s2->m1;
+  const double so_2 = s1->m2 + s2->m2;
+  const double s1_m3 = s1->m3;
+  const double s1_m4 = s1->m4;
+  const double s1_m5 = s1->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = s1_m3;
+  so->m4 = s1_m4;
+  so->m5 = s1_m5;
+}
+
+/* so = [Ad](t) si.
+   t: vector; si, so: screw (v in m/s; ω in rad/s).
+   6 mul, 6 add. */
+static inline void ksl_product_Adts(const ksl_vec3_t *t, const ksl_screw_t *si, ksl_screw_t *so) {
+  const double so_0a = t->y * si->m5, so_0b = t->z * si->m4, so_0c = so_0a - so_0b,
+      so_0 = so_0c + si->m0;
+  const double so_1a = t->z * si->m3, so_1b = t->x * si->m5, so_1c = so_1a - so_1b,
+      so_1 = so_1c + si->m1;
+  const double so_2a = t->x * si->m4, so_2b = t->y * si->m3, so_2c = so_2a - so_2b,
+      so_2 = so_2c + si->m2;
+  const double si_m3 = si->m3;
+  const double si_m4 = si->m4;
+  const double si_m5 = si->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = si_m3;
+  so->m4 = si_m4;
+  so->m5 = si_m5;
+}
+
+/* so = [Ad](t)^-1 si.
+   t: vector; si, so: screw (v in m/s; ω in rad/s).
+   6 mul, 6 add. */
+static inline void ksl_product_Adtinvs(const ksl_vec3_t *t, const ksl_screw_t *si,
+    ksl_screw_t *so) {
+  const double so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+      so_0 = so_0c + si->m0;
+  const double so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+      so_1 = so_1c + si->m1;
+  const double so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+      so_2 = so_2c + si->m2;
+  const double si_m3 = si->m3;
+  const double si_m4 = si->m4;
+  const double si_m5 = si->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = si_m3;
+  so->m4 = si_m4;
+  so->m5 = si_m5;
+}
+
+/* so = [Ad](t) (-si).
+   t: vector; si, so: screw (v in m/s; ω in rad/s).
+   6 mul, 6 add, 3 neg. */
+static inline void ksl_product_Adtsinv(const ksl_vec3_t *t, const ksl_screw_t *si,
+    ksl_screw_t *so) {
+  const double so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+      so_0 = so_0c - si->m0;
+  const double so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+      so_1 = so_1c - si->m1;
+  const double so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+      so_2 = so_2c - si->m2;
+  const double so_3 = -si->m3;
+  const double so_4 = -si->m4;
+  const double so_5 = -si->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = [Ad](R) si.
+   R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
+   18 mul, 12 add. */
+static inline void ksl_product_Adrs(const ksl_mat3x3_t *R, const ksl_screw_t *si, ksl_screw_t *so) {
+  const double so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
+      so_0d = R->m02 * si->m2, so_0 = so_0c + so_0d;
+  const double so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
+      so_1d = R->m12 * si->m2, so_1 = so_1c + so_1d;
+  const double so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
+      so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d;
+  const double so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
+      so_3d = R->m02 * si->m5, so_3 = so_3c + so_3d;
+  const double so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
+      so_4d = R->m12 * si->m5, so_4 = so_4c + so_4d;
+  const double so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
+      so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = [Ad](R)^-1 si.
+   R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
+   18 mul, 12 add. */
+static inline void ksl_product_Adrinvs(const ksl_mat3x3_t *R, const ksl_screw_t *si,
+    ksl_screw_t *so) {
+  const double so_0a = R->m00 * si->m0, so_0b = R->m10 * si->m1, so_0c = so_0a + so_0b,
+      so_0d = R->m20 * si->m2, so_0 = so_0c + so_0d;
+  const double so_1a = R->m01 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
+      so_1d = R->m21 * si->m2, so_1 = so_1c + so_1d;
+  const double so_2a = R->m02 * si->m0, so_2b = R->m12 * si->m1, so_2c = so_2a + so_2b,
+      so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d;
+  const double so_3a = R->m00 * si->m3, so_3b = R->m10 * si->m4, so_3c = so_3a + so_3b,
+      so_3d = R->m20 * si->m5, so_3 = so_3c + so_3d;
+  const double so_4a = R->m01 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
+      so_4d = R->m21 * si->m5, so_4 = so_4c + so_4d;
+  const double so_5a = R->m02 * si->m3, so_5b = R->m12 * si->m4, so_5c = so_5a + so_5b,
+      so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = [Ad](R) (-si).
+   R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
+   18 mul, 12 add, 6 neg. */
+static inline void ksl_product_Adrsinv(const ksl_mat3x3_t *R, const ksl_screw_t *si,
+    ksl_screw_t *so) {
+  const double so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
+      so_0d = R->m02 * si->m2, so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const double so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
+      so_1d = R->m12 * si->m2, so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const double so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
+      so_2d = R->m22 * si->m2, so_2e = so_2c + so_2d, so_2 = -so_2e;
+  const double so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
+      so_3d = R->m02 * si->m5, so_3e = so_3c + so_3d, so_3 = -so_3e;
+  const double so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
+      so_4d = R->m12 * si->m5, so_4e = so_4c + so_4d, so_4 = -so_4e;
+  const double so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
+      so_5d = R->m22 * si->m5, so_5e = so_5c + so_5d, so_5 = -so_5e;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = [Ad](D) si = [Ad](t) [Ad](R) si.
+   D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
+   24 mul, 18 add. */
+static inline void ksl_product_Ads(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
+  const double w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
+      w_0d = D->m02 * si->m2, w_0 = w_0c + w_0d;
+  const double w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
+      w_1d = D->m12 * si->m2, w_1 = w_1c + w_1d;
+  const double w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
+      w_2d = D->m22 * si->m2, w_2 = w_2c + w_2d;
+  const double w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
+      w_3d = D->m02 * si->m5, w_3 = w_3c + w_3d;
+  const double w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
+      w_4d = D->m12 * si->m5, w_4 = w_4c + w_4d;
+  const double w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
+      w_5d = D->m22 * si->m5, w_5 = w_5c + w_5d;
+  const double so_0a = D->m13 * w_5, so_0b = D->m23 * w_4, so_0c = so_0a - so_0b,
+      so_0 = so_0c + w_0;
+  const double so_1a = D->m23 * w_3, so_1b = D->m03 * w_5, so_1c = so_1a - so_1b,
+      so_1 = so_1c + w_1;
+  const double so_2a = D->m03 * w_4, so_2b = D->m13 * w_3, so_2c = so_2a - so_2b,
+      so_2 = so_2c + w_2;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = w_3;
+  so->m4 = w_4;
+  so->m5 = w_5;
+}
+
+/* so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si.
+   D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
+   24 mul, 18 add. */
+static inline void ksl_product_Adinvs(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
+  const double w_0a = D->m23 * si->m4, w_0b = D->m13 * si->m5, w_0c = w_0a - w_0b,
+      w_0 = w_0c + si->m0;
+  const double w_1a = D->m03 * si->m5, w_1b = D->m23 * si->m3, w_1c = w_1a - w_1b,
+      w_1 = w_1c + si->m1;
+  const double w_2a = D->m13 * si->m3, w_2b = D->m03 * si->m4, w_2c = w_2a - w_2b,
+      w_2 = w_2c + si->m2;
+  const double so_0a = D->m00 * w_0, so_0b = D->m10 * w_1, so_0c = so_0a + so_0b,
+      so_0d = D->m20 * w_2, so_0 = so_0c + so_0d;
+  const double so_1a = D->m01 * w_0, so_1b = D->m11 * w_1, so_1c = so_1a + so_1b,
+      so_1d = D->m21 * w_2, so_1 = so_1c + so_1d;
+  const double so_2a = D->m02 * w_0, so_2b = D->m12 * w_1, so_2c = so_2a + so_2b,
+      so_2d = D->m22 * w_2, so_2 = so_2c + so_2d;
+  const double so_3a = D->m00 * si->m3, so_3b = D->m10 * si->m4, so_3c = so_3a + so_3b,
+      so_3d = D->m20 * si->m5, so_3 = so_3c + so_3d;
+  const double so_4a = D->m01 * si->m3, so_4b = D->m11 * si->m4, so_4c = so_4a + so_4b,
+      so_4d = D->m21 * si->m5, so_4 = so_4c + so_4d;
+  const double so_5a = D->m02 * si->m3, so_5b = D->m12 * si->m4, so_5c = so_5a + so_5b,
+      so_5d = D->m22 * si->m5, so_5 = so_5c + so_5d;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = [Ad](D) (-si).
+   D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
+   24 mul, 18 add, 6 neg. */
+static inline void ksl_product_Adsinv(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
+  const double w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
+      w_0d = D->m02 * si->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
+  const double w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
+      w_1d = D->m12 * si->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
+  const double w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
+      w_2d = D->m22 * si->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
+  const double w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
+      w_3d = D->m02 * si->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
+  const double w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
+      w_4d = D->m12 * si->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
+  const double w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
+      w_5d = D->m22 * si->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const double so_0a = D->m13 * w_5, so_0b = D->m23 * w_4, so_0c = so_0a - so_0b,
+      so_0 = so_0c + w_0;
+  const double so_1a = D->m23 * w_3, so_1b = D->m03 * w_5, so_1c = so_1a - so_1b,
+      so_1 = so_1c + w_1;
+  const double so_2a = D->m03 * w_4, so_2b = D->m13 * w_3, so_2c = so_2a - so_2b,
+      so_2 = so_2c + w_2;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = w_3;
+  so->m4 = w_4;
+  so->m5 = w_5;
+}
+
+/* so = h_tx: column 0 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   No arithmetic. */
+static inline void ksl_hstx(const ksl_SE3_t *D, ksl_screw_t *so) {
+  const double D_m00 = D->m00;
+  const double D_m10 = D->m10;
+  const double D_m20 = D->m20;
+  so->m0 = D_m00;
+  so->m1 = D_m10;
+  so->m2 = D_m20;
+  so->m3 = 0.0;
+  so->m4 = 0.0;
+  so->m5 = 0.0;
+}
+
+/* so = h_ty: column 1 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   No arithmetic. */
+static inline void ksl_hsty(const ksl_SE3_t *D, ksl_screw_t *so) {
+  const double D_m01 = D->m01;
+  const double D_m11 = D->m11;
+  const double D_m21 = D->m21;
+  so->m0 = D_m01;
+  so->m1 = D_m11;
+  so->m2 = D_m21;
+  so->m3 = 0.0;
+  so->m4 = 0.0;
+  so->m5 = 0.0;
+}
+
+/* so = h_tz: column 2 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   No arithmetic. */
+static inline void ksl_hstz(const ksl_SE3_t *D, ksl_screw_t *so) {
+  const double D_m02 = D->m02;
+  const double D_m12 = D->m12;
+  const double D_m22 = D->m22;
+  so->m0 = D_m02;
+  so->m1 = D_m12;
+  so->m2 = D_m22;
+  so->m3 = 0.0;
+  so->m4 = 0.0;
+  so->m5 = 0.0;
+}
+
+/* so = h_rx: column 3 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   6 mul, 3 add. */
+static inline void ksl_hsrx(const ksl_SE3_t *D, ksl_screw_t *so) {
+  const double so_0a = D->m20 * D->m13, so_0b = D->m10 * D->m23, so_0 = so_0a - so_0b;
+  const double so_1a = D->m00 * D->m23, so_1b = D->m20 * D->m03, so_1 = so_1a - so_1b;
+  const double so_2a = D->m10 * D->m03, so_2b = D->m00 * D->m13, so_2 = so_2a - so_2b;
+  const double D_m00 = D->m00;
+  const double D_m10 = D->m10;
+  const double D_m20 = D->m20;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = D_m00;
+  so->m4 = D_m10;
+  so->m5 = D_m20;
+}
+
+/* so = h_ry: column 4 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   6 mul, 3 add. */
+static inline void ksl_hsry(const ksl_SE3_t *D, ksl_screw_t *so) {
+  const double so_0a = D->m21 * D->m13, so_0b = D->m11 * D->m23, so_0 = so_0a - so_0b;
+  const double so_1a = D->m01 * D->m23, so_1b = D->m21 * D->m03, so_1 = so_1a - so_1b;
+  const double so_2a = D->m11 * D->m03, so_2b = D->m01 * D->m13, so_2 = so_2a - so_2b;
+  const double D_m01 = D->m01;
+  const double D_m11 = D->m11;
+  const double D_m21 = D->m21;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = D_m01;
+  so->m4 = D_m11;
+  so->m5 = D_m21;
+}
+
+/* so = h_rz: column 5 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   6 mul, 3 add. */
+static inline void ksl_hsrz(const ksl_SE3_t *D, ksl_screw_t *so) {
+  const double so_0a = D->m22 * D->m13, so_0b = D->m12 * D->m23, so_0 = so_0a - so_0b;
+  const double so_1a = D->m02 * D->m23, so_1b = D->m22 * D->m03, so_1 = so_1a - so_1b;
+  const double so_2a = D->m12 * D->m03, so_2b = D->m02 * D->m13, so_2 = so_2a - so_2b;
+  const double D_m02 = D->m02;
+  const double D_m12 = D->m12;
+  const double D_m22 = D->m22;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = D_m02;
+  so->m4 = D_m12;
+  so->m5 = D_m22;
+}
+
+/* so = -h_tx: -column 0 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   3 neg. */
+static inline void ksl_hstxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
+  const double so_0 = -D->m00;
+  const double so_1 = -D->m10;
+  const double so_2 = -D->m20;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0;
+  so->m4 = 0.0;
+  so->m5 = 0.0;
+}
+
+/* so = -h_ty: -column 1 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   3 neg. */
+static inline void ksl_hstyinv(const ksl_SE3_t *D, ksl_screw_t *so) {
+  const double so_0 = -D->m01;
+  const double so_1 = -D->m11;
+  const double so_2 = -D->m21;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0;
+  so->m4 = 0.0;
+  so->m5 = 0.0;
+}
+
+/* so = -h_tz: -column 2 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   3 neg. */
+static inline void ksl_hstzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
+  const double so_0 = -D->m02;
+  const double so_1 = -D->m12;
+  const double so_2 = -D->m22;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0;
+  so->m4 = 0.0;
+  so->m5 = 0.0;
+}
+
+/* so = -h_rx: -column 3 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   6 mul, 3 add, 3 neg. */
+static inline void ksl_hsrxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
+  const double so_0a = D->m10 * D->m23, so_0b = D->m20 * D->m13, so_0 = so_0a - so_0b;
+  const double so_1a = D->m20 * D->m03, so_1b = D->m00 * D->m23, so_1 = so_1a - so_1b;
+  const double so_2a = D->m00 * D->m13, so_2b = D->m10 * D->m03, so_2 = so_2a - so_2b;
+  const double so_3 = -D->m00;
+  const double so_4 = -D->m10;
+  const double so_5 = -D->m20;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = -h_ry: -column 4 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   6 mul, 3 add, 3 neg. */
+static inline void ksl_hsryinv(const ksl_SE3_t *D, ksl_screw_t *so) {
+  const double so_0a = D->m11 * D->m23, so_0b = D->m21 * D->m13, so_0 = so_0a - so_0b;
+  const double so_1a = D->m21 * D->m03, so_1b = D->m01 * D->m23, so_1 = so_1a - so_1b;
+  const double so_2a = D->m01 * D->m13, so_2b = D->m11 * D->m03, so_2 = so_2a - so_2b;
+  const double so_3 = -D->m01;
+  const double so_4 = -D->m11;
+  const double so_5 = -D->m21;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = -h_rz: -column 5 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   6 mul, 3 add, 3 neg. */
+static inline void ksl_hsrzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
+  const double so_0a = D->m12 * D->m23, so_0b = D->m22 * D->m13, so_0 = so_0a - so_0b;
+  const double so_1a = D->m22 * D->m03, so_1b = D->m02 * D->m23, so_1 = so_1a - so_1b;
+  const double so_2a = D->m02 * D->m13, so_2b = D->m12 * D->m03, so_2 = so_2a - so_2b;
+  const double so_3 = -D->m02;
+  const double so_4 = -D->m12;
+  const double so_5 = -D->m22;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* M = [Ad](D).
+   D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
+   18 mul, 9 add. */
+static inline void ksl_Ad(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
+  const double M_03a = D->m20 * D->m13, M_03b = D->m10 * D->m23, M_03 = M_03a - M_03b;
+  const double M_04a = D->m21 * D->m13, M_04b = D->m11 * D->m23, M_04 = M_04a - M_04b;
+  const double M_05a = D->m22 * D->m13, M_05b = D->m12 * D->m23, M_05 = M_05a - M_05b;
+  const double M_13a = D->m00 * D->m23, M_13b = D->m20 * D->m03, M_13 = M_13a - M_13b;
+  const double M_14a = D->m01 * D->m23, M_14b = D->m21 * D->m03, M_14 = M_14a - M_14b;
+  const double M_15a = D->m02 * D->m23, M_15b = D->m22 * D->m03, M_15 = M_15a - M_15b;
+  const double M_23a = D->m10 * D->m03, M_23b = D->m00 * D->m13, M_23 = M_23a - M_23b;
+  const double M_24a = D->m11 * D->m03, M_24b = D->m01 * D->m13, M_24 = M_24a - M_24b;
+  const double M_25a = D->m12 * D->m03, M_25b = D->m02 * D->m13, M_25 = M_25a - M_25b;
+  const double D_m00 = D->m00;
+  const double D_m01 = D->m01;
+  const double D_m02 = D->m02;
+  const double D_m10 = D->m10;
+  const double D_m11 = D->m11;
+  const double D_m12 = D->m12;
+  const double D_m20 = D->m20;
+  const double D_m21 = D->m21;
+  const double D_m22 = D->m22;
+  M->at[0][0] = D_m00;
+  M->at[1][0] = D_m01;
+  M->at[2][0] = D_m02;
+  M->at[3][0] = M_03;
+  M->at[4][0] = M_04;
+  M->at[5][0] = M_05;
+  M->at[0][1] = D_m10;
+  M->at[1][1] = D_m11;
+  M->at[2][1] = D_m12;
+  M->at[3][1] = M_13;
+  M->at[4][1] = M_14;
+  M->at[5][1] = M_15;
+  M->at[0][2] = D_m20;
+  M->at[1][2] = D_m21;
+  M->at[2][2] = D_m22;
+  M->at[3][2] = M_23;
+  M->at[4][2] = M_24;
+  M->at[5][2] = M_25;
+  M->at[0][3] = 0.0;
+  M->at[1][3] = 0.0;
+  M->at[2][3] = 0.0;
+  M->at[3][3] = D_m00;
+  M->at[4][3] = D_m01;
+  M->at[5][3] = D_m02;
+  M->at[0][4] = 0.0;
+  M->at[1][4] = 0.0;
+  M->at[2][4] = 0.0;
+  M->at[3][4] = D_m10;
+  M->at[4][4] = D_m11;
+  M->at[5][4] = D_m12;
+  M->at[0][5] = 0.0;
+  M->at[1][5] = 0.0;
+  M->at[2][5] = 0.0;
+  M->at[3][5] = D_m20;
+  M->at[4][5] = D_m21;
+  M->at[5][5] = D_m22;
+}
+
+/* power = f·v + τ·ω, in W.
+   c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s).
+   6 mul, 5 add. */
+static inline double ksl_dot_cs(const ksl_coscrew_t *c, const ksl_screw_t *s) {
+  const double power_a = c->m0 * s->m0, power_b = c->m1 * s->m1, power_c = power_a + power_b,
+      power_d = c->m2 * s->m2, power_e = power_c + power_d, power_f = c->m3 * s->m3,
+      power_g = c->m4 * s->m4, power_h = power_f + power_g, power_i = c->m5 * s->m5,
+      power_j = power_h + power_i, power = power_e + power_j;
+  return power;
+}
+
+/* so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2); exactly zero for s1 = s2.
+   s1, s2, so: screw (v in m/s; ω in rad/s).
+   18 mul, 12 add. */
+static inline void ksl_cross_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
+  const double so_0a = s1->m1 * s2->m5, so_0b = s1->m5 * s2->m1, so_0c = so_0a - so_0b,
+      so_0d = s1->m4 * s2->m2, so_0e = s1->m2 * s2->m4, so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
+  const double so_1a = s1->m5 * s2->m0, so_1b = s1->m0 * s2->m5, so_1c = so_1a - so_1b,
+      so_1d = s1->m2 * s2->m3, so_1e = s1->m3 * s2->m2, so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
+  const double so_2a = s1->m0 * s2->m4, so_2b = s1->m4 * s2->m0, so_2c = so_2a - so_2b,
+      so_2d = s1->m3 * s2->m1, so_2e = s1->m1 * s2->m3, so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
+  const double so_3a = s1->m4 * s2->m5, so_3b = s1->m5 * s2->m4, so_3 = so_3a - so_3b;
+  const double so_4a = s1->m5 * s2->m3, so_4b = s1->m3 * s2->m5, so_4 = so_4a - so_4b;
+  const double so_5a = s1->m3 * s2->m4, so_5b = s1->m4 * s2->m3, so_5 = so_5a - so_5b;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = (ω1×v2 ; 0).
+   s1, s2, so: screw (v in m/s; ω in rad/s).
+   6 mul, 3 add. */
+static inline void ksl_cross_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
+  const double so_0a = s1->m4 * s2->m2, so_0b = s1->m5 * s2->m1, so_0 = so_0a - so_0b;
+  const double so_1a = s1->m5 * s2->m0, so_1b = s1->m3 * s2->m2, so_1 = so_1a - so_1b;
+  const double so_2a = s1->m3 * s2->m1, so_2b = s1->m4 * s2->m0, so_2 = so_2a - so_2b;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0;
+  so->m4 = 0.0;
+  so->m5 = 0.0;
+}
+
+/* so = (t×R a ; R a), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   15 mul, 9 add. */
+static inline void ksl_hsra(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
+  const double a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
+      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
+  const double a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
+      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
+  const double a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
+      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
+  const double so_0a = D->m13 * a_2, so_0b = D->m23 * a_1, so_0 = so_0a - so_0b;
+  const double so_1a = D->m23 * a_0, so_1b = D->m03 * a_2, so_1 = so_1a - so_1b;
+  const double so_2a = D->m03 * a_1, so_2b = D->m13 * a_0, so_2 = so_2a - so_2b;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = a_0;
+  so->m4 = a_1;
+  so->m5 = a_2;
+}
+
+/* so = (R a ; 0), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   9 mul, 6 add. */
+static inline void ksl_hsta(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
+  const double so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
+      so_0d = D->m02 * axis->z, so_0 = so_0c + so_0d;
+  const double so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
+      so_1d = D->m12 * axis->z, so_1 = so_1c + so_1d;
+  const double so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
+      so_2d = D->m22 * axis->z, so_2 = so_2c + so_2d;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0;
+  so->m4 = 0.0;
+  so->m5 = 0.0;
+}
+
+/* M = [ad](s) = [Ad]' [Ad]^-1 = [[ω~, v~], [0, ω~]].
+   s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+   6 neg. */
+static inline void ksl_ad(const ksl_screw_t *s, ksl_mat6x6_t *M) {
+  const double M_01 = -s->m5;
+  const double M_04 = -s->m2;
+  const double M_12 = -s->m3;
+  const double M_15 = -s->m0;
+  const double M_20 = -s->m4;
+  const double M_23 = -s->m1;
+  const double s_m4 = s->m4;
+  const double s_m1 = s->m1;
+  const double s_m5 = s->m5;
+  const double s_m2 = s->m2;
+  const double s_m3 = s->m3;
+  const double s_m0 = s->m0;
+  M->at[0][0] = 0.0;
+  M->at[1][0] = M_01;
+  M->at[2][0] = s_m4;
+  M->at[3][0] = 0.0;
+  M->at[4][0] = M_04;
+  M->at[5][0] = s_m1;
+  M->at[0][1] = s_m5;
+  M->at[1][1] = 0.0;
+  M->at[2][1] = M_12;
+  M->at[3][1] = s_m2;
+  M->at[4][1] = 0.0;
+  M->at[5][1] = M_15;
+  M->at[0][2] = M_20;
+  M->at[1][2] = s_m3;
+  M->at[2][2] = 0.0;
+  M->at[3][2] = M_23;
+  M->at[4][2] = s_m0;
+  M->at[5][2] = 0.0;
+  M->at[0][3] = 0.0;
+  M->at[1][3] = 0.0;
+  M->at[2][3] = 0.0;
+  M->at[3][3] = 0.0;
+  M->at[4][3] = M_01;
+  M->at[5][3] = s_m4;
+  M->at[0][4] = 0.0;
+  M->at[1][4] = 0.0;
+  M->at[2][4] = 0.0;
+  M->at[3][4] = s_m5;
+  M->at[4][4] = 0.0;
+  M->at[5][4] = M_12;
+  M->at[0][5] = 0.0;
+  M->at[1][5] = 0.0;
+  M->at[2][5] = 0.0;
+  M->at[3][5] = M_20;
+  M->at[4][5] = s_m3;
+  M->at[5][5] = 0.0;
+}
+
+/* A screw from its entries, in order. */
+static inline ksl_screwf_t ksl_screwf(const float m0, const float m1, const float m2, const float m3, const float m4, const float m5) {
+  ksl_screwf_t value;
+  value.m0 = m0;
+  value.m1 = m1;
+  value.m2 = m2;
+  value.m3 = m3;
+  value.m4 = m4;
+  value.m5 = m5;
+  return value;
+}
+
+/* so = si.
+   si, so: screw (v in m/s; ω in rad/s).
+   No arithmetic. */
+static inline void ksl_screwf_copy(const ksl_screwf_t *si, ksl_screwf_t *so) {
+  const float si_m0 = si->m0;
+  const float si_m1 = si->m1;
+  const float si_m2 = si->m2;
+  const float si_m3 = si->m3;
+  const float si_m4 = si->m4;
+  const float si_m5 = si->m5;
+  so->m0 = si_m0;
+  so->m1 = si_m1;
+  so->m2 = si_m2;
+  so->m3 = si_m3;
+  so->m4 = si_m4;
+  so->m5 = si_m5;
+}
+
+/* self = a self.
+   self: screw (v in m/s; ω in rad/s); a: number.
+   6 mul. */
+static inline void ksl_screwf_scale(ksl_screwf_t *self, const float a) {
+  const float self_0_new = self->m0 * a;
+  const float self_1_new = self->m1 * a;
+  const float self_2_new = self->m2 * a;
+  const float self_3_new = self->m3 * a;
+  const float self_4_new = self->m4 * a;
+  const float self_5_new = self->m5 * a;
+  self->m0 = self_0_new;
+  self->m1 = self_1_new;
+  self->m2 = self_2_new;
+  self->m3 = self_3_new;
+  self->m4 = self_4_new;
+  self->m5 = self_5_new;
+}
+
+/* so = -si.
+   si, so: screw (v in m/s; ω in rad/s).
+   6 neg. */
+static inline void ksl_screwf_inverted(const ksl_screwf_t *si, ksl_screwf_t *so) {
+  const float so_0 = -si->m0;
+  const float so_1 = -si->m1;
+  const float so_2 = -si->m2;
+  const float so_3 = -si->m3;
+  const float so_4 = -si->m4;
+  const float so_5 = -si->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* self = -self.
+   self: screw (v in m/s; ω in rad/s).
+   6 neg. */
+static inline void ksl_screwf_invert(ksl_screwf_t *self) {
+  const float self_0_new = -self->m0;
+  const float self_1_new = -self->m1;
+  const float self_2_new = -self->m2;
+  const float self_3_new = -self->m3;
+  const float self_4_new = -self->m4;
+  const float self_5_new = -self->m5;
+  self->m0 = self_0_new;
+  self->m1 = self_1_new;
+  self->m2 = self_2_new;
+  self->m3 = self_3_new;
+  self->m4 = self_4_new;
+  self->m5 = self_5_new;
+}
+
+/* y = a x + y.
+   a: number; x, y: screw (v in m/s; ω in rad/s).
+   6 mul, 6 add. */
+static inline void ksl_axpy_ssf(const float a, const ksl_screwf_t *x, ksl_screwf_t *y) {
+  const float y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
+  const float y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
+  const float y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2;
+  const float y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3;
+  const float y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4;
+  const float y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5;
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* y = x + y.
+   x, y: screw (v in m/s; ω in rad/s).
+   6 add. */
+static inline void ksl_xpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
+  const float y_0_new = x->m0 + y->m0;
+  const float y_1_new = x->m1 + y->m1;
+  const float y_2_new = x->m2 + y->m2;
+  const float y_3_new = x->m3 + y->m3;
+  const float y_4_new = x->m4 + y->m4;
+  const float y_5_new = x->m5 + y->m5;
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* y = -x + y.
+   x, y: screw (v in m/s; ω in rad/s).
+   6 add. */
+static inline void ksl_nxpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
+  const float y_0_new = y->m0 - x->m0;
+  const float y_1_new = y->m1 - x->m1;
+  const float y_2_new = y->m2 - x->m2;
+  const float y_3_new = y->m3 - x->m3;
+  const float y_4_new = y->m4 - x->m4;
+  const float y_5_new = y->m5 - x->m5;
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* so = a si.
+   a: number; si, so: screw (v in m/s; ω in rad/s).
+   6 mul. */
+static inline void ksl_product_asf(const float a, const ksl_screwf_t *si, ksl_screwf_t *so) {
+  const float so_0 = a * si->m0;
+  const float so_1 = a * si->m1;
+  const float so_2 = a * si->m2;
+  const float so_3 = a * si->m3;
+  const float so_4 = a * si->m4;
+  const float so_5 = a * si->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = s1 + s2.
+   s1, s2, so: screw (v in m/s; ω in rad/s).
+   6 add. */
+static inline void ksl_add_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, ksl_screwf_t *so) {
+  const float so_0 = s1->m0 + s2->m0;
+  const float so_1 = s1->m1 + s2->m1;
+  const float so_2 = s1->m2 + s2->m2;
+  const float so_3 = s1->m3 + s2->m3;
+  const float so_4 = s1->m4 + s2->m4;
+  const float so_5 = s1->m5 + s2->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = s1 - s2.
+   s1, s2, so: screw (v in m/s; ω in rad/s).
+   6 add. */
+static inline void ksl_subtract_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
+    ksl_screwf_t *so) {
+  const float so_0 = s1->m0 - s2->m0;
+  const float so_1 = s1->m1 - s2->m1;
+  const float so_2 = s1->m2 - s2->m2;
+  const float so_3 = s1->m3 - s2->m3;
+  const float so_4 = s1->m4 - s2->m4;
+  const float so_5 = s1->m5 - s2->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
+   si: screw (v in m/s; ω in rad/s).
+   6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select. */
+static inline float ksl_screwf_norm(const ksl_screwf_t *si) {
+  const float q_a = si->m3 * si->m3, q_b = si->m4 * si->m4, q_c = q_a + q_b, q_d = si->m5 * si->m5,
+      q_e = q_c + q_d, q_f = si->m0 * si->m0, q_g = si->m1 * si->m1, q_h = q_f + q_g,
+      q_i = si->m2 * si->m2, q_j = q_h + q_i, q_k = fabsf(si->m5), q_m = q_k < 1e-06f ? q_j : q_e,
+      q_n = fabsf(si->m4), q_p = q_n < 1e-06f ? q_m : q_e, q_q = fabsf(si->m3),
+      q = q_q < 1e-06f ? q_p : q_e;
+  const float norm = sqrtf(q);
+  return norm;
+}
+
+/* self = self / |self|, with screw_norm; the zero screw stays zero.
+   self: screw (v in m/s; ω in rad/s).
+   6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
+static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
+  const float q_a = self->m3 * self->m3, q_b = self->m4 * self->m4, q_c = q_a + q_b,
+      q_d = self->m5 * self->m5, q_e = q_c + q_d, q_f = self->m0 * self->m0,
+      q_g = self->m1 * self->m1, q_h = q_f + q_g, q_i = self->m2 * self->m2, q_j = q_h + q_i,
+      q_k = fabsf(self->m5), q_m = q_k < 1e-06f ? q_j : q_e, q_n = fabsf(self->m4),
+      q_p = q_n < 1e-06f ? q_m : q_e, q_q = fabsf(self->m3), q = q_q < 1e-06f ? q_p : q_e;
+  const float n = sqrtf(q);
+  const float d = n == 0.0f ? 1.0f : n;
+  const float self_0_new = self->m0 / d;
+  const float self_1_new = self->m1 / d;
+  const float self_2_new = self->m2 / d;
+  const float self_3_new = self->m3 / d;
+  const float self_4_new = self->m4 / d;
+  const float self_5_new = self->m5 / d;
+  self->m0 = self_0_new;
+  self->m1 = self_1_new;
+  self->m2 = self_2_new;
+  self->m3 = self_3_new;
+  self->m4 = self_4_new;
+  self->m5 = self_5_new;
+}
+
+/* so = si / |si|, with screw_norm; the zero screw stays zero.
+   si, so: screw (v in m/s; ω in rad/s).
+   6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
+static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *so) {
+  const float q_a = si->m3 * si->m3, q_b = si->m4 * si->m4, q_c = q_a + q_b, q_d = si->m5 * si->m5,
+      q_e = q_c + q_d, q_f = si->m0 * si->m0, q_g = si->m1 * si->m1, q_h = q_f + q_g,
+      q_i = si->m2 * si->m2, q_j = q_h + q_i, q_k = fabsf(si->m5), q_m = q_k < 1e-06f ? q_j : q_e,
+      q_n = fabsf(si->m4), q_p = q_n < 1e-06f ? q_m : q_e, q_q = fabsf(si->m3),
+      q = q_q < 1e-06f ? q_p : q_e;
+  const float n = sqrtf(q);
+  const float d = n == 0.0f ? 1.0f : n;
+  const float so_0 = si->m0 / d;
+  const float so_1 = si->m1 / d;
+  const float so_2 = si->m2 / d;
+  const float so_3 = si->m3 / d;
+  const float so_4 = si->m4 / d;
+  const float so_5 = si->m5 / d;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = (lin; ang).
+   lin, ang: vector; so: screw (v in m/s; ω in rad/s).
+   No arithmetic. */
+static inline void ksl_screwf_from_lin_ang(const ksl_vec3f_t *lin, const ksl_vec3f_t *ang,
+    ksl_screwf_t *so) {
+  const float lin_x = lin->x;
+  const float lin_y = lin->y;
+  const float lin_z = lin->z;
+  const float ang_x = ang->x;
+  const float ang_y = ang->y;
+  const float ang_z = ang->z;
+  so->m0 = lin_x;
+  so->m1 = lin_y;
+  so->m2 = lin_z;
+  so->m3 = ang_x;
+  so->m4 = ang_y;
+  so->m5 = ang_z;
+}
+
+/* x = (ang; lin) of si.
+   si: screw (v in m/s; ω in rad/s); x: six components with the angular part on top.
+   No arithmetic. */
+static inline void ksl_screwf_to_angular_first(const ksl_screwf_t *si, float x[6]) {
+  const float si_m3 = si->m3;
+  const float si_m4 = si->m4;
+  const float si_m5 = si->m5;
+  const float si_m0 = si->m0;
+  const float si_m1 = si->m1;
+  const float si_m2 = si->m2;
+  x[0] = si_m3;
+  x[1] = si_m4;
+  x[2] = si_m5;
+  x[3] = si_m0;
+  x[4] = si_m1;
+  x[5] = si_m2;
+}
+
+/* so = (lin; ang) of x = (ang; lin).
+   x: six components with the angular part on top; so: screw (v in m/s; ω in rad/s).
+   No arithmetic. */
+static inline void ksl_screwf_from_angular_first(const float x[6], ksl_screwf_t *so) {
+  const float x_3 = x[3];
+  const float x_4 = x[4];
+  const float x_5 = x[5];
+  const float x_0 = x[0];
+  const float x_1 = x[1];
+  const float x_2 = x[2];
+  so->m0 = x_3;
+  so->m1 = x_4;
+  so->m2 = x_5;
+  so->m3 = x_0;
+  so->m4 = x_1;
+  so->m5 = x_2;
+}
+
+/* so = (s1.lin + s2.lin ; s1.ang).
+   s1, s2, so: screw (v in m/s; ω in rad/s).
+   3 add. */
+static inline void ksl_add_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, ksl_screwf_t *so) {
+  const float so_0 = s1->m0 + s2->m0;
+  const float so_1 = s1->m1 + s2->m1;
+  const float so_2 = s1->m2 + s2->m2;
+  const float s1_m3 = s1->m3;
+  const float s1_m4 = s1->m4;
+  const float s1_m5 = s1->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = s1_m3;
+  so->m4 = s1_m4;
+  so->m5 = s1_m5;
+}
+
+/* so = [Ad](t) si.
+   t: vector; si, so: screw (v in m/s; ω in rad/s).
+   6 mul, 6 add. */
+static inline void ksl_product_Adtsf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
+    ksl_screwf_t *so) {
+  const float so_0a = t->y * si->m5, so_0b = t->z * si->m4, so_0c = so_0a - so_0b,
+      so_0 = so_0c + si->m0;
+  const float so_1a = t->z * si->m3, so_1b = t->x * si->m5, so_1c = so_1a - so_1b,
+      so_1 = so_1c + si->m1;
+  const float so_2a = t->x * si->m4, so_2b = t->y * si->m3, so_2c = so_2a - so_2b,
+      so_2 = so_2c + si->m2;
+  const float si_m3 = si->m3;
+  const float si_m4 = si->m4;
+  const float si_m5 = si->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = si_m3;
+  so->m4 = si_m4;
+  so->m5 = si_m5;
+}
+
+/* so = [Ad](t)^-1 si.
+   t: vector; si, so: screw (v in m/s; ω in rad/s).
+   6 mul, 6 add. */
+static inline void ksl_product_Adtinvsf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
+    ksl_screwf_t *so) {
+  const float so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+      so_0 = so_0c + si->m0;
+  const float so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+      so_1 = so_1c + si->m1;
+  const float so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+      so_2 = so_2c + si->m2;
+  const float si_m3 = si->m3;
+  const float si_m4 = si->m4;
+  const float si_m5 = si->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = si_m3;
+  so->m4 = si_m4;
+  so->m5 = si_m5;
+}
+
+/* so = [Ad](t) (-si).
+   t: vector; si, so: screw (v in m/s; ω in rad/s).
+   6 mul, 6 add, 3 neg. */
+static inline void ksl_product_Adtsinvf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
+    ksl_screwf_t *so) {
+  const float so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+      so_0 = so_0c - si->m0;
+  const float so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+      so_1 = so_1c - si->m1;
+  const float so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+      so_2 = so_2c - si->m2;
+  const float so_3 = -si->m3;
+  const float so_4 = -si->m4;
+  const float so_5 = -si->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = [Ad](R) si.
+   R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
+   18 mul, 12 add. */
+static inline void ksl_product_Adrsf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
+    ksl_screwf_t *so) {
+  const float so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
+      so_0d = R->m02 * si->m2, so_0 = so_0c + so_0d;
+  const float so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
+      so_1d = R->m12 * si->m2, so_1 = so_1c + so_1d;
+  const float so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
+      so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d;
+  const float so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
+      so_3d = R->m02 * si->m5, so_3 = so_3c + so_3d;
+  const float so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
+      so_4d = R->m12 * si->m5, so_4 = so_4c + so_4d;
+  const float so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
+      so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = [Ad](R)^-1 si.
+   R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
+   18 mul, 12 add. */
+static inline void ksl_product_Adrinvsf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
+    ksl_screwf_t *so) {
+  const float so_0a = R->m00 * si->m0, so_0b = R->m10 * si->m1, so_0c = so_0a + so_0b,
+      so_0d = R->m20 * si->m2, so_0 = so_0c + so_0d;
+  const float so_1a = R->m01 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
+      so_1d = R->m21 * si->m2, so_1 = so_1c + so_1d;
+  const float so_2a = R->m02 * si->m0, so_2b = R->m12 * si->m1, so_2c = so_2a + so_2b,
+      so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d;
+  const float so_3a = R->m00 * si->m3, so_3b = R->m10 * si->m4, so_3c = so_3a + so_3b,
+      so_3d = R->m20 * si->m5, so_3 = so_3c + so_3d;
+  const float so_4a = R->m01 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
+      so_4d = R->m21 * si->m5, so_4 = so_4c + so_4d;
+  const float so_5a = R->m02 * si->m3, so_5b = R->m12 * si->m4, so_5c = so_5a + so_5b,
+      so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = [Ad](R) (-si).
+   R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
+   18 mul, 12 add, 6 neg. */
+static inline void ksl_product_Adrsinvf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
+    ksl_screwf_t *so) {
+  const float so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
+      so_0d = R->m02 * si->m2, so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const float so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
+      so_1d = R->m12 * si->m2, so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const float so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
+      so_2d = R->m22 * si->m2, so_2e = so_2c + so_2d, so_2 = -so_2e;
+  const float so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
+      so_3d = R->m02 * si->m5, so_3e = so_3c + so_3d, so_3 = -so_3e;
+  const float so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
+      so_4d = R->m12 * si->m5, so_4e = so_4c + so_4d, so_4 = -so_4e;
+  const float so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
+      so_5d = R->m22 * si->m5, so_5e = so_5c + so_5d, so_5 = -so_5e;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = [Ad](D) si = [Ad](t) [Ad](R) si.
+   D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
+   24 mul, 18 add. */
+static inline void ksl_product_Adsf(const ksl_SE3f_t *D, const ksl_screwf_t *si, ksl_screwf_t *so) {
+  const float w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
+      w_0d = D->m02 * si->m2, w_0 = w_0c + w_0d;
+  const float w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
+      w_1d = D->m12 * si->m2, w_1 = w_1c + w_1d;
+  const float w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
+      w_2d = D->m22 * si->m2, w_2 = w_2c + w_2d;
+  const float w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
+      w_3d = D->m02 * si->m5, w_3 = w_3c + w_3d;
+  const float w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
+      w_4d = D->m12 * si->m5, w_4 = w_4c + w_4d;
+  const float w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
+      w_5d = D->m22 * si->m5, w_5 = w_5c + w_5d;
+  const float so_0a = D->m13 * w_5, so_0b = D->m23 * w_4, so_0c = so_0a - so_0b, so_0 = so_0c + w_0;
+  const float so_1a = D->m23 * w_3, so_1b = D->m03 * w_5, so_1c = so_1a - so_1b, so_1 = so_1c + w_1;
+  const float so_2a = D->m03 * w_4, so_2b = D->m13 * w_3, so_2c = so_2a - so_2b, so_2 = so_2c + w_2;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = w_3;
+  so->m4 = w_4;
+  so->m5 = w_5;
+}
+
+/* so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si.
+   D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
+   24 mul, 18 add. */
+static inline void ksl_product_Adinvsf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
+    ksl_screwf_t *so) {
+  const float w_0a = D->m23 * si->m4, w_0b = D->m13 * si->m5, w_0c = w_0a - w_0b,
+      w_0 = w_0c + si->m0;
+  const float w_1a = D->m03 * si->m5, w_1b = D->m23 * si->m3, w_1c = w_1a - w_1b,
+      w_1 = w_1c + si->m1;
+  const float w_2a = D->m13 * si->m3, w_2b = D->m03 * si->m4, w_2c = w_2a - w_2b,
+      w_2 = w_2c + si->m2;
+  const float so_0a = D->m00 * w_0, so_0b = D->m10 * w_1, so_0c = so_0a + so_0b,
+      so_0d = D->m20 * w_2, so_0 = so_0c + so_0d;
+  const float so_1a = D->m01 * w_0, so_1b = D->m11 * w_1, so_1c = so_1a + so_1b,
+      so_1d = D->m21 * w_2, so_1 = so_1c + so_1d;
+  const float so_2a = D->m02 * w_0, so_2b = D->m12 * w_1, so_2c = so_2a + so_2b,
+      so_2d = D->m22 * w_2, so_2 = so_2c + so_2d;
+  const float so_3a = D->m00 * si->m3, so_3b = D->m10 * si->m4, so_3c = so_3a + so_3b,
+      so_3d = D->m20 * si->m5, so_3 = so_3c + so_3d;
+  const float so_4a = D->m01 * si->m3, so_4b = D->m11 * si->m4, so_4c = so_4a + so_4b,
+      so_4d = D->m21 * si->m5, so_4 = so_4c + so_4d;
+  const float so_5a = D->m02 * si->m3, so_5b = D->m12 * si->m4, so_5c = so_5a + so_5b,
+      so_5d = D->m22 * si->m5, so_5 = so_5c + so_5d;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = [Ad](D) (-si).
+   D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
+   24 mul, 18 add, 6 neg. */
+static inline void ksl_product_Adsinvf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
+    ksl_screwf_t *so) {
+  const float w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
+      w_0d = D->m02 * si->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
+  const float w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
+      w_1d = D->m12 * si->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
+  const float w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
+      w_2d = D->m22 * si->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
+  const float w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
+      w_3d = D->m02 * si->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
+  const float w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
+      w_4d = D->m12 * si->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
+  const float w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
+      w_5d = D->m22 * si->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const float so_0a = D->m13 * w_5, so_0b = D->m23 * w_4, so_0c = so_0a - so_0b, so_0 = so_0c + w_0;
+  const float so_1a = D->m23 * w_3, so_1b = D->m03 * w_5, so_1c = so_1a - so_1b, so_1 = so_1c + w_1;
+  const float so_2a = D->m03 * w_4, so_2b = D->m13 * w_3, so_2c = so_2a - so_2b, so_2 = so_2c + w_2;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = w_3;
+  so->m4 = w_4;
+  so->m5 = w_5;
+}
+
+/* so = h_tx: column 0 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   No arithmetic. */
+static inline void ksl_hstxf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
+  const float D_m00 = D->m00;
+  const float D_m10 = D->m10;
+  const float D_m20 = D->m20;
+  so->m0 = D_m00;
+  so->m1 = D_m10;
+  so->m2 = D_m20;
+  so->m3 = 0.0f;
+  so->m4 = 0.0f;
+  so->m5 = 0.0f;
+}
+
+/* so = h_ty: column 1 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   No arithmetic. */
+static inline void ksl_hstyf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
+  const float D_m01 = D->m01;
+  const float D_m11 = D->m11;
+  const float D_m21 = D->m21;
+  so->m0 = D_m01;
+  so->m1 = D_m11;
+  so->m2 = D_m21;
+  so->m3 = 0.0f;
+  so->m4 = 0.0f;
+  so->m5 = 0.0f;
+}
+
+/* so = h_tz: column 2 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   No arithmetic. */
+static inline void ksl_hstzf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
+  const float D_m02 = D->m02;
+  const float D_m12 = D->m12;
+  const float D_m22 = D->m22;
+  so->m0 = D_m02;
+  so->m1 = D_m12;
+  so->m2 = D_m22;
+  so->m3 = 0.0f;
+  so->m4 = 0.0f;
+  so->m5 = 0.0f;
+}
+
+/* so = h_rx: column 3 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   6 mul, 3 add. */
+static inline void ksl_hsrxf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
+  const float so_0a = D->m20 * D->m13, so_0b = D->m10 * D->m23, so_0 = so_0a - so_0b;
+  const float so_1a = D->m00 * D->m23, so_1b = D->m20 * D->m03, so_1 = so_1a - so_1b;
+  const float so_2a = D->m10 * D->m03, so_2b = D->m00 * D->m13, so_2 = so_2a - so_2b;
+  const float D_m00 = D->m00;
+  const float D_m10 = D->m10;
+  const float D_m20 = D->m20;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = D_m00;
+  so->m4 = D_m10;
+  so->m5 = D_m20;
+}
+
+/* so = h_ry: column 4 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   6 mul, 3 add. */
+static inline void ksl_hsryf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
+  const float so_0a = D->m21 * D->m13, so_0b = D->m11 * D->m23, so_0 = so_0a - so_0b;
+  const float so_1a = D->m01 * D->m23, so_1b = D->m21 * D->m03, so_1 = so_1a - so_1b;
+  const float so_2a = D->m11 * D->m03, so_2b = D->m01 * D->m13, so_2 = so_2a - so_2b;
+  const float D_m01 = D->m01;
+  const float D_m11 = D->m11;
+  const float D_m21 = D->m21;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = D_m01;
+  so->m4 = D_m11;
+  so->m5 = D_m21;
+}
+
+/* so = h_rz: column 5 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   6 mul, 3 add. */
+static inline void ksl_hsrzf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
+  const float so_0a = D->m22 * D->m13, so_0b = D->m12 * D->m23, so_0 = so_0a - so_0b;
+  const float so_1a = D->m02 * D->m23, so_1b = D->m22 * D->m03, so_1 = so_1a - so_1b;
+  const float so_2a = D->m12 * D->m03, so_2b = D->m02 * D->m13, so_2 = so_2a - so_2b;
+  const float D_m02 = D->m02;
+  const float D_m12 = D->m12;
+  const float D_m22 = D->m22;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = D_m02;
+  so->m4 = D_m12;
+  so->m5 = D_m22;
+}
+
+/* so = -h_tx: -column 0 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   3 neg. */
+static inline void ksl_hstxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
+  const float so_0 = -D->m00;
+  const float so_1 = -D->m10;
+  const float so_2 = -D->m20;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0f;
+  so->m4 = 0.0f;
+  so->m5 = 0.0f;
+}
+
+/* so = -h_ty: -column 1 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   3 neg. */
+static inline void ksl_hstyinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
+  const float so_0 = -D->m01;
+  const float so_1 = -D->m11;
+  const float so_2 = -D->m21;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0f;
+  so->m4 = 0.0f;
+  so->m5 = 0.0f;
+}
+
+/* so = -h_tz: -column 2 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   3 neg. */
+static inline void ksl_hstzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
+  const float so_0 = -D->m02;
+  const float so_1 = -D->m12;
+  const float so_2 = -D->m22;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0f;
+  so->m4 = 0.0f;
+  so->m5 = 0.0f;
+}
+
+/* so = -h_rx: -column 3 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   6 mul, 3 add, 3 neg. */
+static inline void ksl_hsrxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
+  const float so_0a = D->m10 * D->m23, so_0b = D->m20 * D->m13, so_0 = so_0a - so_0b;
+  const float so_1a = D->m20 * D->m03, so_1b = D->m00 * D->m23, so_1 = so_1a - so_1b;
+  const float so_2a = D->m00 * D->m13, so_2b = D->m10 * D->m03, so_2 = so_2a - so_2b;
+  const float so_3 = -D->m00;
+  const float so_4 = -D->m10;
+  const float so_5 = -D->m20;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = -h_ry: -column 4 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   6 mul, 3 add, 3 neg. */
+static inline void ksl_hsryinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
+  const float so_0a = D->m11 * D->m23, so_0b = D->m21 * D->m13, so_0 = so_0a - so_0b;
+  const float so_1a = D->m21 * D->m03, so_1b = D->m01 * D->m23, so_1 = so_1a - so_1b;
+  const float so_2a = D->m01 * D->m13, so_2b = D->m11 * D->m03, so_2 = so_2a - so_2b;
+  const float so_3 = -D->m01;
+  const float so_4 = -D->m11;
+  const float so_5 = -D->m21;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = -h_rz: -column 5 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   6 mul, 3 add, 3 neg. */
+static inline void ksl_hsrzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
+  const float so_0a = D->m12 * D->m23, so_0b = D->m22 * D->m13, so_0 = so_0a - so_0b;
+  const float so_1a = D->m22 * D->m03, so_1b = D->m02 * D->m23, so_1 = so_1a - so_1b;
+  const float so_2a = D->m02 * D->m13, so_2b = D->m12 * D->m03, so_2 = so_2a - so_2b;
+  const float so_3 = -D->m02;
+  const float so_4 = -D->m12;
+  const float so_5 = -D->m22;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* M = [Ad](D).
+   D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
+   18 mul, 9 add. */
+static inline void ksl_Adf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
+  const float M_03a = D->m20 * D->m13, M_03b = D->m10 * D->m23, M_03 = M_03a - M_03b;
+  const float M_04a = D->m21 * D->m13, M_04b = D->m11 * D->m23, M_04 = M_04a - M_04b;
+  const float M_05a = D->m22 * D->m13, M_05b = D->m12 * D->m23, M_05 = M_05a - M_05b;
+  const float M_13a = D->m00 * D->m23, M_13b = D->m20 * D->m03, M_13 = M_13a - M_13b;
+  const float M_14a = D->m01 * D->m23, M_14b = D->m21 * D->m03, M_14 = M_14a - M_14b;
+  const float M_15a = D->m02 * D->m23, M_15b = D->m22 * D->m03, M_15 = M_15a - M_15b;
+  const float M_23a = D->m10 * D->m03, M_23b = D->m00 * D->m13, M_23 = M_23a - M_23b;
+  const float M_24a = D->m11 * D->m03, M_24b = D->m01 * D->m13, M_24 = M_24a - M_24b;
+  const float M_25a = D->m12 * D->m03, M_25b = D->m02 * D->m13, M_25 = M_25a - M_25b;
+  const float D_m00 = D->m00;
+  const float D_m01 = D->m01;
+  const float D_m02 = D->m02;
+  const float D_m10 = D->m10;
+  const float D_m11 = D->m11;
+  const float D_m12 = D->m12;
+  const float D_m20 = D->m20;
+  const float D_m21 = D->m21;
+  const float D_m22 = D->m22;
+  M->at[0][0] = D_m00;
+  M->at[1][0] = D_m01;
+  M->at[2][0] = D_m02;
+  M->at[3][0] = M_03;
+  M->at[4][0] = M_04;
+  M->at[5][0] = M_05;
+  M->at[0][1] = D_m10;
+  M->at[1][1] = D_m11;
+  M->at[2][1] = D_m12;
+  M->at[3][1] = M_13;
+  M->at[4][1] = M_14;
+  M->at[5][1] = M_15;
+  M->at[0][2] = D_m20;
+  M->at[1][2] = D_m21;
+  M->at[2][2] = D_m22;
+  M->at[3][2] = M_23;
+  M->at[4][2] = M_24;
+  M->at[5][2] = M_25;
+  M->at[0][3] = 0.0f;
+  M->at[1][3] = 0.0f;
+  M->at[2][3] = 0.0f;
+  M->at[3][3] = D_m00;
+  M->at[4][3] = D_m01;
+  M->at[5][3] = D_m02;
+  M->at[0][4] = 0.0f;
+  M->at[1][4] = 0.0f;
+  M->at[2][4] = 0.0f;
+  M->at[3][4] = D_m10;
+  M->at[4][4] = D_m11;
+  M->at[5][4] = D_m12;
+  M->at[0][5] = 0.0f;
+  M->at[1][5] = 0.0f;
+  M->at[2][5] = 0.0f;
+  M->at[3][5] = D_m20;
+  M->at[4][5] = D_m21;
+  M->at[5][5] = D_m22;
+}
+
+/* power = f·v + τ·ω, in W.
+   c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s).
+   6 mul, 5 add. */
+static inline float ksl_dot_csf(const ksl_coscrewf_t *c, const ksl_screwf_t *s) {
+  const float power_a = c->m0 * s->m0, power_b = c->m1 * s->m1, power_c = power_a + power_b,
+      power_d = c->m2 * s->m2, power_e = power_c + power_d, power_f = c->m3 * s->m3,
+      power_g = c->m4 * s->m4, power_h = power_f + power_g, power_i = c->m5 * s->m5,
+      power_j = power_h + power_i, power = power_e + power_j;
+  return power;
+}
+
+/* so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2); exactly zero for s1 = s2.
+   s1, s2, so: screw (v in m/s; ω in rad/s).
+   18 mul, 12 add. */
+static inline void ksl_cross_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, ksl_screwf_t *so) {
+  const float so_0a = s1->m1 * s2->m5, so_0b = s1->m5 * s2->m1, so_0c = so_0a - so_0b,
+      so_0d = s1->m4 * s2->m2, so_0e = s1->m2 * s2->m4, so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
+  const float so_1a = s1->m5 * s2->m0, so_1b = s1->m0 * s2->m5, so_1c = so_1a - so_1b,
+      so_1d = s1->m2 * s2->m3, so_1e = s1->m3 * s2->m2, so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
+  const float so_2a = s1->m0 * s2->m4, so_2b = s1->m4 * s2->m0, so_2c = so_2a - so_2b,
+      so_2d = s1->m3 * s2->m1, so_2e = s1->m1 * s2->m3, so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
+  const float so_3a = s1->m4 * s2->m5, so_3b = s1->m5 * s2->m4, so_3 = so_3a - so_3b;
+  const float so_4a = s1->m5 * s2->m3, so_4b = s1->m3 * s2->m5, so_4 = so_4a - so_4b;
+  const float so_5a = s1->m3 * s2->m4, so_5b = s1->m4 * s2->m3, so_5 = so_5a - so_5b;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = (ω1×v2 ; 0).
+   s1, s2, so: screw (v in m/s; ω in rad/s).
+   6 mul, 3 add. */
+static inline void ksl_cross_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
+    ksl_screwf_t *so) {
+  const float so_0a = s1->m4 * s2->m2, so_0b = s1->m5 * s2->m1, so_0 = so_0a - so_0b;
+  const float so_1a = s1->m5 * s2->m0, so_1b = s1->m3 * s2->m2, so_1 = so_1a - so_1b;
+  const float so_2a = s1->m3 * s2->m1, so_2b = s1->m4 * s2->m0, so_2 = so_2a - so_2b;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0f;
+  so->m4 = 0.0f;
+  so->m5 = 0.0f;
+}
+
+/* so = (t×R a ; R a), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   15 mul, 9 add. */
+static inline void ksl_hsraf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
+  const float a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
+      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
+  const float a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
+      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
+  const float a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
+      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
+  const float so_0a = D->m13 * a_2, so_0b = D->m23 * a_1, so_0 = so_0a - so_0b;
+  const float so_1a = D->m23 * a_0, so_1b = D->m03 * a_2, so_1 = so_1a - so_1b;
+  const float so_2a = D->m03 * a_1, so_2b = D->m13 * a_0, so_2 = so_2a - so_2b;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = a_0;
+  so->m4 = a_1;
+  so->m5 = a_2;
+}
+
+/* so = (R a ; 0), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   9 mul, 6 add. */
+static inline void ksl_hstaf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
+  const float so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
+      so_0d = D->m02 * axis->z, so_0 = so_0c + so_0d;
+  const float so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
+      so_1d = D->m12 * axis->z, so_1 = so_1c + so_1d;
+  const float so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
+      so_2d = D->m22 * axis->z, so_2 = so_2c + so_2d;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0f;
+  so->m4 = 0.0f;
+  so->m5 = 0.0f;
+}
+
+/* M = [ad](s) = [Ad]' [Ad]^-1 = [[ω~, v~], [0, ω~]].
+   s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+   6 neg. */
+static inline void ksl_adf(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
+  const float M_01 = -s->m5;
+  const float M_04 = -s->m2;
+  const float M_12 = -s->m3;
+  const float M_15 = -s->m0;
+  const float M_20 = -s->m4;
+  const float M_23 = -s->m1;
+  const float s_m4 = s->m4;
+  const float s_m1 = s->m1;
+  const float s_m5 = s->m5;
+  const float s_m2 = s->m2;
+  const float s_m3 = s->m3;
+  const float s_m0 = s->m0;
+  M->at[0][0] = 0.0f;
+  M->at[1][0] = M_01;
+  M->at[2][0] = s_m4;
+  M->at[3][0] = 0.0f;
+  M->at[4][0] = M_04;
+  M->at[5][0] = s_m1;
+  M->at[0][1] = s_m5;
+  M->at[1][1] = 0.0f;
+  M->at[2][1] = M_12;
+  M->at[3][1] = s_m2;
+  M->at[4][1] = 0.0f;
+  M->at[5][1] = M_15;
+  M->at[0][2] = M_20;
+  M->at[1][2] = s_m3;
+  M->at[2][2] = 0.0f;
+  M->at[3][2] = M_23;
+  M->at[4][2] = s_m0;
+  M->at[5][2] = 0.0f;
+  M->at[0][3] = 0.0f;
+  M->at[1][3] = 0.0f;
+  M->at[2][3] = 0.0f;
+  M->at[3][3] = 0.0f;
+  M->at[4][3] = M_01;
+  M->at[5][3] = s_m4;
+  M->at[0][4] = 0.0f;
+  M->at[1][4] = 0.0f;
+  M->at[2][4] = 0.0f;
+  M->at[3][4] = s_m5;
+  M->at[4][4] = 0.0f;
+  M->at[5][4] = M_12;
+  M->at[0][5] = 0.0f;
+  M->at[1][5] = 0.0f;
+  M->at[2][5] = 0.0f;
+  M->at[3][5] = M_20;
+  M->at[4][5] = s_m3;
+  M->at[5][5] = 0.0f;
+}
+
+#ifndef KSL_NO_ALLOC
+#include <stdlib.h>
+
+/* n zeroed ksl_screw_t on the heap, to be freed by the caller; NULL for n <= 0 or when there is
+     no memory. */
+static inline ksl_screw_t *ksl_screw_alloc(int n) {
+  return n > 0 ? (ksl_screw_t *)calloc((size_t)n, sizeof(ksl_screw_t)) : NULL;
+}
+
+/* n zeroed ksl_screwf_t on the heap, to be freed by the caller; NULL for n <= 0 or when there is
+     no memory. */
+static inline ksl_screwf_t *ksl_screwf_alloc(int n) {
+  return n > 0 ? (ksl_screwf_t *)calloc((size_t)n, sizeof(ksl_screwf_t)) : NULL;
+}
+
+#endif
+
+#endif

@@ -1,0 +1,28 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* Sine and cosine of a joint angle. */
+#ifndef KSL_TRIG_H
+#define KSL_TRIG_H
+
+#include "ksl_types.h"
+
+/* dc = (sin θ, cos θ), θ in rad; accurate as the platform's sin and cos.
+   theta: number; dc: (sin θ, cos θ).
+   1 sin, 1 cos. */
+static inline void ksl_dc(const double theta, double dc[2]) {
+  const double dc_0 = sin(theta);
+  const double dc_1 = cos(theta);
+  dc[0] = dc_0;
+  dc[1] = dc_1;
+}
+
+/* dc = (sin θ, cos θ), θ in rad; accurate as the platform's sin and cos.
+   theta: number; dc: (sin θ, cos θ).
+   1 sin, 1 cos. */
+static inline void ksl_dcf(const float theta, float dc[2]) {
+  const float dc_0 = sinf(theta);
+  const float dc_1 = cosf(theta);
+  dc[0] = dc_0;
+  dc[1] = dc_1;
+}
+
+#endif

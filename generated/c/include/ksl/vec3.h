@@ -1,0 +1,681 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* Vectors of three components. */
+#ifndef KSL_VEC3_H
+#define KSL_VEC3_H
+
+#include "ksl_types.h"
+
+/* A vec3 from its entries, in order. */
+static inline ksl_vec3_t ksl_vec3(const double x, const double y, const double z) {
+  ksl_vec3_t value;
+  value.x = x;
+  value.y = y;
+  value.z = z;
+  return value;
+}
+
+/* vo = vi.
+   vi, vo: vector.
+   No arithmetic. */
+static inline void ksl_vec3_copy(const ksl_vec3_t *vi, ksl_vec3_t *vo) {
+  const double vi_x = vi->x;
+  const double vi_y = vi->y;
+  const double vi_z = vi->z;
+  vo->x = vi_x;
+  vo->y = vi_y;
+  vo->z = vi_z;
+}
+
+/* self = a self.
+   self: vector; a: number.
+   3 mul. */
+static inline void ksl_vec3_scale(ksl_vec3_t *self, const double a) {
+  const double self_0_new = self->x * a;
+  const double self_1_new = self->y * a;
+  const double self_2_new = self->z * a;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+}
+
+/* vo = -vi.
+   vi, vo: vector.
+   3 neg. */
+static inline void ksl_vec3_inverted(const ksl_vec3_t *vi, ksl_vec3_t *vo) {
+  const double vo_0 = -vi->x;
+  const double vo_1 = -vi->y;
+  const double vo_2 = -vi->z;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* self = -self.
+   self: vector.
+   3 neg. */
+static inline void ksl_vec3_invert(ksl_vec3_t *self) {
+  const double self_0_new = -self->x;
+  const double self_1_new = -self->y;
+  const double self_2_new = -self->z;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+}
+
+/* y = a x + y.
+   a: number; x, y: vector.
+   3 mul, 3 add. */
+static inline void ksl_axpy_vv(const double a, const ksl_vec3_t *x, ksl_vec3_t *y) {
+  const double y_0_new_a = a * x->x, y_0_new = y_0_new_a + y->x;
+  const double y_1_new_a = a * x->y, y_1_new = y_1_new_a + y->y;
+  const double y_2_new_a = a * x->z, y_2_new = y_2_new_a + y->z;
+  y->x = y_0_new;
+  y->y = y_1_new;
+  y->z = y_2_new;
+}
+
+/* y = x + y.
+   x, y: vector.
+   3 add. */
+static inline void ksl_xpy_vv(const ksl_vec3_t *x, ksl_vec3_t *y) {
+  const double y_0_new = x->x + y->x;
+  const double y_1_new = x->y + y->y;
+  const double y_2_new = x->z + y->z;
+  y->x = y_0_new;
+  y->y = y_1_new;
+  y->z = y_2_new;
+}
+
+/* y = -x + y.
+   x, y: vector.
+   3 add. */
+static inline void ksl_nxpy_vv(const ksl_vec3_t *x, ksl_vec3_t *y) {
+  const double y_0_new = y->x - x->x;
+  const double y_1_new = y->y - x->y;
+  const double y_2_new = y->z - x->z;
+  y->x = y_0_new;
+  y->y = y_1_new;
+  y->z = y_2_new;
+}
+
+/* vo = a vi.
+   a: number; vi, vo: vector.
+   3 mul. */
+static inline void ksl_product_av(const double a, const ksl_vec3_t *vi, ksl_vec3_t *vo) {
+  const double vo_0 = a * vi->x;
+  const double vo_1 = a * vi->y;
+  const double vo_2 = a * vi->z;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = v1 + v2.
+   v1, v2, vo: vector.
+   3 add. */
+static inline void ksl_add_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
+  const double vo_0 = v1->x + v2->x;
+  const double vo_1 = v1->y + v2->y;
+  const double vo_2 = v1->z + v2->z;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = v1 - v2.
+   v1, v2, vo: vector.
+   3 add. */
+static inline void ksl_subtract_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
+  const double vo_0 = v1->x - v2->x;
+  const double vo_1 = v1->y - v2->y;
+  const double vo_2 = v1->z - v2->z;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = k v.
+   v, vo: vector; k: number.
+   3 mul. */
+static inline void ksl_vec3_scaled(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
+  const double vo_0 = v->x * k;
+  const double vo_1 = v->y * k;
+  const double vo_2 = v->z * k;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* v1, v2 = v2, v1.
+   v1, v2: vector.
+   No arithmetic. */
+static inline void ksl_vec3_swap(ksl_vec3_t *v1, ksl_vec3_t *v2) {
+  const double v2_x = v2->x;
+  const double v2_y = v2->y;
+  const double v2_z = v2->z;
+  const double v1_x = v1->x;
+  const double v1_y = v1->y;
+  const double v1_z = v1->z;
+  v1->x = v2_x;
+  v1->y = v2_y;
+  v1->z = v2_z;
+  v2->x = v1_x;
+  v2->y = v1_y;
+  v2->z = v1_z;
+}
+
+/* |v| = sqrt(v·v).
+   v: vector.
+   3 mul, 2 add, 1 sqrt. */
+static inline double ksl_vec3_l2norm(const ksl_vec3_t *v) {
+  const double norm_a = v->x * v->x, norm_b = v->y * v->y, norm_c = norm_a + norm_b,
+      norm_d = v->z * v->z, norm_e = norm_c + norm_d, norm = sqrt(norm_e);
+  return norm;
+}
+
+/* self = self / |self|; the zero vector stays zero.
+   self: vector.
+   3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select. */
+static inline void ksl_vec3_normalize(ksl_vec3_t *self) {
+  const double n_a = self->x * self->x, n_b = self->y * self->y, n_c = n_a + n_b,
+      n_d = self->z * self->z, n_e = n_c + n_d, n = sqrt(n_e);
+  const double d = n == 0.0 ? 1.0 : n;
+  const double self_0_new = self->x / d;
+  const double self_1_new = self->y / d;
+  const double self_2_new = self->z / d;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+}
+
+/* vo = v / |v|; the zero vector stays zero.
+   v, vo: vector.
+   3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select. */
+static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
+  const double n_a = v->x * v->x, n_b = v->y * v->y, n_c = n_a + n_b, n_d = v->z * v->z,
+      n_e = n_c + n_d, n = sqrt(n_e);
+  const double d = n == 0.0 ? 1.0 : n;
+  const double vo_0 = v->x / d;
+  const double vo_1 = v->y / d;
+  const double vo_2 = v->z / d;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* v1·v2.
+   v1, v2: vector.
+   3 mul, 2 add. */
+static inline double ksl_dot_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
+  const double dot_a = v1->x * v2->x, dot_b = v1->y * v2->y, dot_c = dot_a + dot_b,
+      dot_d = v1->z * v2->z, dot = dot_c + dot_d;
+  return dot;
+}
+
+/* vo = k (-v).
+   k: number; v, vo: vector.
+   3 mul, 3 neg. */
+static inline void ksl_product_avinv(const double k, const ksl_vec3_t *v, ksl_vec3_t *vo) {
+  const double vo_0a = k * v->x, vo_0 = -vo_0a;
+  const double vo_1a = k * v->y, vo_1 = -vo_1a;
+  const double vo_2a = k * v->z, vo_2 = -vo_2a;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = k^-1 v.
+   k: number; v, vo: vector.
+   3 mul, 1 div. */
+static inline void ksl_product_ainvv(const double k, const ksl_vec3_t *v, ksl_vec3_t *vo) {
+  const double r = 1.0 / k;
+  const double vo_0 = v->x * r;
+  const double vo_1 = v->y * r;
+  const double vo_2 = v->z * r;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = v1 × v2; exactly zero for v1 = v2.
+   v1, v2, vo: vector.
+   6 mul, 3 add. */
+static inline void ksl_cross_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
+  const double vo_0a = v1->y * v2->z, vo_0b = v1->z * v2->y, vo_0 = vo_0a - vo_0b;
+  const double vo_1a = v1->z * v2->x, vo_1b = v1->x * v2->z, vo_1 = vo_1a - vo_1b;
+  const double vo_2a = v1->x * v2->y, vo_2b = v1->y * v2->x, vo_2 = vo_2a - vo_2b;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = v1 × (-v2).
+   v1, v2, vo: vector.
+   6 mul, 3 add. */
+static inline void ksl_cross_vvinv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
+  const double vo_0a = v1->z * v2->y, vo_0b = v1->y * v2->z, vo_0 = vo_0a - vo_0b;
+  const double vo_1a = v1->x * v2->z, vo_1b = v1->z * v2->x, vo_1 = vo_1a - vo_1b;
+  const double vo_2a = v1->y * v2->x, vo_2b = v1->x * v2->y, vo_2 = vo_2a - vo_2b;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = v + k e_x.
+   v, vo: vector; k: number.
+   1 add. */
+static inline void ksl_add_vvx(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
+  const double vo_0 = v->x + k;
+  const double v_y = v->y;
+  const double v_z = v->z;
+  vo->x = vo_0;
+  vo->y = v_y;
+  vo->z = v_z;
+}
+
+/* vo = v - k e_x.
+   v, vo: vector; k: number.
+   1 add. */
+static inline void ksl_add_vvxinv(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
+  const double vo_0 = v->x - k;
+  const double v_y = v->y;
+  const double v_z = v->z;
+  vo->x = vo_0;
+  vo->y = v_y;
+  vo->z = v_z;
+}
+
+/* vo = v + k e_y.
+   v, vo: vector; k: number.
+   1 add. */
+static inline void ksl_add_vvy(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
+  const double vo_1 = v->y + k;
+  const double v_x = v->x;
+  const double v_z = v->z;
+  vo->x = v_x;
+  vo->y = vo_1;
+  vo->z = v_z;
+}
+
+/* vo = v - k e_y.
+   v, vo: vector; k: number.
+   1 add. */
+static inline void ksl_add_vvyinv(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
+  const double vo_1 = v->y - k;
+  const double v_x = v->x;
+  const double v_z = v->z;
+  vo->x = v_x;
+  vo->y = vo_1;
+  vo->z = v_z;
+}
+
+/* vo = v + k e_z.
+   v, vo: vector; k: number.
+   1 add. */
+static inline void ksl_add_vvz(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
+  const double vo_2 = v->z + k;
+  const double v_x = v->x;
+  const double v_y = v->y;
+  vo->x = v_x;
+  vo->y = v_y;
+  vo->z = vo_2;
+}
+
+/* vo = v - k e_z.
+   v, vo: vector; k: number.
+   1 add. */
+static inline void ksl_add_vvzinv(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
+  const double vo_2 = v->z - k;
+  const double v_x = v->x;
+  const double v_y = v->y;
+  vo->x = v_x;
+  vo->y = v_y;
+  vo->z = vo_2;
+}
+
+/* A vec3 from its entries, in order. */
+static inline ksl_vec3f_t ksl_vec3f(const float x, const float y, const float z) {
+  ksl_vec3f_t value;
+  value.x = x;
+  value.y = y;
+  value.z = z;
+  return value;
+}
+
+/* vo = vi.
+   vi, vo: vector.
+   No arithmetic. */
+static inline void ksl_vec3f_copy(const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
+  const float vi_x = vi->x;
+  const float vi_y = vi->y;
+  const float vi_z = vi->z;
+  vo->x = vi_x;
+  vo->y = vi_y;
+  vo->z = vi_z;
+}
+
+/* self = a self.
+   self: vector; a: number.
+   3 mul. */
+static inline void ksl_vec3f_scale(ksl_vec3f_t *self, const float a) {
+  const float self_0_new = self->x * a;
+  const float self_1_new = self->y * a;
+  const float self_2_new = self->z * a;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+}
+
+/* vo = -vi.
+   vi, vo: vector.
+   3 neg. */
+static inline void ksl_vec3f_inverted(const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
+  const float vo_0 = -vi->x;
+  const float vo_1 = -vi->y;
+  const float vo_2 = -vi->z;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* self = -self.
+   self: vector.
+   3 neg. */
+static inline void ksl_vec3f_invert(ksl_vec3f_t *self) {
+  const float self_0_new = -self->x;
+  const float self_1_new = -self->y;
+  const float self_2_new = -self->z;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+}
+
+/* y = a x + y.
+   a: number; x, y: vector.
+   3 mul, 3 add. */
+static inline void ksl_axpy_vvf(const float a, const ksl_vec3f_t *x, ksl_vec3f_t *y) {
+  const float y_0_new_a = a * x->x, y_0_new = y_0_new_a + y->x;
+  const float y_1_new_a = a * x->y, y_1_new = y_1_new_a + y->y;
+  const float y_2_new_a = a * x->z, y_2_new = y_2_new_a + y->z;
+  y->x = y_0_new;
+  y->y = y_1_new;
+  y->z = y_2_new;
+}
+
+/* y = x + y.
+   x, y: vector.
+   3 add. */
+static inline void ksl_xpy_vvf(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
+  const float y_0_new = x->x + y->x;
+  const float y_1_new = x->y + y->y;
+  const float y_2_new = x->z + y->z;
+  y->x = y_0_new;
+  y->y = y_1_new;
+  y->z = y_2_new;
+}
+
+/* y = -x + y.
+   x, y: vector.
+   3 add. */
+static inline void ksl_nxpy_vvf(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
+  const float y_0_new = y->x - x->x;
+  const float y_1_new = y->y - x->y;
+  const float y_2_new = y->z - x->z;
+  y->x = y_0_new;
+  y->y = y_1_new;
+  y->z = y_2_new;
+}
+
+/* vo = a vi.
+   a: number; vi, vo: vector.
+   3 mul. */
+static inline void ksl_product_avf(const float a, const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
+  const float vo_0 = a * vi->x;
+  const float vo_1 = a * vi->y;
+  const float vo_2 = a * vi->z;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = v1 + v2.
+   v1, v2, vo: vector.
+   3 add. */
+static inline void ksl_add_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
+  const float vo_0 = v1->x + v2->x;
+  const float vo_1 = v1->y + v2->y;
+  const float vo_2 = v1->z + v2->z;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = v1 - v2.
+   v1, v2, vo: vector.
+   3 add. */
+static inline void ksl_subtract_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
+  const float vo_0 = v1->x - v2->x;
+  const float vo_1 = v1->y - v2->y;
+  const float vo_2 = v1->z - v2->z;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = k v.
+   v, vo: vector; k: number.
+   3 mul. */
+static inline void ksl_vec3f_scaled(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
+  const float vo_0 = v->x * k;
+  const float vo_1 = v->y * k;
+  const float vo_2 = v->z * k;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* v1, v2 = v2, v1.
+   v1, v2: vector.
+   No arithmetic. */
+static inline void ksl_vec3f_swap(ksl_vec3f_t *v1, ksl_vec3f_t *v2) {
+  const float v2_x = v2->x;
+  const float v2_y = v2->y;
+  const float v2_z = v2->z;
+  const float v1_x = v1->x;
+  const float v1_y = v1->y;
+  const float v1_z = v1->z;
+  v1->x = v2_x;
+  v1->y = v2_y;
+  v1->z = v2_z;
+  v2->x = v1_x;
+  v2->y = v1_y;
+  v2->z = v1_z;
+}
+
+/* |v| = sqrt(v·v).
+   v: vector.
+   3 mul, 2 add, 1 sqrt. */
+static inline float ksl_vec3f_l2norm(const ksl_vec3f_t *v) {
+  const float norm_a = v->x * v->x, norm_b = v->y * v->y, norm_c = norm_a + norm_b,
+      norm_d = v->z * v->z, norm_e = norm_c + norm_d, norm = sqrtf(norm_e);
+  return norm;
+}
+
+/* self = self / |self|; the zero vector stays zero.
+   self: vector.
+   3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select. */
+static inline void ksl_vec3f_normalize(ksl_vec3f_t *self) {
+  const float n_a = self->x * self->x, n_b = self->y * self->y, n_c = n_a + n_b,
+      n_d = self->z * self->z, n_e = n_c + n_d, n = sqrtf(n_e);
+  const float d = n == 0.0f ? 1.0f : n;
+  const float self_0_new = self->x / d;
+  const float self_1_new = self->y / d;
+  const float self_2_new = self->z / d;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+}
+
+/* vo = v / |v|; the zero vector stays zero.
+   v, vo: vector.
+   3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select. */
+static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
+  const float n_a = v->x * v->x, n_b = v->y * v->y, n_c = n_a + n_b, n_d = v->z * v->z,
+      n_e = n_c + n_d, n = sqrtf(n_e);
+  const float d = n == 0.0f ? 1.0f : n;
+  const float vo_0 = v->x / d;
+  const float vo_1 = v->y / d;
+  const float vo_2 = v->z / d;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* v1·v2.
+   v1, v2: vector.
+   3 mul, 2 add. */
+static inline float ksl_dot_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
+  const float dot_a = v1->x * v2->x, dot_b = v1->y * v2->y, dot_c = dot_a + dot_b,
+      dot_d = v1->z * v2->z, dot = dot_c + dot_d;
+  return dot;
+}
+
+/* vo = k (-v).
+   k: number; v, vo: vector.
+   3 mul, 3 neg. */
+static inline void ksl_product_avinvf(const float k, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
+  const float vo_0a = k * v->x, vo_0 = -vo_0a;
+  const float vo_1a = k * v->y, vo_1 = -vo_1a;
+  const float vo_2a = k * v->z, vo_2 = -vo_2a;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = k^-1 v.
+   k: number; v, vo: vector.
+   3 mul, 1 div. */
+static inline void ksl_product_ainvvf(const float k, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
+  const float r = 1.0f / k;
+  const float vo_0 = v->x * r;
+  const float vo_1 = v->y * r;
+  const float vo_2 = v->z * r;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = v1 × v2; exactly zero for v1 = v2.
+   v1, v2, vo: vector.
+   6 mul, 3 add. */
+static inline void ksl_cross_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
+  const float vo_0a = v1->y * v2->z, vo_0b = v1->z * v2->y, vo_0 = vo_0a - vo_0b;
+  const float vo_1a = v1->z * v2->x, vo_1b = v1->x * v2->z, vo_1 = vo_1a - vo_1b;
+  const float vo_2a = v1->x * v2->y, vo_2b = v1->y * v2->x, vo_2 = vo_2a - vo_2b;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = v1 × (-v2).
+   v1, v2, vo: vector.
+   6 mul, 3 add. */
+static inline void ksl_cross_vvinvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
+  const float vo_0a = v1->z * v2->y, vo_0b = v1->y * v2->z, vo_0 = vo_0a - vo_0b;
+  const float vo_1a = v1->x * v2->z, vo_1b = v1->z * v2->x, vo_1 = vo_1a - vo_1b;
+  const float vo_2a = v1->y * v2->x, vo_2b = v1->x * v2->y, vo_2 = vo_2a - vo_2b;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = v + k e_x.
+   v, vo: vector; k: number.
+   1 add. */
+static inline void ksl_add_vvxf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
+  const float vo_0 = v->x + k;
+  const float v_y = v->y;
+  const float v_z = v->z;
+  vo->x = vo_0;
+  vo->y = v_y;
+  vo->z = v_z;
+}
+
+/* vo = v - k e_x.
+   v, vo: vector; k: number.
+   1 add. */
+static inline void ksl_add_vvxinvf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
+  const float vo_0 = v->x - k;
+  const float v_y = v->y;
+  const float v_z = v->z;
+  vo->x = vo_0;
+  vo->y = v_y;
+  vo->z = v_z;
+}
+
+/* vo = v + k e_y.
+   v, vo: vector; k: number.
+   1 add. */
+static inline void ksl_add_vvyf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
+  const float vo_1 = v->y + k;
+  const float v_x = v->x;
+  const float v_z = v->z;
+  vo->x = v_x;
+  vo->y = vo_1;
+  vo->z = v_z;
+}
+
+/* vo = v - k e_y.
+   v, vo: vector; k: number.
+   1 add. */
+static inline void ksl_add_vvyinvf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
+  const float vo_1 = v->y - k;
+  const float v_x = v->x;
+  const float v_z = v->z;
+  vo->x = v_x;
+  vo->y = vo_1;
+  vo->z = v_z;
+}
+
+/* vo = v + k e_z.
+   v, vo: vector; k: number.
+   1 add. */
+static inline void ksl_add_vvzf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
+  const float vo_2 = v->z + k;
+  const float v_x = v->x;
+  const float v_y = v->y;
+  vo->x = v_x;
+  vo->y = v_y;
+  vo->z = vo_2;
+}
+
+/* vo = v - k e_z.
+   v, vo: vector; k: number.
+   1 add. */
+static inline void ksl_add_vvzinvf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
+  const float vo_2 = v->z - k;
+  const float v_x = v->x;
+  const float v_y = v->y;
+  vo->x = v_x;
+  vo->y = v_y;
+  vo->z = vo_2;
+}
+
+#ifndef KSL_NO_ALLOC
+#include <stdlib.h>
+
+/* n zeroed ksl_vec3_t on the heap, to be freed by the caller; NULL for n <= 0 or when there is
+     no memory. */
+static inline ksl_vec3_t *ksl_vec3_alloc(int n) {
+  return n > 0 ? (ksl_vec3_t *)calloc((size_t)n, sizeof(ksl_vec3_t)) : NULL;
+}
+
+/* n zeroed ksl_vec3f_t on the heap, to be freed by the caller; NULL for n <= 0 or when there is
+     no memory. */
+static inline ksl_vec3f_t *ksl_vec3f_alloc(int n) {
+  return n > 0 ? (ksl_vec3f_t *)calloc((size_t)n, sizeof(ksl_vec3f_t)) : NULL;
+}
+
+#endif
+
+#endif

@@ -1,0 +1,347 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* Gufunc loops of the SE3 operations. */
+#define NO_IMPORT_UFUNC
+#define NO_IMPORT_ARRAY
+#include "_gufunc.h"
+
+/* (3,3),(3)->(3,4) */
+INLINED void SE3_fromRt_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3_t R; ksl_vec3_t t; ksl_SE3_t D;
+    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
+    load_vec3_double(&t, data[1] + i * step[1], core + 2);
+    D = ksl_SE3_fromRt(R, t);
+    store_SE3_double(&D, data[2] + i * step[2], core + 3);
+  }
+}
+
+static void SE3_fromRt_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 24, 8, 8, 32, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    SE3_fromRt_double_over(data, n[0], step, dense);
+    return;
+  }
+  SE3_fromRt_double_over(data, n[0], step, step + 3);
+}
+
+/* (3,3),(3)->(3,4) */
+INLINED void SE3_fromRt_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3f_t R; ksl_vec3f_t t; ksl_SE3f_t D;
+    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
+    load_vec3_single(&t, data[1] + i * step[1], core + 2);
+    D = ksl_SE3f_fromRt(R, t);
+    store_SE3_single(&D, data[2] + i * step[2], core + 3);
+  }
+}
+
+static void SE3_fromRt_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 12, 4, 4, 16, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    SE3_fromRt_single_over(data, n[0], step, dense);
+    return;
+  }
+  SE3_fromRt_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction SE3_fromRt_loops[] = { SE3_fromRt_double, SE3_fromRt_single };
+
+/* (3,4)->(3,4) */
+INLINED void SE3_copy_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_SE3_t Do;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_SE3_copy(&D, &Do);
+    store_SE3_double(&Do, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void SE3_copy_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 32, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    SE3_copy_double_over(data, n[0], step, dense);
+    return;
+  }
+  SE3_copy_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,4)->(3,4) */
+INLINED void SE3_copy_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_SE3f_t Do;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_SE3f_copy(&D, &Do);
+    store_SE3_single(&Do, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void SE3_copy_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 16, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    SE3_copy_single_over(data, n[0], step, dense);
+    return;
+  }
+  SE3_copy_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction SE3_copy_loops[] = { SE3_copy_double, SE3_copy_single };
+
+/* (3,4)->(3,4) */
+INLINED void SE3_setIdentity_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t self;
+    load_SE3_double(&self, data[0] + i * step[0], core + 0);
+    ksl_SE3_setIdentity(&self);
+    store_SE3_double(&self, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void SE3_setIdentity_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 32, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    SE3_setIdentity_double_over(data, n[0], step, dense);
+    return;
+  }
+  SE3_setIdentity_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,4)->(3,4) */
+INLINED void SE3_setIdentity_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t self;
+    load_SE3_single(&self, data[0] + i * step[0], core + 0);
+    ksl_SE3f_setIdentity(&self);
+    store_SE3_single(&self, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void SE3_setIdentity_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 16, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    SE3_setIdentity_single_over(data, n[0], step, dense);
+    return;
+  }
+  SE3_setIdentity_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction SE3_setIdentity_loops[] = { SE3_setIdentity_double, SE3_setIdentity_single };
+
+/* (3,4)->(3) */
+INLINED void SE3_getTranslation_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_vec3_t t;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_SE3_getTranslation(&D, &t);
+    store_vec3_double(&t, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void SE3_getTranslation_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    SE3_getTranslation_double_over(data, n[0], step, dense);
+    return;
+  }
+  SE3_getTranslation_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,4)->(3) */
+INLINED void SE3_getTranslation_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_vec3f_t t;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_SE3f_getTranslation(&D, &t);
+    store_vec3_single(&t, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void SE3_getTranslation_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    SE3_getTranslation_single_over(data, n[0], step, dense);
+    return;
+  }
+  SE3_getTranslation_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction SE3_getTranslation_loops[] = { SE3_getTranslation_double, SE3_getTranslation_single };
+
+/* (3,4)->(3,3) */
+INLINED void SE3_getRotation_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_mat3x3_t R;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_SE3_getRotation(&D, &R);
+    store_mat3x3_double(&R, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void SE3_getRotation_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 24, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    SE3_getRotation_double_over(data, n[0], step, dense);
+    return;
+  }
+  SE3_getRotation_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,4)->(3,3) */
+INLINED void SE3_getRotation_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_mat3x3f_t R;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_SE3f_getRotation(&D, &R);
+    store_mat3x3_single(&R, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void SE3_getRotation_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 12, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    SE3_getRotation_single_over(data, n[0], step, dense);
+    return;
+  }
+  SE3_getRotation_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction SE3_getRotation_loops[] = { SE3_getRotation_double, SE3_getRotation_single };
+
+/* (3,4)->(3,4) */
+INLINED void SE3_invert_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t self;
+    load_SE3_double(&self, data[0] + i * step[0], core + 0);
+    ksl_SE3_invert(&self);
+    store_SE3_double(&self, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void SE3_invert_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 32, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    SE3_invert_double_over(data, n[0], step, dense);
+    return;
+  }
+  SE3_invert_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,4)->(3,4) */
+INLINED void SE3_invert_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t self;
+    load_SE3_single(&self, data[0] + i * step[0], core + 0);
+    ksl_SE3f_invert(&self);
+    store_SE3_single(&self, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void SE3_invert_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 16, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    SE3_invert_single_over(data, n[0], step, dense);
+    return;
+  }
+  SE3_invert_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction SE3_invert_loops[] = { SE3_invert_double, SE3_invert_single };
+
+/* (3,4)->(3,4) */
+INLINED void SE3_inverted_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_SE3_t Do;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_SE3_inverted(&D, &Do);
+    store_SE3_double(&Do, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void SE3_inverted_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 32, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    SE3_inverted_double_over(data, n[0], step, dense);
+    return;
+  }
+  SE3_inverted_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,4)->(3,4) */
+INLINED void SE3_inverted_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_SE3f_t Do;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_SE3f_inverted(&D, &Do);
+    store_SE3_single(&Do, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void SE3_inverted_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 16, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    SE3_inverted_single_over(data, n[0], step, dense);
+    return;
+  }
+  SE3_inverted_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction SE3_inverted_loops[] = { SE3_inverted_double, SE3_inverted_single };
+
+const coscrew_gufunc coscrew_SE3_gufuncs[] = {
+  {"SE3_fromRt", "(3,3),(3)->(3,4)",
+    "D = [R | t].\n"
+    "\n"
+    "(3,3),(3)->(3,4).  R: rotation or other 3×3 matrix; t: vector; D: displacement [R | t], R rotation, t in m.\n"
+    "No arithmetic.\n",
+   2, 1, SE3_fromRt_loops},
+  {"SE3_copy", "(3,4)->(3,4)",
+    "Do = D.\n"
+    "\n"
+    "(3,4)->(3,4).  D, Do: displacement [R | t], R rotation, t in m.\n"
+    "No arithmetic.\n",
+   1, 1, SE3_copy_loops},
+  {"SE3_setIdentity", "(3,4)->(3,4)",
+    "self = [I | 0].\n"
+    "\n"
+    "(3,4)->(3,4).  self: displacement [R | t], R rotation, t in m.\n"
+    "No arithmetic.\n",
+   1, 1, SE3_setIdentity_loops},
+  {"SE3_getTranslation", "(3,4)->(3)",
+    "t of D = [R | t].\n"
+    "\n"
+    "(3,4)->(3).  D: displacement [R | t], R rotation, t in m; t: vector.\n"
+    "No arithmetic.\n",
+   1, 1, SE3_getTranslation_loops},
+  {"SE3_getRotation", "(3,4)->(3,3)",
+    "R of D = [R | t].\n"
+    "\n"
+    "(3,4)->(3,3).  D: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.\n"
+    "No arithmetic.\n",
+   1, 1, SE3_getRotation_loops},
+  {"SE3_invert", "(3,4)->(3,4)",
+    "self = self^-1 = [R^T | -R^T t].\n"
+    "\n"
+    "(3,4)->(3,4).  self: displacement [R | t], R rotation, t in m.\n"
+    "9 mul, 6 add, 3 neg.\n",
+   1, 1, SE3_invert_loops},
+  {"SE3_inverted", "(3,4)->(3,4)",
+    "Do = D^-1 = [R^T | -R^T t].\n"
+    "\n"
+    "(3,4)->(3,4).  D, Do: displacement [R | t], R rotation, t in m.\n"
+    "9 mul, 6 add, 3 neg.\n",
+   1, 1, SE3_inverted_loops},
+  {NULL, NULL, NULL, 0, 0, NULL},
+};

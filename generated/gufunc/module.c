@@ -1,0 +1,105 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* The extension module coscrew._gufunc: registers every gufunc. */
+#include "_gufunc.h"
+
+static const coscrew_gufunc *const families[] = {
+  coscrew_vec3_gufuncs,
+  coscrew_mat3x3_gufuncs,
+  coscrew_SE3_gufuncs,
+  coscrew_mat6x6_gufuncs,
+  coscrew_matrix_gufuncs,
+  coscrew_trig_gufuncs,
+  coscrew_screw_gufuncs,
+  coscrew_coscrew_gufuncs,
+};
+
+/* The type numbers of each loop: as many as the gufunc with the most arguments needs. */
+enum { MOST_ARGUMENTS = 4, LOOPS = 2 };
+static void *no_data[LOOPS];
+
+static char types[MOST_ARGUMENTS + 1][LOOPS * (MOST_ARGUMENTS + 1)];
+
+static void fill_types(void) {
+  static const char numbers[LOOPS] = { NPY_DOUBLE, NPY_FLOAT };
+  for (int arguments = 0; arguments <= MOST_ARGUMENTS; arguments++) {
+    for (int k = 0; k < LOOPS * arguments; k++) {
+      types[arguments][k] = numbers[k / arguments];
+    }
+  }
+}
+
+/* float32 stays float32, also beside Python's int and float; every other mixture becomes float64. */
+static int promote(PyObject *ufunc, PyArray_DTypeMeta *const given[],
+    PyArray_DTypeMeta *const signature[], PyArray_DTypeMeta *chosen[]) {
+  const int inputs = ((PyUFuncObject *)ufunc)->nin, arguments = ((PyUFuncObject *)ufunc)->nargs;
+  int single = 0, other = 0;
+  for (int k = 0; k < inputs; k++) {
+    const int python_number = given[k] == &PyArray_PyLongDType || given[k] == &PyArray_PyFloatDType;
+    single += given[k] == &PyArray_FloatDType;
+    other += given[k] != &PyArray_FloatDType && !python_number;
+  }
+  PyArray_DTypeMeta *common = single && !other ? &PyArray_FloatDType : &PyArray_DoubleDType;
+  for (int k = 0; k < arguments; k++) {
+    common = signature[k] != NULL ? signature[k] : common;
+  }
+  for (int k = 0; k < arguments; k++) {
+    Py_INCREF(common);
+    chosen[k] = common;
+  }
+  return 0;
+}
+
+static int add_promoter(PyObject *ufunc) {
+  const int arguments = ((PyUFuncObject *)ufunc)->nargs;
+  PyObject *dtypes = PyTuple_New(arguments);
+  PyObject *capsule = PyCapsule_New((void *)&promote, "numpy._ufunc_promoter", NULL);
+  int status = -1;
+  if (dtypes != NULL && capsule != NULL) {
+    for (Py_ssize_t k = 0; k < arguments; k++) {
+      Py_INCREF(&PyArrayDescr_Type);
+      PyTuple_SET_ITEM(dtypes, k, (PyObject *)&PyArrayDescr_Type);
+    }
+    status = PyUFunc_AddPromoter(ufunc, dtypes, capsule);
+  }
+  Py_XDECREF(dtypes);
+  Py_XDECREF(capsule);
+  return status;
+}
+
+static int add_gufuncs(PyObject *module, const coscrew_gufunc *g) {
+  for (; g->name != NULL; g++) {
+    PyObject *ufunc = PyUFunc_FromFuncAndDataAndSignature(
+        g->loops, no_data, types[g->inputs + g->outputs], LOOPS, g->inputs, g->outputs, PyUFunc_None,
+        g->name, g->doc, 0, g->signature);
+    if (ufunc == NULL || add_promoter(ufunc) < 0 || PyModule_AddObject(module, g->name, ufunc) < 0) {
+      Py_XDECREF(ufunc);
+      return -1;
+    }
+  }
+  return 0;
+}
+
+static struct PyModuleDef definition = {
+    PyModuleDef_HEAD_INIT, "_gufunc", "Generalized ufuncs of the spatial algebra.", -1,
+    NULL, NULL, NULL, NULL, NULL};
+
+PyMODINIT_FUNC PyInit__gufunc(void) {
+  import_array();
+  import_umath();
+  fill_types();
+  PyObject *module = PyModule_Create(&definition);
+  if (module == NULL) {
+    return NULL;
+  }
+  for (size_t k = 0; k < sizeof families / sizeof families[0]; k++) {
+    if (add_gufuncs(module, families[k]) < 0) {
+      Py_DECREF(module);
+      return NULL;
+    }
+  }
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "b0a22e0114ea3a59") < 0) {
+    Py_DECREF(module);
+    return NULL;
+  }
+  return module;
+}

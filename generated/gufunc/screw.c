@@ -1,0 +1,2217 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* Gufunc loops of the screw operations. */
+#define NO_IMPORT_UFUNC
+#define NO_IMPORT_ARRAY
+#include "_gufunc.h"
+
+/* (6)->(6) */
+INLINED void screw_copy_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screw_t si; ksl_screw_t so;
+    load_screw_double(&si, data[0] + i * step[0], core + 0);
+    ksl_screw_copy(&si, &so);
+    store_screw_double(&so, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void screw_copy_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    screw_copy_double_over(data, n[0], step, dense);
+    return;
+  }
+  screw_copy_double_over(data, n[0], step, step + 2);
+}
+
+/* (6)->(6) */
+INLINED void screw_copy_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screwf_t si; ksl_screwf_t so;
+    load_screw_single(&si, data[0] + i * step[0], core + 0);
+    ksl_screwf_copy(&si, &so);
+    store_screw_single(&so, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void screw_copy_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    screw_copy_single_over(data, n[0], step, dense);
+    return;
+  }
+  screw_copy_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction screw_copy_loops[] = { screw_copy_double, screw_copy_single };
+
+/* (6),()->(6) */
+INLINED void screw_scale_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screw_t self; double a;
+    load_screw_double(&self, data[0] + i * step[0], core + 0);
+    load_scalar_double(&a, data[1] + i * step[1], core + 1);
+    ksl_screw_scale(&self, a);
+    store_screw_double(&self, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void screw_scale_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    screw_scale_double_over(data, n[0], step, dense);
+    return;
+  }
+  screw_scale_double_over(data, n[0], step, step + 3);
+}
+
+/* (6),()->(6) */
+INLINED void screw_scale_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screwf_t self; float a;
+    load_screw_single(&self, data[0] + i * step[0], core + 0);
+    load_scalar_single(&a, data[1] + i * step[1], core + 1);
+    ksl_screwf_scale(&self, a);
+    store_screw_single(&self, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void screw_scale_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    screw_scale_single_over(data, n[0], step, dense);
+    return;
+  }
+  screw_scale_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction screw_scale_loops[] = { screw_scale_double, screw_scale_single };
+
+/* (6)->(6) */
+INLINED void screw_inverted_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screw_t si; ksl_screw_t so;
+    load_screw_double(&si, data[0] + i * step[0], core + 0);
+    ksl_screw_inverted(&si, &so);
+    store_screw_double(&so, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void screw_inverted_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    screw_inverted_double_over(data, n[0], step, dense);
+    return;
+  }
+  screw_inverted_double_over(data, n[0], step, step + 2);
+}
+
+/* (6)->(6) */
+INLINED void screw_inverted_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screwf_t si; ksl_screwf_t so;
+    load_screw_single(&si, data[0] + i * step[0], core + 0);
+    ksl_screwf_inverted(&si, &so);
+    store_screw_single(&so, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void screw_inverted_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    screw_inverted_single_over(data, n[0], step, dense);
+    return;
+  }
+  screw_inverted_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction screw_inverted_loops[] = { screw_inverted_double, screw_inverted_single };
+
+/* (6)->(6) */
+INLINED void screw_invert_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screw_t self;
+    load_screw_double(&self, data[0] + i * step[0], core + 0);
+    ksl_screw_invert(&self);
+    store_screw_double(&self, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void screw_invert_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    screw_invert_double_over(data, n[0], step, dense);
+    return;
+  }
+  screw_invert_double_over(data, n[0], step, step + 2);
+}
+
+/* (6)->(6) */
+INLINED void screw_invert_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screwf_t self;
+    load_screw_single(&self, data[0] + i * step[0], core + 0);
+    ksl_screwf_invert(&self);
+    store_screw_single(&self, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void screw_invert_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    screw_invert_single_over(data, n[0], step, dense);
+    return;
+  }
+  screw_invert_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction screw_invert_loops[] = { screw_invert_double, screw_invert_single };
+
+/* (),(6),(6)->(6) */
+INLINED void axpy_ss_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    double a; ksl_screw_t x; ksl_screw_t y;
+    load_scalar_double(&a, data[0] + i * step[0], core + 0);
+    load_screw_double(&x, data[1] + i * step[1], core + 0);
+    load_screw_double(&y, data[2] + i * step[2], core + 1);
+    ksl_axpy_ss(a, &x, &y);
+    store_screw_double(&y, data[3] + i * step[3], core + 2);
+  }
+}
+
+static void axpy_ss_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8, 8 };
+  if (memcmp(step + 4, dense, sizeof dense) == 0) {
+    axpy_ss_double_over(data, n[0], step, dense);
+    return;
+  }
+  axpy_ss_double_over(data, n[0], step, step + 4);
+}
+
+/* (),(6),(6)->(6) */
+INLINED void axpy_ss_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    float a; ksl_screwf_t x; ksl_screwf_t y;
+    load_scalar_single(&a, data[0] + i * step[0], core + 0);
+    load_screw_single(&x, data[1] + i * step[1], core + 0);
+    load_screw_single(&y, data[2] + i * step[2], core + 1);
+    ksl_axpy_ssf(a, &x, &y);
+    store_screw_single(&y, data[3] + i * step[3], core + 2);
+  }
+}
+
+static void axpy_ss_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4, 4 };
+  if (memcmp(step + 4, dense, sizeof dense) == 0) {
+    axpy_ss_single_over(data, n[0], step, dense);
+    return;
+  }
+  axpy_ss_single_over(data, n[0], step, step + 4);
+}
+
+static PyUFuncGenericFunction axpy_ss_loops[] = { axpy_ss_double, axpy_ss_single };
+
+/* (6),(6)->(6) */
+INLINED void xpy_ss_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screw_t x; ksl_screw_t y;
+    load_screw_double(&x, data[0] + i * step[0], core + 0);
+    load_screw_double(&y, data[1] + i * step[1], core + 1);
+    ksl_xpy_ss(&x, &y);
+    store_screw_double(&y, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void xpy_ss_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    xpy_ss_double_over(data, n[0], step, dense);
+    return;
+  }
+  xpy_ss_double_over(data, n[0], step, step + 3);
+}
+
+/* (6),(6)->(6) */
+INLINED void xpy_ss_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screwf_t x; ksl_screwf_t y;
+    load_screw_single(&x, data[0] + i * step[0], core + 0);
+    load_screw_single(&y, data[1] + i * step[1], core + 1);
+    ksl_xpy_ssf(&x, &y);
+    store_screw_single(&y, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void xpy_ss_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    xpy_ss_single_over(data, n[0], step, dense);
+    return;
+  }
+  xpy_ss_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction xpy_ss_loops[] = { xpy_ss_double, xpy_ss_single };
+
+/* (6),(6)->(6) */
+INLINED void nxpy_ss_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screw_t x; ksl_screw_t y;
+    load_screw_double(&x, data[0] + i * step[0], core + 0);
+    load_screw_double(&y, data[1] + i * step[1], core + 1);
+    ksl_nxpy_ss(&x, &y);
+    store_screw_double(&y, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void nxpy_ss_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    nxpy_ss_double_over(data, n[0], step, dense);
+    return;
+  }
+  nxpy_ss_double_over(data, n[0], step, step + 3);
+}
+
+/* (6),(6)->(6) */
+INLINED void nxpy_ss_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screwf_t x; ksl_screwf_t y;
+    load_screw_single(&x, data[0] + i * step[0], core + 0);
+    load_screw_single(&y, data[1] + i * step[1], core + 1);
+    ksl_nxpy_ssf(&x, &y);
+    store_screw_single(&y, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void nxpy_ss_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    nxpy_ss_single_over(data, n[0], step, dense);
+    return;
+  }
+  nxpy_ss_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction nxpy_ss_loops[] = { nxpy_ss_double, nxpy_ss_single };
+
+/* (),(6)->(6) */
+INLINED void product_as_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    double a; ksl_screw_t si; ksl_screw_t so;
+    load_scalar_double(&a, data[0] + i * step[0], core + 0);
+    load_screw_double(&si, data[1] + i * step[1], core + 0);
+    ksl_product_as(a, &si, &so);
+    store_screw_double(&so, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void product_as_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_as_double_over(data, n[0], step, dense);
+    return;
+  }
+  product_as_double_over(data, n[0], step, step + 3);
+}
+
+/* (),(6)->(6) */
+INLINED void product_as_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    float a; ksl_screwf_t si; ksl_screwf_t so;
+    load_scalar_single(&a, data[0] + i * step[0], core + 0);
+    load_screw_single(&si, data[1] + i * step[1], core + 0);
+    ksl_product_asf(a, &si, &so);
+    store_screw_single(&so, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void product_as_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_as_single_over(data, n[0], step, dense);
+    return;
+  }
+  product_as_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction product_as_loops[] = { product_as_double, product_as_single };
+
+/* (6),(6)->(6) */
+INLINED void add_ss_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screw_t s1; ksl_screw_t s2; ksl_screw_t so;
+    load_screw_double(&s1, data[0] + i * step[0], core + 0);
+    load_screw_double(&s2, data[1] + i * step[1], core + 1);
+    ksl_add_ss(&s1, &s2, &so);
+    store_screw_double(&so, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void add_ss_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    add_ss_double_over(data, n[0], step, dense);
+    return;
+  }
+  add_ss_double_over(data, n[0], step, step + 3);
+}
+
+/* (6),(6)->(6) */
+INLINED void add_ss_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screwf_t s1; ksl_screwf_t s2; ksl_screwf_t so;
+    load_screw_single(&s1, data[0] + i * step[0], core + 0);
+    load_screw_single(&s2, data[1] + i * step[1], core + 1);
+    ksl_add_ssf(&s1, &s2, &so);
+    store_screw_single(&so, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void add_ss_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    add_ss_single_over(data, n[0], step, dense);
+    return;
+  }
+  add_ss_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction add_ss_loops[] = { add_ss_double, add_ss_single };
+
+/* (6),(6)->(6) */
+INLINED void subtract_ss_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screw_t s1; ksl_screw_t s2; ksl_screw_t so;
+    load_screw_double(&s1, data[0] + i * step[0], core + 0);
+    load_screw_double(&s2, data[1] + i * step[1], core + 1);
+    ksl_subtract_ss(&s1, &s2, &so);
+    store_screw_double(&so, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void subtract_ss_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    subtract_ss_double_over(data, n[0], step, dense);
+    return;
+  }
+  subtract_ss_double_over(data, n[0], step, step + 3);
+}
+
+/* (6),(6)->(6) */
+INLINED void subtract_ss_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screwf_t s1; ksl_screwf_t s2; ksl_screwf_t so;
+    load_screw_single(&s1, data[0] + i * step[0], core + 0);
+    load_screw_single(&s2, data[1] + i * step[1], core + 1);
+    ksl_subtract_ssf(&s1, &s2, &so);
+    store_screw_single(&so, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void subtract_ss_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    subtract_ss_single_over(data, n[0], step, dense);
+    return;
+  }
+  subtract_ss_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction subtract_ss_loops[] = { subtract_ss_double, subtract_ss_single };
+
+/* (6)->() */
+INLINED void screw_norm_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screw_t si; double norm;
+    load_screw_double(&si, data[0] + i * step[0], core + 0);
+    norm = ksl_screw_norm(&si);
+    store_scalar_double(&norm, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void screw_norm_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    screw_norm_double_over(data, n[0], step, dense);
+    return;
+  }
+  screw_norm_double_over(data, n[0], step, step + 2);
+}
+
+/* (6)->() */
+INLINED void screw_norm_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screwf_t si; float norm;
+    load_screw_single(&si, data[0] + i * step[0], core + 0);
+    norm = ksl_screwf_norm(&si);
+    store_scalar_single(&norm, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void screw_norm_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    screw_norm_single_over(data, n[0], step, dense);
+    return;
+  }
+  screw_norm_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction screw_norm_loops[] = { screw_norm_double, screw_norm_single };
+
+/* (6)->(6) */
+INLINED void screw_normalize_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screw_t self;
+    load_screw_double(&self, data[0] + i * step[0], core + 0);
+    ksl_screw_normalize(&self);
+    store_screw_double(&self, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void screw_normalize_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    screw_normalize_double_over(data, n[0], step, dense);
+    return;
+  }
+  screw_normalize_double_over(data, n[0], step, step + 2);
+}
+
+/* (6)->(6) */
+INLINED void screw_normalize_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screwf_t self;
+    load_screw_single(&self, data[0] + i * step[0], core + 0);
+    ksl_screwf_normalize(&self);
+    store_screw_single(&self, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void screw_normalize_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    screw_normalize_single_over(data, n[0], step, dense);
+    return;
+  }
+  screw_normalize_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction screw_normalize_loops[] = { screw_normalize_double, screw_normalize_single };
+
+/* (6)->(6) */
+INLINED void screw_normalized_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screw_t si; ksl_screw_t so;
+    load_screw_double(&si, data[0] + i * step[0], core + 0);
+    ksl_screw_normalized(&si, &so);
+    store_screw_double(&so, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void screw_normalized_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    screw_normalized_double_over(data, n[0], step, dense);
+    return;
+  }
+  screw_normalized_double_over(data, n[0], step, step + 2);
+}
+
+/* (6)->(6) */
+INLINED void screw_normalized_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screwf_t si; ksl_screwf_t so;
+    load_screw_single(&si, data[0] + i * step[0], core + 0);
+    ksl_screwf_normalized(&si, &so);
+    store_screw_single(&so, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void screw_normalized_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    screw_normalized_single_over(data, n[0], step, dense);
+    return;
+  }
+  screw_normalized_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction screw_normalized_loops[] = { screw_normalized_double, screw_normalized_single };
+
+/* (3),(3)->(6) */
+INLINED void screw_from_lin_ang_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t lin; ksl_vec3_t ang; ksl_screw_t so;
+    load_vec3_double(&lin, data[0] + i * step[0], core + 0);
+    load_vec3_double(&ang, data[1] + i * step[1], core + 1);
+    ksl_screw_from_lin_ang(&lin, &ang, &so);
+    store_screw_double(&so, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void screw_from_lin_ang_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    screw_from_lin_ang_double_over(data, n[0], step, dense);
+    return;
+  }
+  screw_from_lin_ang_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),(3)->(6) */
+INLINED void screw_from_lin_ang_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t lin; ksl_vec3f_t ang; ksl_screwf_t so;
+    load_vec3_single(&lin, data[0] + i * step[0], core + 0);
+    load_vec3_single(&ang, data[1] + i * step[1], core + 1);
+    ksl_screwf_from_lin_ang(&lin, &ang, &so);
+    store_screw_single(&so, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void screw_from_lin_ang_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    screw_from_lin_ang_single_over(data, n[0], step, dense);
+    return;
+  }
+  screw_from_lin_ang_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction screw_from_lin_ang_loops[] = { screw_from_lin_ang_double, screw_from_lin_ang_single };
+
+/* (6)->(6) */
+INLINED void screw_to_angular_first_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screw_t si; double x[6];
+    load_screw_double(&si, data[0] + i * step[0], core + 0);
+    ksl_screw_to_angular_first(&si, x);
+    store_angular_first_double(x, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void screw_to_angular_first_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    screw_to_angular_first_double_over(data, n[0], step, dense);
+    return;
+  }
+  screw_to_angular_first_double_over(data, n[0], step, step + 2);
+}
+
+/* (6)->(6) */
+INLINED void screw_to_angular_first_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screwf_t si; float x[6];
+    load_screw_single(&si, data[0] + i * step[0], core + 0);
+    ksl_screwf_to_angular_first(&si, x);
+    store_angular_first_single(x, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void screw_to_angular_first_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    screw_to_angular_first_single_over(data, n[0], step, dense);
+    return;
+  }
+  screw_to_angular_first_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction screw_to_angular_first_loops[] = { screw_to_angular_first_double, screw_to_angular_first_single };
+
+/* (6)->(6) */
+INLINED void screw_from_angular_first_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    double x[6]; ksl_screw_t so;
+    load_angular_first_double(x, data[0] + i * step[0], core + 0);
+    ksl_screw_from_angular_first(x, &so);
+    store_screw_double(&so, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void screw_from_angular_first_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    screw_from_angular_first_double_over(data, n[0], step, dense);
+    return;
+  }
+  screw_from_angular_first_double_over(data, n[0], step, step + 2);
+}
+
+/* (6)->(6) */
+INLINED void screw_from_angular_first_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    float x[6]; ksl_screwf_t so;
+    load_angular_first_single(x, data[0] + i * step[0], core + 0);
+    ksl_screwf_from_angular_first(x, &so);
+    store_screw_single(&so, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void screw_from_angular_first_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    screw_from_angular_first_single_over(data, n[0], step, dense);
+    return;
+  }
+  screw_from_angular_first_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction screw_from_angular_first_loops[] = { screw_from_angular_first_double, screw_from_angular_first_single };
+
+/* (6),(6)->(6) */
+INLINED void add_sst_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screw_t s1; ksl_screw_t s2; ksl_screw_t so;
+    load_screw_double(&s1, data[0] + i * step[0], core + 0);
+    load_screw_double(&s2, data[1] + i * step[1], core + 1);
+    ksl_add_sst(&s1, &s2, &so);
+    store_screw_double(&so, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void add_sst_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    add_sst_double_over(data, n[0], step, dense);
+    return;
+  }
+  add_sst_double_over(data, n[0], step, step + 3);
+}
+
+/* (6),(6)->(6) */
+INLINED void add_sst_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screwf_t s1; ksl_screwf_t s2; ksl_screwf_t so;
+    load_screw_single(&s1, data[0] + i * step[0], core + 0);
+    load_screw_single(&s2, data[1] + i * step[1], core + 1);
+    ksl_add_sstf(&s1, &s2, &so);
+    store_screw_single(&so, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void add_sst_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    add_sst_single_over(data, n[0], step, dense);
+    return;
+  }
+  add_sst_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction add_sst_loops[] = { add_sst_double, add_sst_single };
+
+/* (3),(6)->(6) */
+INLINED void product_Adts_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t t; ksl_screw_t si; ksl_screw_t so;
+    load_vec3_double(&t, data[0] + i * step[0], core + 0);
+    load_screw_double(&si, data[1] + i * step[1], core + 1);
+    ksl_product_Adts(&t, &si, &so);
+    store_screw_double(&so, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void product_Adts_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_Adts_double_over(data, n[0], step, dense);
+    return;
+  }
+  product_Adts_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),(6)->(6) */
+INLINED void product_Adts_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t t; ksl_screwf_t si; ksl_screwf_t so;
+    load_vec3_single(&t, data[0] + i * step[0], core + 0);
+    load_screw_single(&si, data[1] + i * step[1], core + 1);
+    ksl_product_Adtsf(&t, &si, &so);
+    store_screw_single(&so, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void product_Adts_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_Adts_single_over(data, n[0], step, dense);
+    return;
+  }
+  product_Adts_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction product_Adts_loops[] = { product_Adts_double, product_Adts_single };
+
+/* (3),(6)->(6) */
+INLINED void product_Adtinvs_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t t; ksl_screw_t si; ksl_screw_t so;
+    load_vec3_double(&t, data[0] + i * step[0], core + 0);
+    load_screw_double(&si, data[1] + i * step[1], core + 1);
+    ksl_product_Adtinvs(&t, &si, &so);
+    store_screw_double(&so, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void product_Adtinvs_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_Adtinvs_double_over(data, n[0], step, dense);
+    return;
+  }
+  product_Adtinvs_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),(6)->(6) */
+INLINED void product_Adtinvs_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t t; ksl_screwf_t si; ksl_screwf_t so;
+    load_vec3_single(&t, data[0] + i * step[0], core + 0);
+    load_screw_single(&si, data[1] + i * step[1], core + 1);
+    ksl_product_Adtinvsf(&t, &si, &so);
+    store_screw_single(&so, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void product_Adtinvs_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_Adtinvs_single_over(data, n[0], step, dense);
+    return;
+  }
+  product_Adtinvs_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction product_Adtinvs_loops[] = { product_Adtinvs_double, product_Adtinvs_single };
+
+/* (3),(6)->(6) */
+INLINED void product_Adtsinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t t; ksl_screw_t si; ksl_screw_t so;
+    load_vec3_double(&t, data[0] + i * step[0], core + 0);
+    load_screw_double(&si, data[1] + i * step[1], core + 1);
+    ksl_product_Adtsinv(&t, &si, &so);
+    store_screw_double(&so, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void product_Adtsinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_Adtsinv_double_over(data, n[0], step, dense);
+    return;
+  }
+  product_Adtsinv_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),(6)->(6) */
+INLINED void product_Adtsinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t t; ksl_screwf_t si; ksl_screwf_t so;
+    load_vec3_single(&t, data[0] + i * step[0], core + 0);
+    load_screw_single(&si, data[1] + i * step[1], core + 1);
+    ksl_product_Adtsinvf(&t, &si, &so);
+    store_screw_single(&so, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void product_Adtsinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_Adtsinv_single_over(data, n[0], step, dense);
+    return;
+  }
+  product_Adtsinv_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction product_Adtsinv_loops[] = { product_Adtsinv_double, product_Adtsinv_single };
+
+/* (3,3),(6)->(6) */
+INLINED void product_Adrs_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3_t R; ksl_screw_t si; ksl_screw_t so;
+    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
+    load_screw_double(&si, data[1] + i * step[1], core + 2);
+    ksl_product_Adrs(&R, &si, &so);
+    store_screw_double(&so, data[2] + i * step[2], core + 3);
+  }
+}
+
+static void product_Adrs_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 24, 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_Adrs_double_over(data, n[0], step, dense);
+    return;
+  }
+  product_Adrs_double_over(data, n[0], step, step + 3);
+}
+
+/* (3,3),(6)->(6) */
+INLINED void product_Adrs_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3f_t R; ksl_screwf_t si; ksl_screwf_t so;
+    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
+    load_screw_single(&si, data[1] + i * step[1], core + 2);
+    ksl_product_Adrsf(&R, &si, &so);
+    store_screw_single(&so, data[2] + i * step[2], core + 3);
+  }
+}
+
+static void product_Adrs_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 12, 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_Adrs_single_over(data, n[0], step, dense);
+    return;
+  }
+  product_Adrs_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction product_Adrs_loops[] = { product_Adrs_double, product_Adrs_single };
+
+/* (3,3),(6)->(6) */
+INLINED void product_Adrinvs_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3_t R; ksl_screw_t si; ksl_screw_t so;
+    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
+    load_screw_double(&si, data[1] + i * step[1], core + 2);
+    ksl_product_Adrinvs(&R, &si, &so);
+    store_screw_double(&so, data[2] + i * step[2], core + 3);
+  }
+}
+
+static void product_Adrinvs_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 24, 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_Adrinvs_double_over(data, n[0], step, dense);
+    return;
+  }
+  product_Adrinvs_double_over(data, n[0], step, step + 3);
+}
+
+/* (3,3),(6)->(6) */
+INLINED void product_Adrinvs_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3f_t R; ksl_screwf_t si; ksl_screwf_t so;
+    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
+    load_screw_single(&si, data[1] + i * step[1], core + 2);
+    ksl_product_Adrinvsf(&R, &si, &so);
+    store_screw_single(&so, data[2] + i * step[2], core + 3);
+  }
+}
+
+static void product_Adrinvs_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 12, 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_Adrinvs_single_over(data, n[0], step, dense);
+    return;
+  }
+  product_Adrinvs_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction product_Adrinvs_loops[] = { product_Adrinvs_double, product_Adrinvs_single };
+
+/* (3,3),(6)->(6) */
+INLINED void product_Adrsinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3_t R; ksl_screw_t si; ksl_screw_t so;
+    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
+    load_screw_double(&si, data[1] + i * step[1], core + 2);
+    ksl_product_Adrsinv(&R, &si, &so);
+    store_screw_double(&so, data[2] + i * step[2], core + 3);
+  }
+}
+
+static void product_Adrsinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 24, 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_Adrsinv_double_over(data, n[0], step, dense);
+    return;
+  }
+  product_Adrsinv_double_over(data, n[0], step, step + 3);
+}
+
+/* (3,3),(6)->(6) */
+INLINED void product_Adrsinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3f_t R; ksl_screwf_t si; ksl_screwf_t so;
+    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
+    load_screw_single(&si, data[1] + i * step[1], core + 2);
+    ksl_product_Adrsinvf(&R, &si, &so);
+    store_screw_single(&so, data[2] + i * step[2], core + 3);
+  }
+}
+
+static void product_Adrsinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 12, 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_Adrsinv_single_over(data, n[0], step, dense);
+    return;
+  }
+  product_Adrsinv_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction product_Adrsinv_loops[] = { product_Adrsinv_double, product_Adrsinv_single };
+
+/* (3,4),(6)->(6) */
+INLINED void product_Ads_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_screw_t si; ksl_screw_t so;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    load_screw_double(&si, data[1] + i * step[1], core + 2);
+    ksl_product_Ads(&D, &si, &so);
+    store_screw_double(&so, data[2] + i * step[2], core + 3);
+  }
+}
+
+static void product_Ads_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_Ads_double_over(data, n[0], step, dense);
+    return;
+  }
+  product_Ads_double_over(data, n[0], step, step + 3);
+}
+
+/* (3,4),(6)->(6) */
+INLINED void product_Ads_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_screwf_t si; ksl_screwf_t so;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    load_screw_single(&si, data[1] + i * step[1], core + 2);
+    ksl_product_Adsf(&D, &si, &so);
+    store_screw_single(&so, data[2] + i * step[2], core + 3);
+  }
+}
+
+static void product_Ads_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_Ads_single_over(data, n[0], step, dense);
+    return;
+  }
+  product_Ads_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction product_Ads_loops[] = { product_Ads_double, product_Ads_single };
+
+/* (3,4),(6)->(6) */
+INLINED void product_Adinvs_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_screw_t si; ksl_screw_t so;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    load_screw_double(&si, data[1] + i * step[1], core + 2);
+    ksl_product_Adinvs(&D, &si, &so);
+    store_screw_double(&so, data[2] + i * step[2], core + 3);
+  }
+}
+
+static void product_Adinvs_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_Adinvs_double_over(data, n[0], step, dense);
+    return;
+  }
+  product_Adinvs_double_over(data, n[0], step, step + 3);
+}
+
+/* (3,4),(6)->(6) */
+INLINED void product_Adinvs_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_screwf_t si; ksl_screwf_t so;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    load_screw_single(&si, data[1] + i * step[1], core + 2);
+    ksl_product_Adinvsf(&D, &si, &so);
+    store_screw_single(&so, data[2] + i * step[2], core + 3);
+  }
+}
+
+static void product_Adinvs_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_Adinvs_single_over(data, n[0], step, dense);
+    return;
+  }
+  product_Adinvs_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction product_Adinvs_loops[] = { product_Adinvs_double, product_Adinvs_single };
+
+/* (3,4),(6)->(6) */
+INLINED void product_Adsinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_screw_t si; ksl_screw_t so;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    load_screw_double(&si, data[1] + i * step[1], core + 2);
+    ksl_product_Adsinv(&D, &si, &so);
+    store_screw_double(&so, data[2] + i * step[2], core + 3);
+  }
+}
+
+static void product_Adsinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_Adsinv_double_over(data, n[0], step, dense);
+    return;
+  }
+  product_Adsinv_double_over(data, n[0], step, step + 3);
+}
+
+/* (3,4),(6)->(6) */
+INLINED void product_Adsinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_screwf_t si; ksl_screwf_t so;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    load_screw_single(&si, data[1] + i * step[1], core + 2);
+    ksl_product_Adsinvf(&D, &si, &so);
+    store_screw_single(&so, data[2] + i * step[2], core + 3);
+  }
+}
+
+static void product_Adsinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_Adsinv_single_over(data, n[0], step, dense);
+    return;
+  }
+  product_Adsinv_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction product_Adsinv_loops[] = { product_Adsinv_double, product_Adsinv_single };
+
+/* (3,4)->(6) */
+INLINED void hstx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_screw_t so;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_hstx(&D, &so);
+    store_screw_double(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hstx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hstx_double_over(data, n[0], step, dense);
+    return;
+  }
+  hstx_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,4)->(6) */
+INLINED void hstx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_screwf_t so;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_hstxf(&D, &so);
+    store_screw_single(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hstx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hstx_single_over(data, n[0], step, dense);
+    return;
+  }
+  hstx_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction hstx_loops[] = { hstx_double, hstx_single };
+
+/* (3,4)->(6) */
+INLINED void hsty_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_screw_t so;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_hsty(&D, &so);
+    store_screw_double(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hsty_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hsty_double_over(data, n[0], step, dense);
+    return;
+  }
+  hsty_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,4)->(6) */
+INLINED void hsty_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_screwf_t so;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_hstyf(&D, &so);
+    store_screw_single(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hsty_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hsty_single_over(data, n[0], step, dense);
+    return;
+  }
+  hsty_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction hsty_loops[] = { hsty_double, hsty_single };
+
+/* (3,4)->(6) */
+INLINED void hstz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_screw_t so;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_hstz(&D, &so);
+    store_screw_double(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hstz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hstz_double_over(data, n[0], step, dense);
+    return;
+  }
+  hstz_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,4)->(6) */
+INLINED void hstz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_screwf_t so;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_hstzf(&D, &so);
+    store_screw_single(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hstz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hstz_single_over(data, n[0], step, dense);
+    return;
+  }
+  hstz_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction hstz_loops[] = { hstz_double, hstz_single };
+
+/* (3,4)->(6) */
+INLINED void hsrx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_screw_t so;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_hsrx(&D, &so);
+    store_screw_double(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hsrx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hsrx_double_over(data, n[0], step, dense);
+    return;
+  }
+  hsrx_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,4)->(6) */
+INLINED void hsrx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_screwf_t so;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_hsrxf(&D, &so);
+    store_screw_single(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hsrx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hsrx_single_over(data, n[0], step, dense);
+    return;
+  }
+  hsrx_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction hsrx_loops[] = { hsrx_double, hsrx_single };
+
+/* (3,4)->(6) */
+INLINED void hsry_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_screw_t so;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_hsry(&D, &so);
+    store_screw_double(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hsry_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hsry_double_over(data, n[0], step, dense);
+    return;
+  }
+  hsry_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,4)->(6) */
+INLINED void hsry_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_screwf_t so;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_hsryf(&D, &so);
+    store_screw_single(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hsry_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hsry_single_over(data, n[0], step, dense);
+    return;
+  }
+  hsry_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction hsry_loops[] = { hsry_double, hsry_single };
+
+/* (3,4)->(6) */
+INLINED void hsrz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_screw_t so;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_hsrz(&D, &so);
+    store_screw_double(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hsrz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hsrz_double_over(data, n[0], step, dense);
+    return;
+  }
+  hsrz_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,4)->(6) */
+INLINED void hsrz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_screwf_t so;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_hsrzf(&D, &so);
+    store_screw_single(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hsrz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hsrz_single_over(data, n[0], step, dense);
+    return;
+  }
+  hsrz_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction hsrz_loops[] = { hsrz_double, hsrz_single };
+
+/* (3,4)->(6) */
+INLINED void hstxinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_screw_t so;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_hstxinv(&D, &so);
+    store_screw_double(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hstxinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hstxinv_double_over(data, n[0], step, dense);
+    return;
+  }
+  hstxinv_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,4)->(6) */
+INLINED void hstxinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_screwf_t so;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_hstxinvf(&D, &so);
+    store_screw_single(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hstxinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hstxinv_single_over(data, n[0], step, dense);
+    return;
+  }
+  hstxinv_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction hstxinv_loops[] = { hstxinv_double, hstxinv_single };
+
+/* (3,4)->(6) */
+INLINED void hstyinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_screw_t so;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_hstyinv(&D, &so);
+    store_screw_double(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hstyinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hstyinv_double_over(data, n[0], step, dense);
+    return;
+  }
+  hstyinv_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,4)->(6) */
+INLINED void hstyinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_screwf_t so;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_hstyinvf(&D, &so);
+    store_screw_single(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hstyinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hstyinv_single_over(data, n[0], step, dense);
+    return;
+  }
+  hstyinv_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction hstyinv_loops[] = { hstyinv_double, hstyinv_single };
+
+/* (3,4)->(6) */
+INLINED void hstzinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_screw_t so;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_hstzinv(&D, &so);
+    store_screw_double(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hstzinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hstzinv_double_over(data, n[0], step, dense);
+    return;
+  }
+  hstzinv_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,4)->(6) */
+INLINED void hstzinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_screwf_t so;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_hstzinvf(&D, &so);
+    store_screw_single(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hstzinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hstzinv_single_over(data, n[0], step, dense);
+    return;
+  }
+  hstzinv_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction hstzinv_loops[] = { hstzinv_double, hstzinv_single };
+
+/* (3,4)->(6) */
+INLINED void hsrxinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_screw_t so;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_hsrxinv(&D, &so);
+    store_screw_double(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hsrxinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hsrxinv_double_over(data, n[0], step, dense);
+    return;
+  }
+  hsrxinv_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,4)->(6) */
+INLINED void hsrxinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_screwf_t so;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_hsrxinvf(&D, &so);
+    store_screw_single(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hsrxinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hsrxinv_single_over(data, n[0], step, dense);
+    return;
+  }
+  hsrxinv_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction hsrxinv_loops[] = { hsrxinv_double, hsrxinv_single };
+
+/* (3,4)->(6) */
+INLINED void hsryinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_screw_t so;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_hsryinv(&D, &so);
+    store_screw_double(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hsryinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hsryinv_double_over(data, n[0], step, dense);
+    return;
+  }
+  hsryinv_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,4)->(6) */
+INLINED void hsryinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_screwf_t so;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_hsryinvf(&D, &so);
+    store_screw_single(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hsryinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hsryinv_single_over(data, n[0], step, dense);
+    return;
+  }
+  hsryinv_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction hsryinv_loops[] = { hsryinv_double, hsryinv_single };
+
+/* (3,4)->(6) */
+INLINED void hsrzinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_screw_t so;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_hsrzinv(&D, &so);
+    store_screw_double(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hsrzinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hsrzinv_double_over(data, n[0], step, dense);
+    return;
+  }
+  hsrzinv_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,4)->(6) */
+INLINED void hsrzinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_screwf_t so;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_hsrzinvf(&D, &so);
+    store_screw_single(&so, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void hsrzinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    hsrzinv_single_over(data, n[0], step, dense);
+    return;
+  }
+  hsrzinv_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction hsrzinv_loops[] = { hsrzinv_double, hsrzinv_single };
+
+/* (3,4)->(6,6) */
+INLINED void Ad_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_mat6x6_t M;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_Ad(&D, &M);
+    store_mat6x6_double(&M, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void Ad_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 48, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    Ad_double_over(data, n[0], step, dense);
+    return;
+  }
+  Ad_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,4)->(6,6) */
+INLINED void Ad_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_mat6x6f_t M;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_Adf(&D, &M);
+    store_mat6x6_single(&M, data[1] + i * step[1], core + 2);
+  }
+}
+
+static void Ad_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 24, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    Ad_single_over(data, n[0], step, dense);
+    return;
+  }
+  Ad_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction Ad_loops[] = { Ad_double, Ad_single };
+
+/* (6),(6)->() */
+INLINED void dot_cs_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_coscrew_t c; ksl_screw_t s; double power;
+    load_coscrew_double(&c, data[0] + i * step[0], core + 0);
+    load_screw_double(&s, data[1] + i * step[1], core + 1);
+    power = ksl_dot_cs(&c, &s);
+    store_scalar_double(&power, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void dot_cs_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    dot_cs_double_over(data, n[0], step, dense);
+    return;
+  }
+  dot_cs_double_over(data, n[0], step, step + 3);
+}
+
+/* (6),(6)->() */
+INLINED void dot_cs_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_coscrewf_t c; ksl_screwf_t s; float power;
+    load_coscrew_single(&c, data[0] + i * step[0], core + 0);
+    load_screw_single(&s, data[1] + i * step[1], core + 1);
+    power = ksl_dot_csf(&c, &s);
+    store_scalar_single(&power, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void dot_cs_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    dot_cs_single_over(data, n[0], step, dense);
+    return;
+  }
+  dot_cs_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction dot_cs_loops[] = { dot_cs_double, dot_cs_single };
+
+/* (6),(6)->(6) */
+INLINED void cross_ss_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screw_t s1; ksl_screw_t s2; ksl_screw_t so;
+    load_screw_double(&s1, data[0] + i * step[0], core + 0);
+    load_screw_double(&s2, data[1] + i * step[1], core + 1);
+    ksl_cross_ss(&s1, &s2, &so);
+    store_screw_double(&so, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void cross_ss_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    cross_ss_double_over(data, n[0], step, dense);
+    return;
+  }
+  cross_ss_double_over(data, n[0], step, step + 3);
+}
+
+/* (6),(6)->(6) */
+INLINED void cross_ss_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screwf_t s1; ksl_screwf_t s2; ksl_screwf_t so;
+    load_screw_single(&s1, data[0] + i * step[0], core + 0);
+    load_screw_single(&s2, data[1] + i * step[1], core + 1);
+    ksl_cross_ssf(&s1, &s2, &so);
+    store_screw_single(&so, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void cross_ss_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    cross_ss_single_over(data, n[0], step, dense);
+    return;
+  }
+  cross_ss_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction cross_ss_loops[] = { cross_ss_double, cross_ss_single };
+
+/* (6),(6)->(6) */
+INLINED void cross_sst_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screw_t s1; ksl_screw_t s2; ksl_screw_t so;
+    load_screw_double(&s1, data[0] + i * step[0], core + 0);
+    load_screw_double(&s2, data[1] + i * step[1], core + 1);
+    ksl_cross_sst(&s1, &s2, &so);
+    store_screw_double(&so, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void cross_sst_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    cross_sst_double_over(data, n[0], step, dense);
+    return;
+  }
+  cross_sst_double_over(data, n[0], step, step + 3);
+}
+
+/* (6),(6)->(6) */
+INLINED void cross_sst_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screwf_t s1; ksl_screwf_t s2; ksl_screwf_t so;
+    load_screw_single(&s1, data[0] + i * step[0], core + 0);
+    load_screw_single(&s2, data[1] + i * step[1], core + 1);
+    ksl_cross_sstf(&s1, &s2, &so);
+    store_screw_single(&so, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void cross_sst_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    cross_sst_single_over(data, n[0], step, dense);
+    return;
+  }
+  cross_sst_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction cross_sst_loops[] = { cross_sst_double, cross_sst_single };
+
+/* (3,4),(3)->(6) */
+INLINED void hsra_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_vec3_t axis; ksl_screw_t so;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    load_vec3_double(&axis, data[1] + i * step[1], core + 2);
+    ksl_hsra(&D, &axis, &so);
+    store_screw_double(&so, data[2] + i * step[2], core + 3);
+  }
+}
+
+static void hsra_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    hsra_double_over(data, n[0], step, dense);
+    return;
+  }
+  hsra_double_over(data, n[0], step, step + 3);
+}
+
+/* (3,4),(3)->(6) */
+INLINED void hsra_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_vec3f_t axis; ksl_screwf_t so;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    load_vec3_single(&axis, data[1] + i * step[1], core + 2);
+    ksl_hsraf(&D, &axis, &so);
+    store_screw_single(&so, data[2] + i * step[2], core + 3);
+  }
+}
+
+static void hsra_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    hsra_single_over(data, n[0], step, dense);
+    return;
+  }
+  hsra_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction hsra_loops[] = { hsra_double, hsra_single };
+
+/* (3,4),(3)->(6) */
+INLINED void hsta_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D; ksl_vec3_t axis; ksl_screw_t so;
+    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    load_vec3_double(&axis, data[1] + i * step[1], core + 2);
+    ksl_hsta(&D, &axis, &so);
+    store_screw_double(&so, data[2] + i * step[2], core + 3);
+  }
+}
+
+static void hsta_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 32, 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    hsta_double_over(data, n[0], step, dense);
+    return;
+  }
+  hsta_double_over(data, n[0], step, step + 3);
+}
+
+/* (3,4),(3)->(6) */
+INLINED void hsta_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D; ksl_vec3f_t axis; ksl_screwf_t so;
+    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    load_vec3_single(&axis, data[1] + i * step[1], core + 2);
+    ksl_hstaf(&D, &axis, &so);
+    store_screw_single(&so, data[2] + i * step[2], core + 3);
+  }
+}
+
+static void hsta_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 16, 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    hsta_single_over(data, n[0], step, dense);
+    return;
+  }
+  hsta_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction hsta_loops[] = { hsta_double, hsta_single };
+
+/* (6)->(6,6) */
+INLINED void ad_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screw_t s; ksl_mat6x6_t M;
+    load_screw_double(&s, data[0] + i * step[0], core + 0);
+    ksl_ad(&s, &M);
+    store_mat6x6_double(&M, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void ad_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 48, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    ad_double_over(data, n[0], step, dense);
+    return;
+  }
+  ad_double_over(data, n[0], step, step + 2);
+}
+
+/* (6)->(6,6) */
+INLINED void ad_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screwf_t s; ksl_mat6x6f_t M;
+    load_screw_single(&s, data[0] + i * step[0], core + 0);
+    ksl_adf(&s, &M);
+    store_mat6x6_single(&M, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void ad_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 24, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    ad_single_over(data, n[0], step, dense);
+    return;
+  }
+  ad_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction ad_loops[] = { ad_double, ad_single };
+
+const coscrew_gufunc coscrew_screw_gufuncs[] = {
+  {"screw_copy", "(6)->(6)",
+    "so = si.\n"
+    "\n"
+    "(6)->(6).  si, so: screw (v in m/s; ω in rad/s).\n"
+    "No arithmetic.\n",
+   1, 1, screw_copy_loops},
+  {"screw_scale", "(6),()->(6)",
+    "self = a self.\n"
+    "\n"
+    "(6),()->(6).  self: screw (v in m/s; ω in rad/s); a: number.\n"
+    "6 mul.\n",
+   2, 1, screw_scale_loops},
+  {"screw_inverted", "(6)->(6)",
+    "so = -si.\n"
+    "\n"
+    "(6)->(6).  si, so: screw (v in m/s; ω in rad/s).\n"
+    "6 neg.\n",
+   1, 1, screw_inverted_loops},
+  {"screw_invert", "(6)->(6)",
+    "self = -self.\n"
+    "\n"
+    "(6)->(6).  self: screw (v in m/s; ω in rad/s).\n"
+    "6 neg.\n",
+   1, 1, screw_invert_loops},
+  {"axpy_ss", "(),(6),(6)->(6)",
+    "y = a x + y.\n"
+    "\n"
+    "(),(6),(6)->(6).  a: number; x, y: screw (v in m/s; ω in rad/s).\n"
+    "6 mul, 6 add.\n",
+   3, 1, axpy_ss_loops},
+  {"xpy_ss", "(6),(6)->(6)",
+    "y = x + y.\n"
+    "\n"
+    "(6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).\n"
+    "6 add.\n",
+   2, 1, xpy_ss_loops},
+  {"nxpy_ss", "(6),(6)->(6)",
+    "y = -x + y.\n"
+    "\n"
+    "(6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).\n"
+    "6 add.\n",
+   2, 1, nxpy_ss_loops},
+  {"product_as", "(),(6)->(6)",
+    "so = a si.\n"
+    "\n"
+    "(),(6)->(6).  a: number; si, so: screw (v in m/s; ω in rad/s).\n"
+    "6 mul.\n",
+   2, 1, product_as_loops},
+  {"add_ss", "(6),(6)->(6)",
+    "so = s1 + s2.\n"
+    "\n"
+    "(6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).\n"
+    "6 add.\n",
+   2, 1, add_ss_loops},
+  {"subtract_ss", "(6),(6)->(6)",
+    "so = s1 - s2.\n"
+    "\n"
+    "(6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).\n"
+    "6 add.\n",
+   2, 1, subtract_ss_loops},
+  {"screw_norm", "(6)->()",
+    "|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).\n"
+    "\n"
+    "(6)->().  si: screw (v in m/s; ω in rad/s); norm: number.\n"
+    "6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select.\n",
+   1, 1, screw_norm_loops},
+  {"screw_normalize", "(6)->(6)",
+    "self = self / |self|, with screw_norm; the zero screw stays zero.\n"
+    "\n"
+    "(6)->(6).  self: screw (v in m/s; ω in rad/s).\n"
+    "6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select.\n",
+   1, 1, screw_normalize_loops},
+  {"screw_normalized", "(6)->(6)",
+    "so = si / |si|, with screw_norm; the zero screw stays zero.\n"
+    "\n"
+    "(6)->(6).  si, so: screw (v in m/s; ω in rad/s).\n"
+    "6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select.\n",
+   1, 1, screw_normalized_loops},
+  {"screw_from_lin_ang", "(3),(3)->(6)",
+    "so = (lin; ang).\n"
+    "\n"
+    "(3),(3)->(6).  lin, ang: vector; so: screw (v in m/s; ω in rad/s).\n"
+    "No arithmetic.\n",
+   2, 1, screw_from_lin_ang_loops},
+  {"screw_to_angular_first", "(6)->(6)",
+    "x = (ang; lin) of si.\n"
+    "\n"
+    "(6)->(6).  si: screw (v in m/s; ω in rad/s); x: six components with the angular part on top.\n"
+    "No arithmetic.\n",
+   1, 1, screw_to_angular_first_loops},
+  {"screw_from_angular_first", "(6)->(6)",
+    "so = (lin; ang) of x = (ang; lin).\n"
+    "\n"
+    "(6)->(6).  x: six components with the angular part on top; so: screw (v in m/s; ω in rad/s).\n"
+    "No arithmetic.\n",
+   1, 1, screw_from_angular_first_loops},
+  {"add_sst", "(6),(6)->(6)",
+    "so = (s1.lin + s2.lin ; s1.ang).\n"
+    "\n"
+    "(6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).\n"
+    "3 add.\n",
+   2, 1, add_sst_loops},
+  {"product_Adts", "(3),(6)->(6)",
+    "so = [Ad](t) si.\n"
+    "\n"
+    "(3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).\n"
+    "6 mul, 6 add.\n",
+   2, 1, product_Adts_loops},
+  {"product_Adtinvs", "(3),(6)->(6)",
+    "so = [Ad](t)^-1 si.\n"
+    "\n"
+    "(3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).\n"
+    "6 mul, 6 add.\n",
+   2, 1, product_Adtinvs_loops},
+  {"product_Adtsinv", "(3),(6)->(6)",
+    "so = [Ad](t) (-si).\n"
+    "\n"
+    "(3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).\n"
+    "6 mul, 6 add, 3 neg.\n",
+   2, 1, product_Adtsinv_loops},
+  {"product_Adrs", "(3,3),(6)->(6)",
+    "so = [Ad](R) si.\n"
+    "\n"
+    "(3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).\n"
+    "18 mul, 12 add.\n",
+   2, 1, product_Adrs_loops},
+  {"product_Adrinvs", "(3,3),(6)->(6)",
+    "so = [Ad](R)^-1 si.\n"
+    "\n"
+    "(3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).\n"
+    "18 mul, 12 add.\n",
+   2, 1, product_Adrinvs_loops},
+  {"product_Adrsinv", "(3,3),(6)->(6)",
+    "so = [Ad](R) (-si).\n"
+    "\n"
+    "(3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).\n"
+    "18 mul, 12 add, 6 neg.\n",
+   2, 1, product_Adrsinv_loops},
+  {"product_Ads", "(3,4),(6)->(6)",
+    "so = [Ad](D) si = [Ad](t) [Ad](R) si.\n"
+    "\n"
+    "(3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).\n"
+    "24 mul, 18 add.\n",
+   2, 1, product_Ads_loops},
+  {"product_Adinvs", "(3,4),(6)->(6)",
+    "so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si.\n"
+    "\n"
+    "(3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).\n"
+    "24 mul, 18 add.\n",
+   2, 1, product_Adinvs_loops},
+  {"product_Adsinv", "(3,4),(6)->(6)",
+    "so = [Ad](D) (-si).\n"
+    "\n"
+    "(3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).\n"
+    "24 mul, 18 add, 6 neg.\n",
+   2, 1, product_Adsinv_loops},
+  {"hstx", "(3,4)->(6)",
+    "so = h_tx: column 0 of [Ad](D).\n"
+    "\n"
+    "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
+    "No arithmetic.\n",
+   1, 1, hstx_loops},
+  {"hsty", "(3,4)->(6)",
+    "so = h_ty: column 1 of [Ad](D).\n"
+    "\n"
+    "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
+    "No arithmetic.\n",
+   1, 1, hsty_loops},
+  {"hstz", "(3,4)->(6)",
+    "so = h_tz: column 2 of [Ad](D).\n"
+    "\n"
+    "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
+    "No arithmetic.\n",
+   1, 1, hstz_loops},
+  {"hsrx", "(3,4)->(6)",
+    "so = h_rx: column 3 of [Ad](D).\n"
+    "\n"
+    "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
+    "6 mul, 3 add.\n",
+   1, 1, hsrx_loops},
+  {"hsry", "(3,4)->(6)",
+    "so = h_ry: column 4 of [Ad](D).\n"
+    "\n"
+    "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
+    "6 mul, 3 add.\n",
+   1, 1, hsry_loops},
+  {"hsrz", "(3,4)->(6)",
+    "so = h_rz: column 5 of [Ad](D).\n"
+    "\n"
+    "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
+    "6 mul, 3 add.\n",
+   1, 1, hsrz_loops},
+  {"hstxinv", "(3,4)->(6)",
+    "so = -h_tx: -column 0 of [Ad](D).\n"
+    "\n"
+    "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
+    "3 neg.\n",
+   1, 1, hstxinv_loops},
+  {"hstyinv", "(3,4)->(6)",
+    "so = -h_ty: -column 1 of [Ad](D).\n"
+    "\n"
+    "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
+    "3 neg.\n",
+   1, 1, hstyinv_loops},
+  {"hstzinv", "(3,4)->(6)",
+    "so = -h_tz: -column 2 of [Ad](D).\n"
+    "\n"
+    "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
+    "3 neg.\n",
+   1, 1, hstzinv_loops},
+  {"hsrxinv", "(3,4)->(6)",
+    "so = -h_rx: -column 3 of [Ad](D).\n"
+    "\n"
+    "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
+    "6 mul, 3 add, 3 neg.\n",
+   1, 1, hsrxinv_loops},
+  {"hsryinv", "(3,4)->(6)",
+    "so = -h_ry: -column 4 of [Ad](D).\n"
+    "\n"
+    "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
+    "6 mul, 3 add, 3 neg.\n",
+   1, 1, hsryinv_loops},
+  {"hsrzinv", "(3,4)->(6)",
+    "so = -h_rz: -column 5 of [Ad](D).\n"
+    "\n"
+    "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
+    "6 mul, 3 add, 3 neg.\n",
+   1, 1, hsrzinv_loops},
+  {"Ad", "(3,4)->(6,6)",
+    "M = [Ad](D).\n"
+    "\n"
+    "(3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.\n"
+    "18 mul, 9 add.\n",
+   1, 1, Ad_loops},
+  {"dot_cs", "(6),(6)->()",
+    "power = f·v + τ·ω, in W.\n"
+    "\n"
+    "(6),(6)->().  c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s); power: number.\n"
+    "6 mul, 5 add.\n",
+   2, 1, dot_cs_loops},
+  {"cross_ss", "(6),(6)->(6)",
+    "so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2); exactly zero for s1 = s2.\n"
+    "\n"
+    "(6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).\n"
+    "18 mul, 12 add.\n",
+   2, 1, cross_ss_loops},
+  {"cross_sst", "(6),(6)->(6)",
+    "so = (ω1×v2 ; 0).\n"
+    "\n"
+    "(6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).\n"
+    "6 mul, 3 add.\n",
+   2, 1, cross_sst_loops},
+  {"hsra", "(3,4),(3)->(6)",
+    "so = (t×R a ; R a), a = axis in the body's frame.\n"
+    "\n"
+    "(3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).\n"
+    "15 mul, 9 add.\n",
+   2, 1, hsra_loops},
+  {"hsta", "(3,4),(3)->(6)",
+    "so = (R a ; 0), a = axis in the body's frame.\n"
+    "\n"
+    "(3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).\n"
+    "9 mul, 6 add.\n",
+   2, 1, hsta_loops},
+  {"ad", "(6)->(6,6)",
+    "M = [ad](s) = [Ad]' [Ad]^-1 = [[ω~, v~], [0, ω~]].\n"
+    "\n"
+    "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
+    "6 neg.\n",
+   1, 1, ad_loops},
+  {NULL, NULL, NULL, 0, 0, NULL},
+};

@@ -1,0 +1,1301 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* Gufunc loops of the vec3 operations. */
+#define NO_IMPORT_UFUNC
+#define NO_IMPORT_ARRAY
+#include "_gufunc.h"
+
+/* (3)->(3) */
+INLINED void vec3_copy_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t vi; ksl_vec3_t vo;
+    load_vec3_double(&vi, data[0] + i * step[0], core + 0);
+    ksl_vec3_copy(&vi, &vo);
+    store_vec3_double(&vo, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void vec3_copy_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    vec3_copy_double_over(data, n[0], step, dense);
+    return;
+  }
+  vec3_copy_double_over(data, n[0], step, step + 2);
+}
+
+/* (3)->(3) */
+INLINED void vec3_copy_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t vi; ksl_vec3f_t vo;
+    load_vec3_single(&vi, data[0] + i * step[0], core + 0);
+    ksl_vec3f_copy(&vi, &vo);
+    store_vec3_single(&vo, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void vec3_copy_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    vec3_copy_single_over(data, n[0], step, dense);
+    return;
+  }
+  vec3_copy_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction vec3_copy_loops[] = { vec3_copy_double, vec3_copy_single };
+
+/* (3),()->(3) */
+INLINED void vec3_scale_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t self; double a;
+    load_vec3_double(&self, data[0] + i * step[0], core + 0);
+    load_scalar_double(&a, data[1] + i * step[1], core + 1);
+    ksl_vec3_scale(&self, a);
+    store_vec3_double(&self, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void vec3_scale_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    vec3_scale_double_over(data, n[0], step, dense);
+    return;
+  }
+  vec3_scale_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),()->(3) */
+INLINED void vec3_scale_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t self; float a;
+    load_vec3_single(&self, data[0] + i * step[0], core + 0);
+    load_scalar_single(&a, data[1] + i * step[1], core + 1);
+    ksl_vec3f_scale(&self, a);
+    store_vec3_single(&self, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void vec3_scale_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    vec3_scale_single_over(data, n[0], step, dense);
+    return;
+  }
+  vec3_scale_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction vec3_scale_loops[] = { vec3_scale_double, vec3_scale_single };
+
+/* (3)->(3) */
+INLINED void vec3_inverted_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t vi; ksl_vec3_t vo;
+    load_vec3_double(&vi, data[0] + i * step[0], core + 0);
+    ksl_vec3_inverted(&vi, &vo);
+    store_vec3_double(&vo, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void vec3_inverted_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    vec3_inverted_double_over(data, n[0], step, dense);
+    return;
+  }
+  vec3_inverted_double_over(data, n[0], step, step + 2);
+}
+
+/* (3)->(3) */
+INLINED void vec3_inverted_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t vi; ksl_vec3f_t vo;
+    load_vec3_single(&vi, data[0] + i * step[0], core + 0);
+    ksl_vec3f_inverted(&vi, &vo);
+    store_vec3_single(&vo, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void vec3_inverted_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    vec3_inverted_single_over(data, n[0], step, dense);
+    return;
+  }
+  vec3_inverted_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction vec3_inverted_loops[] = { vec3_inverted_double, vec3_inverted_single };
+
+/* (3)->(3) */
+INLINED void vec3_invert_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t self;
+    load_vec3_double(&self, data[0] + i * step[0], core + 0);
+    ksl_vec3_invert(&self);
+    store_vec3_double(&self, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void vec3_invert_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    vec3_invert_double_over(data, n[0], step, dense);
+    return;
+  }
+  vec3_invert_double_over(data, n[0], step, step + 2);
+}
+
+/* (3)->(3) */
+INLINED void vec3_invert_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t self;
+    load_vec3_single(&self, data[0] + i * step[0], core + 0);
+    ksl_vec3f_invert(&self);
+    store_vec3_single(&self, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void vec3_invert_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    vec3_invert_single_over(data, n[0], step, dense);
+    return;
+  }
+  vec3_invert_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction vec3_invert_loops[] = { vec3_invert_double, vec3_invert_single };
+
+/* (),(3),(3)->(3) */
+INLINED void axpy_vv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    double a; ksl_vec3_t x; ksl_vec3_t y;
+    load_scalar_double(&a, data[0] + i * step[0], core + 0);
+    load_vec3_double(&x, data[1] + i * step[1], core + 0);
+    load_vec3_double(&y, data[2] + i * step[2], core + 1);
+    ksl_axpy_vv(a, &x, &y);
+    store_vec3_double(&y, data[3] + i * step[3], core + 2);
+  }
+}
+
+static void axpy_vv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8, 8 };
+  if (memcmp(step + 4, dense, sizeof dense) == 0) {
+    axpy_vv_double_over(data, n[0], step, dense);
+    return;
+  }
+  axpy_vv_double_over(data, n[0], step, step + 4);
+}
+
+/* (),(3),(3)->(3) */
+INLINED void axpy_vv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    float a; ksl_vec3f_t x; ksl_vec3f_t y;
+    load_scalar_single(&a, data[0] + i * step[0], core + 0);
+    load_vec3_single(&x, data[1] + i * step[1], core + 0);
+    load_vec3_single(&y, data[2] + i * step[2], core + 1);
+    ksl_axpy_vvf(a, &x, &y);
+    store_vec3_single(&y, data[3] + i * step[3], core + 2);
+  }
+}
+
+static void axpy_vv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4, 4 };
+  if (memcmp(step + 4, dense, sizeof dense) == 0) {
+    axpy_vv_single_over(data, n[0], step, dense);
+    return;
+  }
+  axpy_vv_single_over(data, n[0], step, step + 4);
+}
+
+static PyUFuncGenericFunction axpy_vv_loops[] = { axpy_vv_double, axpy_vv_single };
+
+/* (3),(3)->(3) */
+INLINED void xpy_vv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t x; ksl_vec3_t y;
+    load_vec3_double(&x, data[0] + i * step[0], core + 0);
+    load_vec3_double(&y, data[1] + i * step[1], core + 1);
+    ksl_xpy_vv(&x, &y);
+    store_vec3_double(&y, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void xpy_vv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    xpy_vv_double_over(data, n[0], step, dense);
+    return;
+  }
+  xpy_vv_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),(3)->(3) */
+INLINED void xpy_vv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t x; ksl_vec3f_t y;
+    load_vec3_single(&x, data[0] + i * step[0], core + 0);
+    load_vec3_single(&y, data[1] + i * step[1], core + 1);
+    ksl_xpy_vvf(&x, &y);
+    store_vec3_single(&y, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void xpy_vv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    xpy_vv_single_over(data, n[0], step, dense);
+    return;
+  }
+  xpy_vv_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction xpy_vv_loops[] = { xpy_vv_double, xpy_vv_single };
+
+/* (3),(3)->(3) */
+INLINED void nxpy_vv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t x; ksl_vec3_t y;
+    load_vec3_double(&x, data[0] + i * step[0], core + 0);
+    load_vec3_double(&y, data[1] + i * step[1], core + 1);
+    ksl_nxpy_vv(&x, &y);
+    store_vec3_double(&y, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void nxpy_vv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    nxpy_vv_double_over(data, n[0], step, dense);
+    return;
+  }
+  nxpy_vv_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),(3)->(3) */
+INLINED void nxpy_vv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t x; ksl_vec3f_t y;
+    load_vec3_single(&x, data[0] + i * step[0], core + 0);
+    load_vec3_single(&y, data[1] + i * step[1], core + 1);
+    ksl_nxpy_vvf(&x, &y);
+    store_vec3_single(&y, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void nxpy_vv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    nxpy_vv_single_over(data, n[0], step, dense);
+    return;
+  }
+  nxpy_vv_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction nxpy_vv_loops[] = { nxpy_vv_double, nxpy_vv_single };
+
+/* (),(3)->(3) */
+INLINED void product_av_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    double a; ksl_vec3_t vi; ksl_vec3_t vo;
+    load_scalar_double(&a, data[0] + i * step[0], core + 0);
+    load_vec3_double(&vi, data[1] + i * step[1], core + 0);
+    ksl_product_av(a, &vi, &vo);
+    store_vec3_double(&vo, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void product_av_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_av_double_over(data, n[0], step, dense);
+    return;
+  }
+  product_av_double_over(data, n[0], step, step + 3);
+}
+
+/* (),(3)->(3) */
+INLINED void product_av_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    float a; ksl_vec3f_t vi; ksl_vec3f_t vo;
+    load_scalar_single(&a, data[0] + i * step[0], core + 0);
+    load_vec3_single(&vi, data[1] + i * step[1], core + 0);
+    ksl_product_avf(a, &vi, &vo);
+    store_vec3_single(&vo, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void product_av_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_av_single_over(data, n[0], step, dense);
+    return;
+  }
+  product_av_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction product_av_loops[] = { product_av_double, product_av_single };
+
+/* (3),(3)->(3) */
+INLINED void add_vv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t v1; ksl_vec3_t v2; ksl_vec3_t vo;
+    load_vec3_double(&v1, data[0] + i * step[0], core + 0);
+    load_vec3_double(&v2, data[1] + i * step[1], core + 1);
+    ksl_add_vv(&v1, &v2, &vo);
+    store_vec3_double(&vo, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void add_vv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    add_vv_double_over(data, n[0], step, dense);
+    return;
+  }
+  add_vv_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),(3)->(3) */
+INLINED void add_vv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t v1; ksl_vec3f_t v2; ksl_vec3f_t vo;
+    load_vec3_single(&v1, data[0] + i * step[0], core + 0);
+    load_vec3_single(&v2, data[1] + i * step[1], core + 1);
+    ksl_add_vvf(&v1, &v2, &vo);
+    store_vec3_single(&vo, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void add_vv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    add_vv_single_over(data, n[0], step, dense);
+    return;
+  }
+  add_vv_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction add_vv_loops[] = { add_vv_double, add_vv_single };
+
+/* (3),(3)->(3) */
+INLINED void subtract_vv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t v1; ksl_vec3_t v2; ksl_vec3_t vo;
+    load_vec3_double(&v1, data[0] + i * step[0], core + 0);
+    load_vec3_double(&v2, data[1] + i * step[1], core + 1);
+    ksl_subtract_vv(&v1, &v2, &vo);
+    store_vec3_double(&vo, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void subtract_vv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    subtract_vv_double_over(data, n[0], step, dense);
+    return;
+  }
+  subtract_vv_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),(3)->(3) */
+INLINED void subtract_vv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t v1; ksl_vec3f_t v2; ksl_vec3f_t vo;
+    load_vec3_single(&v1, data[0] + i * step[0], core + 0);
+    load_vec3_single(&v2, data[1] + i * step[1], core + 1);
+    ksl_subtract_vvf(&v1, &v2, &vo);
+    store_vec3_single(&vo, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void subtract_vv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    subtract_vv_single_over(data, n[0], step, dense);
+    return;
+  }
+  subtract_vv_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction subtract_vv_loops[] = { subtract_vv_double, subtract_vv_single };
+
+/* (3),()->(3) */
+INLINED void vec3_scaled_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t v; double k; ksl_vec3_t vo;
+    load_vec3_double(&v, data[0] + i * step[0], core + 0);
+    load_scalar_double(&k, data[1] + i * step[1], core + 1);
+    ksl_vec3_scaled(&v, k, &vo);
+    store_vec3_double(&vo, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void vec3_scaled_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    vec3_scaled_double_over(data, n[0], step, dense);
+    return;
+  }
+  vec3_scaled_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),()->(3) */
+INLINED void vec3_scaled_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t v; float k; ksl_vec3f_t vo;
+    load_vec3_single(&v, data[0] + i * step[0], core + 0);
+    load_scalar_single(&k, data[1] + i * step[1], core + 1);
+    ksl_vec3f_scaled(&v, k, &vo);
+    store_vec3_single(&vo, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void vec3_scaled_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    vec3_scaled_single_over(data, n[0], step, dense);
+    return;
+  }
+  vec3_scaled_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction vec3_scaled_loops[] = { vec3_scaled_double, vec3_scaled_single };
+
+/* (3),(3)->(3),(3) */
+INLINED void vec3_swap_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t v1; ksl_vec3_t v2;
+    load_vec3_double(&v1, data[0] + i * step[0], core + 0);
+    load_vec3_double(&v2, data[1] + i * step[1], core + 1);
+    ksl_vec3_swap(&v1, &v2);
+    store_vec3_double(&v1, data[2] + i * step[2], core + 2);
+    store_vec3_double(&v2, data[3] + i * step[3], core + 3);
+  }
+}
+
+static void vec3_swap_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8, 8, 8 };
+  if (memcmp(step + 4, dense, sizeof dense) == 0) {
+    vec3_swap_double_over(data, n[0], step, dense);
+    return;
+  }
+  vec3_swap_double_over(data, n[0], step, step + 4);
+}
+
+/* (3),(3)->(3),(3) */
+INLINED void vec3_swap_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t v1; ksl_vec3f_t v2;
+    load_vec3_single(&v1, data[0] + i * step[0], core + 0);
+    load_vec3_single(&v2, data[1] + i * step[1], core + 1);
+    ksl_vec3f_swap(&v1, &v2);
+    store_vec3_single(&v1, data[2] + i * step[2], core + 2);
+    store_vec3_single(&v2, data[3] + i * step[3], core + 3);
+  }
+}
+
+static void vec3_swap_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4, 4, 4 };
+  if (memcmp(step + 4, dense, sizeof dense) == 0) {
+    vec3_swap_single_over(data, n[0], step, dense);
+    return;
+  }
+  vec3_swap_single_over(data, n[0], step, step + 4);
+}
+
+static PyUFuncGenericFunction vec3_swap_loops[] = { vec3_swap_double, vec3_swap_single };
+
+/* (3)->() */
+INLINED void vec3_l2norm_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t v; double norm;
+    load_vec3_double(&v, data[0] + i * step[0], core + 0);
+    norm = ksl_vec3_l2norm(&v);
+    store_scalar_double(&norm, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void vec3_l2norm_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    vec3_l2norm_double_over(data, n[0], step, dense);
+    return;
+  }
+  vec3_l2norm_double_over(data, n[0], step, step + 2);
+}
+
+/* (3)->() */
+INLINED void vec3_l2norm_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t v; float norm;
+    load_vec3_single(&v, data[0] + i * step[0], core + 0);
+    norm = ksl_vec3f_l2norm(&v);
+    store_scalar_single(&norm, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void vec3_l2norm_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    vec3_l2norm_single_over(data, n[0], step, dense);
+    return;
+  }
+  vec3_l2norm_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction vec3_l2norm_loops[] = { vec3_l2norm_double, vec3_l2norm_single };
+
+/* (3)->(3) */
+INLINED void vec3_normalize_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t self;
+    load_vec3_double(&self, data[0] + i * step[0], core + 0);
+    ksl_vec3_normalize(&self);
+    store_vec3_double(&self, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void vec3_normalize_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    vec3_normalize_double_over(data, n[0], step, dense);
+    return;
+  }
+  vec3_normalize_double_over(data, n[0], step, step + 2);
+}
+
+/* (3)->(3) */
+INLINED void vec3_normalize_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t self;
+    load_vec3_single(&self, data[0] + i * step[0], core + 0);
+    ksl_vec3f_normalize(&self);
+    store_vec3_single(&self, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void vec3_normalize_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    vec3_normalize_single_over(data, n[0], step, dense);
+    return;
+  }
+  vec3_normalize_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction vec3_normalize_loops[] = { vec3_normalize_double, vec3_normalize_single };
+
+/* (3)->(3) */
+INLINED void vec3_normalized_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t v; ksl_vec3_t vo;
+    load_vec3_double(&v, data[0] + i * step[0], core + 0);
+    ksl_vec3_normalized(&v, &vo);
+    store_vec3_double(&vo, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void vec3_normalized_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    vec3_normalized_double_over(data, n[0], step, dense);
+    return;
+  }
+  vec3_normalized_double_over(data, n[0], step, step + 2);
+}
+
+/* (3)->(3) */
+INLINED void vec3_normalized_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t v; ksl_vec3f_t vo;
+    load_vec3_single(&v, data[0] + i * step[0], core + 0);
+    ksl_vec3f_normalized(&v, &vo);
+    store_vec3_single(&vo, data[1] + i * step[1], core + 1);
+  }
+}
+
+static void vec3_normalized_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 2, dense, sizeof dense) == 0) {
+    vec3_normalized_single_over(data, n[0], step, dense);
+    return;
+  }
+  vec3_normalized_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction vec3_normalized_loops[] = { vec3_normalized_double, vec3_normalized_single };
+
+/* (3),(3)->() */
+INLINED void dot_vv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t v1; ksl_vec3_t v2; double dot;
+    load_vec3_double(&v1, data[0] + i * step[0], core + 0);
+    load_vec3_double(&v2, data[1] + i * step[1], core + 1);
+    dot = ksl_dot_vv(&v1, &v2);
+    store_scalar_double(&dot, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void dot_vv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    dot_vv_double_over(data, n[0], step, dense);
+    return;
+  }
+  dot_vv_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),(3)->() */
+INLINED void dot_vv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t v1; ksl_vec3f_t v2; float dot;
+    load_vec3_single(&v1, data[0] + i * step[0], core + 0);
+    load_vec3_single(&v2, data[1] + i * step[1], core + 1);
+    dot = ksl_dot_vvf(&v1, &v2);
+    store_scalar_single(&dot, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void dot_vv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    dot_vv_single_over(data, n[0], step, dense);
+    return;
+  }
+  dot_vv_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction dot_vv_loops[] = { dot_vv_double, dot_vv_single };
+
+/* (),(3)->(3) */
+INLINED void product_avinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    double k; ksl_vec3_t v; ksl_vec3_t vo;
+    load_scalar_double(&k, data[0] + i * step[0], core + 0);
+    load_vec3_double(&v, data[1] + i * step[1], core + 0);
+    ksl_product_avinv(k, &v, &vo);
+    store_vec3_double(&vo, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void product_avinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_avinv_double_over(data, n[0], step, dense);
+    return;
+  }
+  product_avinv_double_over(data, n[0], step, step + 3);
+}
+
+/* (),(3)->(3) */
+INLINED void product_avinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    float k; ksl_vec3f_t v; ksl_vec3f_t vo;
+    load_scalar_single(&k, data[0] + i * step[0], core + 0);
+    load_vec3_single(&v, data[1] + i * step[1], core + 0);
+    ksl_product_avinvf(k, &v, &vo);
+    store_vec3_single(&vo, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void product_avinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_avinv_single_over(data, n[0], step, dense);
+    return;
+  }
+  product_avinv_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction product_avinv_loops[] = { product_avinv_double, product_avinv_single };
+
+/* (),(3)->(3) */
+INLINED void product_ainvv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    double k; ksl_vec3_t v; ksl_vec3_t vo;
+    load_scalar_double(&k, data[0] + i * step[0], core + 0);
+    load_vec3_double(&v, data[1] + i * step[1], core + 0);
+    ksl_product_ainvv(k, &v, &vo);
+    store_vec3_double(&vo, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void product_ainvv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_ainvv_double_over(data, n[0], step, dense);
+    return;
+  }
+  product_ainvv_double_over(data, n[0], step, step + 3);
+}
+
+/* (),(3)->(3) */
+INLINED void product_ainvv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    float k; ksl_vec3f_t v; ksl_vec3f_t vo;
+    load_scalar_single(&k, data[0] + i * step[0], core + 0);
+    load_vec3_single(&v, data[1] + i * step[1], core + 0);
+    ksl_product_ainvvf(k, &v, &vo);
+    store_vec3_single(&vo, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void product_ainvv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    product_ainvv_single_over(data, n[0], step, dense);
+    return;
+  }
+  product_ainvv_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction product_ainvv_loops[] = { product_ainvv_double, product_ainvv_single };
+
+/* (3),(3)->(3) */
+INLINED void cross_vv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t v1; ksl_vec3_t v2; ksl_vec3_t vo;
+    load_vec3_double(&v1, data[0] + i * step[0], core + 0);
+    load_vec3_double(&v2, data[1] + i * step[1], core + 1);
+    ksl_cross_vv(&v1, &v2, &vo);
+    store_vec3_double(&vo, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void cross_vv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    cross_vv_double_over(data, n[0], step, dense);
+    return;
+  }
+  cross_vv_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),(3)->(3) */
+INLINED void cross_vv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t v1; ksl_vec3f_t v2; ksl_vec3f_t vo;
+    load_vec3_single(&v1, data[0] + i * step[0], core + 0);
+    load_vec3_single(&v2, data[1] + i * step[1], core + 1);
+    ksl_cross_vvf(&v1, &v2, &vo);
+    store_vec3_single(&vo, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void cross_vv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    cross_vv_single_over(data, n[0], step, dense);
+    return;
+  }
+  cross_vv_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction cross_vv_loops[] = { cross_vv_double, cross_vv_single };
+
+/* (3),(3)->(3) */
+INLINED void cross_vvinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t v1; ksl_vec3_t v2; ksl_vec3_t vo;
+    load_vec3_double(&v1, data[0] + i * step[0], core + 0);
+    load_vec3_double(&v2, data[1] + i * step[1], core + 1);
+    ksl_cross_vvinv(&v1, &v2, &vo);
+    store_vec3_double(&vo, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void cross_vvinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    cross_vvinv_double_over(data, n[0], step, dense);
+    return;
+  }
+  cross_vvinv_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),(3)->(3) */
+INLINED void cross_vvinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t v1; ksl_vec3f_t v2; ksl_vec3f_t vo;
+    load_vec3_single(&v1, data[0] + i * step[0], core + 0);
+    load_vec3_single(&v2, data[1] + i * step[1], core + 1);
+    ksl_cross_vvinvf(&v1, &v2, &vo);
+    store_vec3_single(&vo, data[2] + i * step[2], core + 2);
+  }
+}
+
+static void cross_vvinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    cross_vvinv_single_over(data, n[0], step, dense);
+    return;
+  }
+  cross_vvinv_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction cross_vvinv_loops[] = { cross_vvinv_double, cross_vvinv_single };
+
+/* (3),()->(3) */
+INLINED void add_vvx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t v; double k; ksl_vec3_t vo;
+    load_vec3_double(&v, data[0] + i * step[0], core + 0);
+    load_scalar_double(&k, data[1] + i * step[1], core + 1);
+    ksl_add_vvx(&v, k, &vo);
+    store_vec3_double(&vo, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void add_vvx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    add_vvx_double_over(data, n[0], step, dense);
+    return;
+  }
+  add_vvx_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),()->(3) */
+INLINED void add_vvx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t v; float k; ksl_vec3f_t vo;
+    load_vec3_single(&v, data[0] + i * step[0], core + 0);
+    load_scalar_single(&k, data[1] + i * step[1], core + 1);
+    ksl_add_vvxf(&v, k, &vo);
+    store_vec3_single(&vo, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void add_vvx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    add_vvx_single_over(data, n[0], step, dense);
+    return;
+  }
+  add_vvx_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction add_vvx_loops[] = { add_vvx_double, add_vvx_single };
+
+/* (3),()->(3) */
+INLINED void add_vvxinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t v; double k; ksl_vec3_t vo;
+    load_vec3_double(&v, data[0] + i * step[0], core + 0);
+    load_scalar_double(&k, data[1] + i * step[1], core + 1);
+    ksl_add_vvxinv(&v, k, &vo);
+    store_vec3_double(&vo, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void add_vvxinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    add_vvxinv_double_over(data, n[0], step, dense);
+    return;
+  }
+  add_vvxinv_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),()->(3) */
+INLINED void add_vvxinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t v; float k; ksl_vec3f_t vo;
+    load_vec3_single(&v, data[0] + i * step[0], core + 0);
+    load_scalar_single(&k, data[1] + i * step[1], core + 1);
+    ksl_add_vvxinvf(&v, k, &vo);
+    store_vec3_single(&vo, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void add_vvxinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    add_vvxinv_single_over(data, n[0], step, dense);
+    return;
+  }
+  add_vvxinv_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction add_vvxinv_loops[] = { add_vvxinv_double, add_vvxinv_single };
+
+/* (3),()->(3) */
+INLINED void add_vvy_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t v; double k; ksl_vec3_t vo;
+    load_vec3_double(&v, data[0] + i * step[0], core + 0);
+    load_scalar_double(&k, data[1] + i * step[1], core + 1);
+    ksl_add_vvy(&v, k, &vo);
+    store_vec3_double(&vo, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void add_vvy_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    add_vvy_double_over(data, n[0], step, dense);
+    return;
+  }
+  add_vvy_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),()->(3) */
+INLINED void add_vvy_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t v; float k; ksl_vec3f_t vo;
+    load_vec3_single(&v, data[0] + i * step[0], core + 0);
+    load_scalar_single(&k, data[1] + i * step[1], core + 1);
+    ksl_add_vvyf(&v, k, &vo);
+    store_vec3_single(&vo, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void add_vvy_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    add_vvy_single_over(data, n[0], step, dense);
+    return;
+  }
+  add_vvy_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction add_vvy_loops[] = { add_vvy_double, add_vvy_single };
+
+/* (3),()->(3) */
+INLINED void add_vvyinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t v; double k; ksl_vec3_t vo;
+    load_vec3_double(&v, data[0] + i * step[0], core + 0);
+    load_scalar_double(&k, data[1] + i * step[1], core + 1);
+    ksl_add_vvyinv(&v, k, &vo);
+    store_vec3_double(&vo, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void add_vvyinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    add_vvyinv_double_over(data, n[0], step, dense);
+    return;
+  }
+  add_vvyinv_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),()->(3) */
+INLINED void add_vvyinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t v; float k; ksl_vec3f_t vo;
+    load_vec3_single(&v, data[0] + i * step[0], core + 0);
+    load_scalar_single(&k, data[1] + i * step[1], core + 1);
+    ksl_add_vvyinvf(&v, k, &vo);
+    store_vec3_single(&vo, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void add_vvyinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    add_vvyinv_single_over(data, n[0], step, dense);
+    return;
+  }
+  add_vvyinv_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction add_vvyinv_loops[] = { add_vvyinv_double, add_vvyinv_single };
+
+/* (3),()->(3) */
+INLINED void add_vvz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t v; double k; ksl_vec3_t vo;
+    load_vec3_double(&v, data[0] + i * step[0], core + 0);
+    load_scalar_double(&k, data[1] + i * step[1], core + 1);
+    ksl_add_vvz(&v, k, &vo);
+    store_vec3_double(&vo, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void add_vvz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    add_vvz_double_over(data, n[0], step, dense);
+    return;
+  }
+  add_vvz_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),()->(3) */
+INLINED void add_vvz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t v; float k; ksl_vec3f_t vo;
+    load_vec3_single(&v, data[0] + i * step[0], core + 0);
+    load_scalar_single(&k, data[1] + i * step[1], core + 1);
+    ksl_add_vvzf(&v, k, &vo);
+    store_vec3_single(&vo, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void add_vvz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    add_vvz_single_over(data, n[0], step, dense);
+    return;
+  }
+  add_vvz_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction add_vvz_loops[] = { add_vvz_double, add_vvz_single };
+
+/* (3),()->(3) */
+INLINED void add_vvzinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t v; double k; ksl_vec3_t vo;
+    load_vec3_double(&v, data[0] + i * step[0], core + 0);
+    load_scalar_double(&k, data[1] + i * step[1], core + 1);
+    ksl_add_vvzinv(&v, k, &vo);
+    store_vec3_double(&vo, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void add_vvzinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 8, 8 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    add_vvzinv_double_over(data, n[0], step, dense);
+    return;
+  }
+  add_vvzinv_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),()->(3) */
+INLINED void add_vvzinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t v; float k; ksl_vec3f_t vo;
+    load_vec3_single(&v, data[0] + i * step[0], core + 0);
+    load_scalar_single(&k, data[1] + i * step[1], core + 1);
+    ksl_add_vvzinvf(&v, k, &vo);
+    store_vec3_single(&vo, data[2] + i * step[2], core + 1);
+  }
+}
+
+static void add_vvzinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense[] = { 4, 4 };
+  if (memcmp(step + 3, dense, sizeof dense) == 0) {
+    add_vvzinv_single_over(data, n[0], step, dense);
+    return;
+  }
+  add_vvzinv_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction add_vvzinv_loops[] = { add_vvzinv_double, add_vvzinv_single };
+
+const coscrew_gufunc coscrew_vec3_gufuncs[] = {
+  {"vec3_copy", "(3)->(3)",
+    "vo = vi.\n"
+    "\n"
+    "(3)->(3).  vi, vo: vector.\n"
+    "No arithmetic.\n",
+   1, 1, vec3_copy_loops},
+  {"vec3_scale", "(3),()->(3)",
+    "self = a self.\n"
+    "\n"
+    "(3),()->(3).  self: vector; a: number.\n"
+    "3 mul.\n",
+   2, 1, vec3_scale_loops},
+  {"vec3_inverted", "(3)->(3)",
+    "vo = -vi.\n"
+    "\n"
+    "(3)->(3).  vi, vo: vector.\n"
+    "3 neg.\n",
+   1, 1, vec3_inverted_loops},
+  {"vec3_invert", "(3)->(3)",
+    "self = -self.\n"
+    "\n"
+    "(3)->(3).  self: vector.\n"
+    "3 neg.\n",
+   1, 1, vec3_invert_loops},
+  {"axpy_vv", "(),(3),(3)->(3)",
+    "y = a x + y.\n"
+    "\n"
+    "(),(3),(3)->(3).  a: number; x, y: vector.\n"
+    "3 mul, 3 add.\n",
+   3, 1, axpy_vv_loops},
+  {"xpy_vv", "(3),(3)->(3)",
+    "y = x + y.\n"
+    "\n"
+    "(3),(3)->(3).  x, y: vector.\n"
+    "3 add.\n",
+   2, 1, xpy_vv_loops},
+  {"nxpy_vv", "(3),(3)->(3)",
+    "y = -x + y.\n"
+    "\n"
+    "(3),(3)->(3).  x, y: vector.\n"
+    "3 add.\n",
+   2, 1, nxpy_vv_loops},
+  {"product_av", "(),(3)->(3)",
+    "vo = a vi.\n"
+    "\n"
+    "(),(3)->(3).  a: number; vi, vo: vector.\n"
+    "3 mul.\n",
+   2, 1, product_av_loops},
+  {"add_vv", "(3),(3)->(3)",
+    "vo = v1 + v2.\n"
+    "\n"
+    "(3),(3)->(3).  v1, v2, vo: vector.\n"
+    "3 add.\n",
+   2, 1, add_vv_loops},
+  {"subtract_vv", "(3),(3)->(3)",
+    "vo = v1 - v2.\n"
+    "\n"
+    "(3),(3)->(3).  v1, v2, vo: vector.\n"
+    "3 add.\n",
+   2, 1, subtract_vv_loops},
+  {"vec3_scaled", "(3),()->(3)",
+    "vo = k v.\n"
+    "\n"
+    "(3),()->(3).  v, vo: vector; k: number.\n"
+    "3 mul.\n",
+   2, 1, vec3_scaled_loops},
+  {"vec3_swap", "(3),(3)->(3),(3)",
+    "v1, v2 = v2, v1.\n"
+    "\n"
+    "(3),(3)->(3),(3).  v1, v2: vector.\n"
+    "No arithmetic.\n",
+   2, 2, vec3_swap_loops},
+  {"vec3_l2norm", "(3)->()",
+    "|v| = sqrt(v·v).\n"
+    "\n"
+    "(3)->().  v: vector; norm: number.\n"
+    "3 mul, 2 add, 1 sqrt.\n",
+   1, 1, vec3_l2norm_loops},
+  {"vec3_normalize", "(3)->(3)",
+    "self = self / |self|; the zero vector stays zero.\n"
+    "\n"
+    "(3)->(3).  self: vector.\n"
+    "3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select.\n",
+   1, 1, vec3_normalize_loops},
+  {"vec3_normalized", "(3)->(3)",
+    "vo = v / |v|; the zero vector stays zero.\n"
+    "\n"
+    "(3)->(3).  v, vo: vector.\n"
+    "3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select.\n",
+   1, 1, vec3_normalized_loops},
+  {"dot_vv", "(3),(3)->()",
+    "v1·v2.\n"
+    "\n"
+    "(3),(3)->().  v1, v2: vector; dot: number.\n"
+    "3 mul, 2 add.\n",
+   2, 1, dot_vv_loops},
+  {"product_avinv", "(),(3)->(3)",
+    "vo = k (-v).\n"
+    "\n"
+    "(),(3)->(3).  k: number; v, vo: vector.\n"
+    "3 mul, 3 neg.\n",
+   2, 1, product_avinv_loops},
+  {"product_ainvv", "(),(3)->(3)",
+    "vo = k^-1 v.\n"
+    "\n"
+    "(),(3)->(3).  k: number; v, vo: vector.\n"
+    "3 mul, 1 div.\n",
+   2, 1, product_ainvv_loops},
+  {"cross_vv", "(3),(3)->(3)",
+    "vo = v1 × v2; exactly zero for v1 = v2.\n"
+    "\n"
+    "(3),(3)->(3).  v1, v2, vo: vector.\n"
+    "6 mul, 3 add.\n",
+   2, 1, cross_vv_loops},
+  {"cross_vvinv", "(3),(3)->(3)",
+    "vo = v1 × (-v2).\n"
+    "\n"
+    "(3),(3)->(3).  v1, v2, vo: vector.\n"
+    "6 mul, 3 add.\n",
+   2, 1, cross_vvinv_loops},
+  {"add_vvx", "(3),()->(3)",
+    "vo = v + k e_x.\n"
+    "\n"
+    "(3),()->(3).  v, vo: vector; k: number.\n"
+    "1 add.\n",
+   2, 1, add_vvx_loops},
+  {"add_vvxinv", "(3),()->(3)",
+    "vo = v - k e_x.\n"
+    "\n"
+    "(3),()->(3).  v, vo: vector; k: number.\n"
+    "1 add.\n",
+   2, 1, add_vvxinv_loops},
+  {"add_vvy", "(3),()->(3)",
+    "vo = v + k e_y.\n"
+    "\n"
+    "(3),()->(3).  v, vo: vector; k: number.\n"
+    "1 add.\n",
+   2, 1, add_vvy_loops},
+  {"add_vvyinv", "(3),()->(3)",
+    "vo = v - k e_y.\n"
+    "\n"
+    "(3),()->(3).  v, vo: vector; k: number.\n"
+    "1 add.\n",
+   2, 1, add_vvyinv_loops},
+  {"add_vvz", "(3),()->(3)",
+    "vo = v + k e_z.\n"
+    "\n"
+    "(3),()->(3).  v, vo: vector; k: number.\n"
+    "1 add.\n",
+   2, 1, add_vvz_loops},
+  {"add_vvzinv", "(3),()->(3)",
+    "vo = v - k e_z.\n"
+    "\n"
+    "(3),()->(3).  v, vo: vector; k: number.\n"
+    "1 add.\n",
+   2, 1, add_vvzinv_loops},
+  {NULL, NULL, NULL, 0, 0, NULL},
+};

@@ -1,0 +1,362 @@
+# Made by `coscrew generate`; changes are overwritten.
+"""Vectors of three components.  In double precision."""
+
+from numpy import sqrt, where
+
+from coscrew._kernel import double_kernel as kernel
+
+
+@kernel("(3)->(3)")
+def vec3_copy(vi):
+    """vo = vi.
+
+    (3)->(3).  vi, vo: vector.
+    No arithmetic.
+    """
+    vi_0, vi_1, vi_2 = vi
+    return (vi_0, vi_1, vi_2)
+
+
+@kernel("(3),()->(3)")
+def vec3_scale(self, a):
+    """self = a self.
+
+    (3),()->(3).  self: vector; a: number.
+    3 mul.
+    """
+    self_0, self_1, self_2 = self
+    self_0_new = self_0 * a
+    self_1_new = self_1 * a
+    self_2_new = self_2 * a
+    return (self_0_new, self_1_new, self_2_new)
+
+
+@kernel("(3)->(3)")
+def vec3_inverted(vi):
+    """vo = -vi.
+
+    (3)->(3).  vi, vo: vector.
+    3 neg.
+    """
+    vi_0, vi_1, vi_2 = vi
+    vo_0 = -vi_0
+    vo_1 = -vi_1
+    vo_2 = -vi_2
+    return (vo_0, vo_1, vo_2)
+
+
+@kernel("(3)->(3)")
+def vec3_invert(self):
+    """self = -self.
+
+    (3)->(3).  self: vector.
+    3 neg.
+    """
+    self_0, self_1, self_2 = self
+    self_0_new = -self_0
+    self_1_new = -self_1
+    self_2_new = -self_2
+    return (self_0_new, self_1_new, self_2_new)
+
+
+@kernel("(),(3),(3)->(3)")
+def axpy_vv(a, x, y):
+    """y = a x + y.
+
+    (),(3),(3)->(3).  a: number; x, y: vector.
+    3 mul, 3 add.
+    """
+    x_0, x_1, x_2 = x
+    y_0, y_1, y_2 = y
+    y_0_new = a * x_0 + y_0
+    y_1_new = a * x_1 + y_1
+    y_2_new = a * x_2 + y_2
+    return (y_0_new, y_1_new, y_2_new)
+
+
+@kernel("(3),(3)->(3)")
+def xpy_vv(x, y):
+    """y = x + y.
+
+    (3),(3)->(3).  x, y: vector.
+    3 add.
+    """
+    x_0, x_1, x_2 = x
+    y_0, y_1, y_2 = y
+    y_0_new = x_0 + y_0
+    y_1_new = x_1 + y_1
+    y_2_new = x_2 + y_2
+    return (y_0_new, y_1_new, y_2_new)
+
+
+@kernel("(3),(3)->(3)")
+def nxpy_vv(x, y):
+    """y = -x + y.
+
+    (3),(3)->(3).  x, y: vector.
+    3 add.
+    """
+    x_0, x_1, x_2 = x
+    y_0, y_1, y_2 = y
+    y_0_new = y_0 - x_0
+    y_1_new = y_1 - x_1
+    y_2_new = y_2 - x_2
+    return (y_0_new, y_1_new, y_2_new)
+
+
+@kernel("(),(3)->(3)")
+def product_av(a, vi):
+    """vo = a vi.
+
+    (),(3)->(3).  a: number; vi, vo: vector.
+    3 mul.
+    """
+    vi_0, vi_1, vi_2 = vi
+    vo_0 = a * vi_0
+    vo_1 = a * vi_1
+    vo_2 = a * vi_2
+    return (vo_0, vo_1, vo_2)
+
+
+@kernel("(3),(3)->(3)")
+def add_vv(v1, v2):
+    """vo = v1 + v2.
+
+    (3),(3)->(3).  v1, v2, vo: vector.
+    3 add.
+    """
+    v1_0, v1_1, v1_2 = v1
+    v2_0, v2_1, v2_2 = v2
+    vo_0 = v1_0 + v2_0
+    vo_1 = v1_1 + v2_1
+    vo_2 = v1_2 + v2_2
+    return (vo_0, vo_1, vo_2)
+
+
+@kernel("(3),(3)->(3)")
+def subtract_vv(v1, v2):
+    """vo = v1 - v2.
+
+    (3),(3)->(3).  v1, v2, vo: vector.
+    3 add.
+    """
+    v1_0, v1_1, v1_2 = v1
+    v2_0, v2_1, v2_2 = v2
+    vo_0 = v1_0 - v2_0
+    vo_1 = v1_1 - v2_1
+    vo_2 = v1_2 - v2_2
+    return (vo_0, vo_1, vo_2)
+
+
+@kernel("(3),()->(3)")
+def vec3_scaled(v, k):
+    """vo = k v.
+
+    (3),()->(3).  v, vo: vector; k: number.
+    3 mul.
+    """
+    v_0, v_1, v_2 = v
+    vo_0 = v_0 * k
+    vo_1 = v_1 * k
+    vo_2 = v_2 * k
+    return (vo_0, vo_1, vo_2)
+
+
+@kernel("(3),(3)->(3),(3)")
+def vec3_swap(v1, v2):
+    """v1, v2 = v2, v1.
+
+    (3),(3)->(3),(3).  v1, v2: vector.
+    No arithmetic.
+    """
+    v1_0, v1_1, v1_2 = v1
+    v2_0, v2_1, v2_2 = v2
+    return (v2_0, v2_1, v2_2, v1_0, v1_1, v1_2)
+
+
+@kernel("(3)->()")
+def vec3_l2norm(v):
+    """|v| = sqrt(v·v).
+
+    (3)->().  v: vector; norm: number.
+    3 mul, 2 add, 1 sqrt.
+    """
+    v_0, v_1, v_2 = v
+    norm = sqrt(v_0 * v_0 + v_1 * v_1 + v_2 * v_2)
+    return norm
+
+
+@kernel("(3)->(3)")
+def vec3_normalize(self):
+    """self = self / |self|; the zero vector stays zero.
+
+    (3)->(3).  self: vector.
+    3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select.
+    """
+    self_0, self_1, self_2 = self
+    n = sqrt(self_0 * self_0 + self_1 * self_1 + self_2 * self_2)
+    d = where(n == 0.0, 1.0, n)
+    self_0_new = self_0 / d
+    self_1_new = self_1 / d
+    self_2_new = self_2 / d
+    return (self_0_new, self_1_new, self_2_new)
+
+
+@kernel("(3)->(3)")
+def vec3_normalized(v):
+    """vo = v / |v|; the zero vector stays zero.
+
+    (3)->(3).  v, vo: vector.
+    3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select.
+    """
+    v_0, v_1, v_2 = v
+    n = sqrt(v_0 * v_0 + v_1 * v_1 + v_2 * v_2)
+    d = where(n == 0.0, 1.0, n)
+    vo_0 = v_0 / d
+    vo_1 = v_1 / d
+    vo_2 = v_2 / d
+    return (vo_0, vo_1, vo_2)
+
+
+@kernel("(3),(3)->()")
+def dot_vv(v1, v2):
+    """v1·v2.
+
+    (3),(3)->().  v1, v2: vector; dot: number.
+    3 mul, 2 add.
+    """
+    v1_0, v1_1, v1_2 = v1
+    v2_0, v2_1, v2_2 = v2
+    dot = v1_0 * v2_0 + v1_1 * v2_1 + v1_2 * v2_2
+    return dot
+
+
+@kernel("(),(3)->(3)")
+def product_avinv(k, v):
+    """vo = k (-v).
+
+    (),(3)->(3).  k: number; v, vo: vector.
+    3 mul, 3 neg.
+    """
+    v_0, v_1, v_2 = v
+    vo_0 = -(k * v_0)
+    vo_1 = -(k * v_1)
+    vo_2 = -(k * v_2)
+    return (vo_0, vo_1, vo_2)
+
+
+@kernel("(),(3)->(3)")
+def product_ainvv(k, v):
+    """vo = k^-1 v.
+
+    (),(3)->(3).  k: number; v, vo: vector.
+    3 mul, 1 div.
+    """
+    v_0, v_1, v_2 = v
+    r = 1.0 / k
+    vo_0 = v_0 * r
+    vo_1 = v_1 * r
+    vo_2 = v_2 * r
+    return (vo_0, vo_1, vo_2)
+
+
+@kernel("(3),(3)->(3)")
+def cross_vv(v1, v2):
+    """vo = v1 × v2; exactly zero for v1 = v2.
+
+    (3),(3)->(3).  v1, v2, vo: vector.
+    6 mul, 3 add.
+    """
+    v1_0, v1_1, v1_2 = v1
+    v2_0, v2_1, v2_2 = v2
+    vo_0 = v1_1 * v2_2 - v1_2 * v2_1
+    vo_1 = v1_2 * v2_0 - v1_0 * v2_2
+    vo_2 = v1_0 * v2_1 - v1_1 * v2_0
+    return (vo_0, vo_1, vo_2)
+
+
+@kernel("(3),(3)->(3)")
+def cross_vvinv(v1, v2):
+    """vo = v1 × (-v2).
+
+    (3),(3)->(3).  v1, v2, vo: vector.
+    6 mul, 3 add.
+    """
+    v1_0, v1_1, v1_2 = v1
+    v2_0, v2_1, v2_2 = v2
+    vo_0 = v1_2 * v2_1 - v1_1 * v2_2
+    vo_1 = v1_0 * v2_2 - v1_2 * v2_0
+    vo_2 = v1_1 * v2_0 - v1_0 * v2_1
+    return (vo_0, vo_1, vo_2)
+
+
+@kernel("(3),()->(3)")
+def add_vvx(v, k):
+    """vo = v + k e_x.
+
+    (3),()->(3).  v, vo: vector; k: number.
+    1 add.
+    """
+    v_0, v_1, v_2 = v
+    vo_0 = v_0 + k
+    return (vo_0, v_1, v_2)
+
+
+@kernel("(3),()->(3)")
+def add_vvxinv(v, k):
+    """vo = v - k e_x.
+
+    (3),()->(3).  v, vo: vector; k: number.
+    1 add.
+    """
+    v_0, v_1, v_2 = v
+    vo_0 = v_0 - k
+    return (vo_0, v_1, v_2)
+
+
+@kernel("(3),()->(3)")
+def add_vvy(v, k):
+    """vo = v + k e_y.
+
+    (3),()->(3).  v, vo: vector; k: number.
+    1 add.
+    """
+    v_0, v_1, v_2 = v
+    vo_1 = v_1 + k
+    return (v_0, vo_1, v_2)
+
+
+@kernel("(3),()->(3)")
+def add_vvyinv(v, k):
+    """vo = v - k e_y.
+
+    (3),()->(3).  v, vo: vector; k: number.
+    1 add.
+    """
+    v_0, v_1, v_2 = v
+    vo_1 = v_1 - k
+    return (v_0, vo_1, v_2)
+
+
+@kernel("(3),()->(3)")
+def add_vvz(v, k):
+    """vo = v + k e_z.
+
+    (3),()->(3).  v, vo: vector; k: number.
+    1 add.
+    """
+    v_0, v_1, v_2 = v
+    vo_2 = v_2 + k
+    return (v_0, v_1, vo_2)
+
+
+@kernel("(3),()->(3)")
+def add_vvzinv(v, k):
+    """vo = v - k e_z.
+
+    (3),()->(3).  v, vo: vector; k: number.
+    1 add.
+    """
+    v_0, v_1, v_2 = v
+    vo_2 = v_2 - k
+    return (v_0, v_1, vo_2)

@@ -1,0 +1,18 @@
+# Made by `coscrew generate`; changes are overwritten.
+"""Sine and cosine of a joint angle.  In single precision."""
+
+from numpy import cos, sin
+
+from coscrew._kernel import single_kernel as kernel
+
+
+@kernel("()->(2)")
+def dc(theta):
+    """dc = (sin θ, cos θ), θ in rad; accurate as the platform's sin and cos.
+
+    ()->(2).  theta: number; dc: (sin θ, cos θ).
+    1 sin, 1 cos.
+    """
+    dc_0 = sin(theta)
+    dc_1 = cos(theta)
+    return (dc_0, dc_1)
