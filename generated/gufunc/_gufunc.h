@@ -5,10 +5,12 @@
 
 #include <Python.h>
 
+#define PY_ARRAY_UNIQUE_SYMBOL coscrew_array_api
+#define PY_UFUNC_UNIQUE_SYMBOL coscrew_ufunc_api
 #define NPY_TARGET_VERSION NPY_2_0_API_VERSION
 #define NPY_NO_DEPRECATED_API NPY_2_0_API_VERSION
+#include <numpy/arrayobject.h>
 #include <numpy/dtype_api.h>
-#include <numpy/ndarraytypes.h>
 #include <numpy/ufuncobject.h>
 
 #include "../c/coscrew.h"

@@ -97,7 +97,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "b0a22e0114ea3a59") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "fbb369b1e4d191c8") < 0) {
     Py_DECREF(module);
     return NULL;
   }

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from coscrew import c, double, single
 
-_PROVENANCE = "b0a22e0114ea3a59"
+_PROVENANCE = "fbb369b1e4d191c8"
 
 
 def _is_compiled() -> bool:
