@@ -131,6 +131,8 @@ def _extension(selection: Selection, programs: Programs) -> dict[str, str]:
                    for op in selection.operations if op.family == family]
         sources[f"{family}.c"] = render("gufunc/family.c", banner=selection.banner,
                                         family=family, gufuncs=gufuncs)
+        sources[f"{family}_avx2.c"] = render("gufunc/family_avx2.c", banner=selection.banner,
+                                             family=family)
     return sources
 
 

@@ -1,25 +1,42 @@
 /* Made by `coscrew generate`; changes are overwritten. */
-/* Gufunc loops of the SE3 operations. */
+/* Gufunc loops of the SE3 operations.  NumPy copies overlapping operands before it calls a
+   loop, so the pointers are restrict. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 
 /* (3,3),(3)->(3,4) */
 INLINED void SE3_fromRt_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; ksl_vec3_t t; ksl_SE3_t D;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_vec3_double(&t, data[1] + i * step[1], core + 2);
+    ksl_vec3_t t;
+    ksl_SE3_t D;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&t, p1 + i * step[1], core + 2);
     D = ksl_SE3_fromRt(R, t);
-    store_SE3_double(&D, data[2] + i * step[2], core + 3);
+    store_SE3_double(&D, p2 + i * step[2], core + 3);
   }
 }
 
 static void SE3_fromRt_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8, 32, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    SE3_fromRt_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 24, 96, 24, 8, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_fromRt_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 96, 24, 8, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_fromRt_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   SE3_fromRt_double_over(data, n[0], step, step + 3);
@@ -27,20 +44,36 @@ static void SE3_fromRt_double(char **data, const npy_intp *n, const npy_intp *st
 
 /* (3,3),(3)->(3,4) */
 INLINED void SE3_fromRt_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; ksl_vec3f_t t; ksl_SE3f_t D;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_vec3_single(&t, data[1] + i * step[1], core + 2);
+    ksl_vec3f_t t;
+    ksl_SE3f_t D;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&t, p1 + i * step[1], core + 2);
     D = ksl_SE3f_fromRt(R, t);
-    store_SE3_single(&D, data[2] + i * step[2], core + 3);
+    store_SE3_single(&D, p2 + i * step[2], core + 3);
   }
 }
 
 static void SE3_fromRt_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4, 16, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    SE3_fromRt_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 12, 48, 12, 4, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_fromRt_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 48, 12, 4, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_fromRt_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   SE3_fromRt_single_over(data, n[0], step, step + 3);
@@ -50,19 +83,33 @@ static PyUFuncGenericFunction SE3_fromRt_loops[] = { SE3_fromRt_double, SE3_from
 
 /* (3,4)->(3,4) */
 INLINED void SE3_copy_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_SE3_t Do;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_SE3_copy(&D, &Do);
-    store_SE3_double(&Do, data[1] + i * step[1], core + 2);
+    store_SE3_double(&Do, p1 + i * step[1], core + 2);
   }
 }
 
 static void SE3_copy_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 32, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    SE3_copy_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 96, 32, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_copy_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 96, 32, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_copy_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   SE3_copy_double_over(data, n[0], step, step + 2);
@@ -70,19 +117,33 @@ static void SE3_copy_double(char **data, const npy_intp *n, const npy_intp *step
 
 /* (3,4)->(3,4) */
 INLINED void SE3_copy_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_SE3f_t Do;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_SE3f_copy(&D, &Do);
-    store_SE3_single(&Do, data[1] + i * step[1], core + 2);
+    store_SE3_single(&Do, p1 + i * step[1], core + 2);
   }
 }
 
 static void SE3_copy_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 16, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    SE3_copy_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 16, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_copy_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 16, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_copy_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   SE3_copy_single_over(data, n[0], step, step + 2);
@@ -92,19 +153,21 @@ static PyUFuncGenericFunction SE3_copy_loops[] = { SE3_copy_double, SE3_copy_sin
 
 /* (3,4)->(3,4) */
 INLINED void SE3_setIdentity_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_SE3_t self;
-    load_SE3_double(&self, data[0] + i * step[0], core + 0);
+    load_SE3_double(&self, p0 + i * step[0], core + 0);
     ksl_SE3_setIdentity(&self);
-    store_SE3_double(&self, data[1] + i * step[1], core + 2);
+    store_SE3_double(&self, p1 + i * step[1], core + 2);
   }
 }
 
 static void SE3_setIdentity_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 32, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    SE3_setIdentity_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 96, 32, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_setIdentity_double_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   SE3_setIdentity_double_over(data, n[0], step, step + 2);
@@ -112,19 +175,21 @@ static void SE3_setIdentity_double(char **data, const npy_intp *n, const npy_int
 
 /* (3,4)->(3,4) */
 INLINED void SE3_setIdentity_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_SE3f_t self;
-    load_SE3_single(&self, data[0] + i * step[0], core + 0);
+    load_SE3_single(&self, p0 + i * step[0], core + 0);
     ksl_SE3f_setIdentity(&self);
-    store_SE3_single(&self, data[1] + i * step[1], core + 2);
+    store_SE3_single(&self, p1 + i * step[1], core + 2);
   }
 }
 
 static void SE3_setIdentity_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 16, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    SE3_setIdentity_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 16, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_setIdentity_single_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   SE3_setIdentity_single_over(data, n[0], step, step + 2);
@@ -134,19 +199,33 @@ static PyUFuncGenericFunction SE3_setIdentity_loops[] = { SE3_setIdentity_double
 
 /* (3,4)->(3) */
 INLINED void SE3_getTranslation_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_vec3_t t;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_vec3_t t;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_SE3_getTranslation(&D, &t);
-    store_vec3_double(&t, data[1] + i * step[1], core + 2);
+    store_vec3_double(&t, p1 + i * step[1], core + 2);
   }
 }
 
 static void SE3_getTranslation_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    SE3_getTranslation_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 24, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_getTranslation_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_getTranslation_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   SE3_getTranslation_double_over(data, n[0], step, step + 2);
@@ -154,19 +233,33 @@ static void SE3_getTranslation_double(char **data, const npy_intp *n, const npy_
 
 /* (3,4)->(3) */
 INLINED void SE3_getTranslation_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_vec3f_t t;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_vec3f_t t;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_SE3f_getTranslation(&D, &t);
-    store_vec3_single(&t, data[1] + i * step[1], core + 2);
+    store_vec3_single(&t, p1 + i * step[1], core + 2);
   }
 }
 
 static void SE3_getTranslation_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    SE3_getTranslation_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 12, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_getTranslation_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_getTranslation_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   SE3_getTranslation_single_over(data, n[0], step, step + 2);
@@ -176,19 +269,33 @@ static PyUFuncGenericFunction SE3_getTranslation_loops[] = { SE3_getTranslation_
 
 /* (3,4)->(3,3) */
 INLINED void SE3_getRotation_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_mat3x3_t R;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_mat3x3_t R;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_SE3_getRotation(&D, &R);
-    store_mat3x3_double(&R, data[1] + i * step[1], core + 2);
+    store_mat3x3_double(&R, p1 + i * step[1], core + 2);
   }
 }
 
 static void SE3_getRotation_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 24, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    SE3_getRotation_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 72, 32, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_getRotation_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 72, 32, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_getRotation_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   SE3_getRotation_double_over(data, n[0], step, step + 2);
@@ -196,19 +303,33 @@ static void SE3_getRotation_double(char **data, const npy_intp *n, const npy_int
 
 /* (3,4)->(3,3) */
 INLINED void SE3_getRotation_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_mat3x3f_t R;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_mat3x3f_t R;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_SE3f_getRotation(&D, &R);
-    store_mat3x3_single(&R, data[1] + i * step[1], core + 2);
+    store_mat3x3_single(&R, p1 + i * step[1], core + 2);
   }
 }
 
 static void SE3_getRotation_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 12, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    SE3_getRotation_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 36, 16, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_getRotation_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 36, 16, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_getRotation_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   SE3_getRotation_single_over(data, n[0], step, step + 2);
@@ -218,19 +339,21 @@ static PyUFuncGenericFunction SE3_getRotation_loops[] = { SE3_getRotation_double
 
 /* (3,4)->(3,4) */
 INLINED void SE3_invert_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_SE3_t self;
-    load_SE3_double(&self, data[0] + i * step[0], core + 0);
+    load_SE3_double(&self, p0 + i * step[0], core + 0);
     ksl_SE3_invert(&self);
-    store_SE3_double(&self, data[1] + i * step[1], core + 2);
+    store_SE3_double(&self, p1 + i * step[1], core + 2);
   }
 }
 
 static void SE3_invert_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 32, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    SE3_invert_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 96, 32, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_invert_double_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   SE3_invert_double_over(data, n[0], step, step + 2);
@@ -238,19 +361,21 @@ static void SE3_invert_double(char **data, const npy_intp *n, const npy_intp *st
 
 /* (3,4)->(3,4) */
 INLINED void SE3_invert_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_SE3f_t self;
-    load_SE3_single(&self, data[0] + i * step[0], core + 0);
+    load_SE3_single(&self, p0 + i * step[0], core + 0);
     ksl_SE3f_invert(&self);
-    store_SE3_single(&self, data[1] + i * step[1], core + 2);
+    store_SE3_single(&self, p1 + i * step[1], core + 2);
   }
 }
 
 static void SE3_invert_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 16, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    SE3_invert_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 16, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_invert_single_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   SE3_invert_single_over(data, n[0], step, step + 2);
@@ -260,19 +385,33 @@ static PyUFuncGenericFunction SE3_invert_loops[] = { SE3_invert_double, SE3_inve
 
 /* (3,4)->(3,4) */
 INLINED void SE3_inverted_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_SE3_t Do;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_SE3_inverted(&D, &Do);
-    store_SE3_double(&Do, data[1] + i * step[1], core + 2);
+    store_SE3_double(&Do, p1 + i * step[1], core + 2);
   }
 }
 
 static void SE3_inverted_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 32, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    SE3_inverted_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 96, 32, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_inverted_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 96, 32, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_inverted_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   SE3_inverted_double_over(data, n[0], step, step + 2);
@@ -280,19 +419,33 @@ static void SE3_inverted_double(char **data, const npy_intp *n, const npy_intp *
 
 /* (3,4)->(3,4) */
 INLINED void SE3_inverted_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_SE3f_t Do;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_SE3f_inverted(&D, &Do);
-    store_SE3_single(&Do, data[1] + i * step[1], core + 2);
+    store_SE3_single(&Do, p1 + i * step[1], core + 2);
   }
 }
 
 static void SE3_inverted_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 16, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    SE3_inverted_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 16, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_inverted_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 16, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_inverted_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   SE3_inverted_single_over(data, n[0], step, step + 2);
@@ -300,7 +453,7 @@ static void SE3_inverted_single(char **data, const npy_intp *n, const npy_intp *
 
 static PyUFuncGenericFunction SE3_inverted_loops[] = { SE3_inverted_double, SE3_inverted_single };
 
-const coscrew_gufunc coscrew_SE3_gufuncs[] = {
+const coscrew_gufunc TABLE(SE3)[] = {
   {"SE3_fromRt", "(3,3),(3)->(3,4)",
     "D = [R | t].\n"
     "\n"
@@ -345,3 +498,7 @@ const coscrew_gufunc coscrew_SE3_gufuncs[] = {
    1, 1, SE3_inverted_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };
+
+#if defined(COSCREW_FOR_AVX2) && defined(__clang__)
+#pragma clang attribute pop
+#endif

@@ -13,7 +13,27 @@
 #include <numpy/dtype_api.h>
 #include <numpy/ufuncobject.h>
 
+/* On x86-64 every loop is compiled twice, also for AVX2, and the processor at hand decides.  The bits
+   are the same: nothing is contracted. */
+#if defined(__x86_64__) && defined(__GNUC__)
+#define COSCREW_HAS_AVX2 1
+#else
+#define COSCREW_HAS_AVX2 0
+#endif
+
+#if defined(COSCREW_FOR_AVX2) && defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#elif defined(COSCREW_FOR_AVX2)
+#pragma GCC target("avx2")
+#endif
+
 #include "../c/coscrew.h"
+
+#if defined(COSCREW_FOR_AVX2)
+#define TABLE(family) coscrew_##family##_gufuncs_avx2
+#else
+#define TABLE(family) coscrew_##family##_gufuncs
+#endif
 
 #if defined(__GNUC__)
 #define INLINED static inline __attribute__((always_inline))
@@ -27,14 +47,14 @@ typedef struct {
   PyUFuncGenericFunction *loops;
 } coscrew_gufunc;
 
-extern const coscrew_gufunc coscrew_vec3_gufuncs[];
-extern const coscrew_gufunc coscrew_mat3x3_gufuncs[];
-extern const coscrew_gufunc coscrew_SE3_gufuncs[];
-extern const coscrew_gufunc coscrew_mat6x6_gufuncs[];
-extern const coscrew_gufunc coscrew_matrix_gufuncs[];
-extern const coscrew_gufunc coscrew_trig_gufuncs[];
-extern const coscrew_gufunc coscrew_screw_gufuncs[];
-extern const coscrew_gufunc coscrew_coscrew_gufuncs[];
+extern const coscrew_gufunc coscrew_vec3_gufuncs[], coscrew_vec3_gufuncs_avx2[];
+extern const coscrew_gufunc coscrew_mat3x3_gufuncs[], coscrew_mat3x3_gufuncs_avx2[];
+extern const coscrew_gufunc coscrew_SE3_gufuncs[], coscrew_SE3_gufuncs_avx2[];
+extern const coscrew_gufunc coscrew_mat6x6_gufuncs[], coscrew_mat6x6_gufuncs_avx2[];
+extern const coscrew_gufunc coscrew_matrix_gufuncs[], coscrew_matrix_gufuncs_avx2[];
+extern const coscrew_gufunc coscrew_trig_gufuncs[], coscrew_trig_gufuncs_avx2[];
+extern const coscrew_gufunc coscrew_screw_gufuncs[], coscrew_screw_gufuncs_avx2[];
+extern const coscrew_gufunc coscrew_coscrew_gufuncs[], coscrew_coscrew_gufuncs_avx2[];
 
 INLINED void load_scalar_double(double *x, const char *p, const npy_intp *s) {
   (void)s;

@@ -1,24 +1,39 @@
 /* Made by `coscrew generate`; changes are overwritten. */
-/* Gufunc loops of the coscrew operations. */
+/* Gufunc loops of the coscrew operations.  NumPy copies overlapping operands before it calls a
+   loop, so the pointers are restrict. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 
 /* (6)->(6) */
 INLINED void coscrew_copy_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrew_t ci;
+  load_coscrew_double(&ci, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrew_t ci; ksl_coscrew_t co;
-    load_coscrew_double(&ci, data[0] + i * step[0], core + 0);
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_coscrew_double(&ci, p0 + i * step[0], core + 0);
+    }
     ksl_coscrew_copy(&ci, &co);
-    store_coscrew_double(&co, data[1] + i * step[1], core + 1);
+    store_coscrew_double(&co, p1 + i * step[1], core + 1);
   }
 }
 
 static void coscrew_copy_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    coscrew_copy_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coscrew_copy_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    coscrew_copy_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   coscrew_copy_double_over(data, n[0], step, step + 2);
@@ -26,19 +41,33 @@ static void coscrew_copy_double(char **data, const npy_intp *n, const npy_intp *
 
 /* (6)->(6) */
 INLINED void coscrew_copy_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrewf_t ci;
+  load_coscrew_single(&ci, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrewf_t ci; ksl_coscrewf_t co;
-    load_coscrew_single(&ci, data[0] + i * step[0], core + 0);
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_coscrew_single(&ci, p0 + i * step[0], core + 0);
+    }
     ksl_coscrewf_copy(&ci, &co);
-    store_coscrew_single(&co, data[1] + i * step[1], core + 1);
+    store_coscrew_single(&co, p1 + i * step[1], core + 1);
   }
 }
 
 static void coscrew_copy_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    coscrew_copy_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coscrew_copy_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    coscrew_copy_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   coscrew_copy_single_over(data, n[0], step, step + 2);
@@ -48,20 +77,24 @@ static PyUFuncGenericFunction coscrew_copy_loops[] = { coscrew_copy_double, cosc
 
 /* (6),()->(6) */
 INLINED void coscrew_scale_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrew_t self; double a;
-    load_coscrew_double(&self, data[0] + i * step[0], core + 0);
-    load_scalar_double(&a, data[1] + i * step[1], core + 1);
+    ksl_coscrew_t self;
+    double a;
+    load_coscrew_double(&self, p0 + i * step[0], core + 0);
+    load_scalar_double(&a, p1 + i * step[1], core + 1);
     ksl_coscrew_scale(&self, a);
-    store_coscrew_double(&self, data[2] + i * step[2], core + 1);
+    store_coscrew_double(&self, p2 + i * step[2], core + 1);
   }
 }
 
 static void coscrew_scale_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    coscrew_scale_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 8, 48, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coscrew_scale_double_over(data, n[0], dense_1, dense_1 + 3);
     return;
   }
   coscrew_scale_double_over(data, n[0], step, step + 3);
@@ -69,20 +102,24 @@ static void coscrew_scale_double(char **data, const npy_intp *n, const npy_intp 
 
 /* (6),()->(6) */
 INLINED void coscrew_scale_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrewf_t self; float a;
-    load_coscrew_single(&self, data[0] + i * step[0], core + 0);
-    load_scalar_single(&a, data[1] + i * step[1], core + 1);
+    ksl_coscrewf_t self;
+    float a;
+    load_coscrew_single(&self, p0 + i * step[0], core + 0);
+    load_scalar_single(&a, p1 + i * step[1], core + 1);
     ksl_coscrewf_scale(&self, a);
-    store_coscrew_single(&self, data[2] + i * step[2], core + 1);
+    store_coscrew_single(&self, p2 + i * step[2], core + 1);
   }
 }
 
 static void coscrew_scale_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    coscrew_scale_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 4, 24, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coscrew_scale_single_over(data, n[0], dense_1, dense_1 + 3);
     return;
   }
   coscrew_scale_single_over(data, n[0], step, step + 3);
@@ -92,19 +129,33 @@ static PyUFuncGenericFunction coscrew_scale_loops[] = { coscrew_scale_double, co
 
 /* (6)->(6) */
 INLINED void coscrew_inverted_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrew_t ci;
+  load_coscrew_double(&ci, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrew_t ci; ksl_coscrew_t co;
-    load_coscrew_double(&ci, data[0] + i * step[0], core + 0);
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_coscrew_double(&ci, p0 + i * step[0], core + 0);
+    }
     ksl_coscrew_inverted(&ci, &co);
-    store_coscrew_double(&co, data[1] + i * step[1], core + 1);
+    store_coscrew_double(&co, p1 + i * step[1], core + 1);
   }
 }
 
 static void coscrew_inverted_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    coscrew_inverted_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coscrew_inverted_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    coscrew_inverted_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   coscrew_inverted_double_over(data, n[0], step, step + 2);
@@ -112,19 +163,33 @@ static void coscrew_inverted_double(char **data, const npy_intp *n, const npy_in
 
 /* (6)->(6) */
 INLINED void coscrew_inverted_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrewf_t ci;
+  load_coscrew_single(&ci, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrewf_t ci; ksl_coscrewf_t co;
-    load_coscrew_single(&ci, data[0] + i * step[0], core + 0);
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_coscrew_single(&ci, p0 + i * step[0], core + 0);
+    }
     ksl_coscrewf_inverted(&ci, &co);
-    store_coscrew_single(&co, data[1] + i * step[1], core + 1);
+    store_coscrew_single(&co, p1 + i * step[1], core + 1);
   }
 }
 
 static void coscrew_inverted_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    coscrew_inverted_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coscrew_inverted_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    coscrew_inverted_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   coscrew_inverted_single_over(data, n[0], step, step + 2);
@@ -134,19 +199,21 @@ static PyUFuncGenericFunction coscrew_inverted_loops[] = { coscrew_inverted_doub
 
 /* (6)->(6) */
 INLINED void coscrew_invert_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_coscrew_t self;
-    load_coscrew_double(&self, data[0] + i * step[0], core + 0);
+    load_coscrew_double(&self, p0 + i * step[0], core + 0);
     ksl_coscrew_invert(&self);
-    store_coscrew_double(&self, data[1] + i * step[1], core + 1);
+    store_coscrew_double(&self, p1 + i * step[1], core + 1);
   }
 }
 
 static void coscrew_invert_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    coscrew_invert_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coscrew_invert_double_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   coscrew_invert_double_over(data, n[0], step, step + 2);
@@ -154,19 +221,21 @@ static void coscrew_invert_double(char **data, const npy_intp *n, const npy_intp
 
 /* (6)->(6) */
 INLINED void coscrew_invert_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_coscrewf_t self;
-    load_coscrew_single(&self, data[0] + i * step[0], core + 0);
+    load_coscrew_single(&self, p0 + i * step[0], core + 0);
     ksl_coscrewf_invert(&self);
-    store_coscrew_single(&self, data[1] + i * step[1], core + 1);
+    store_coscrew_single(&self, p1 + i * step[1], core + 1);
   }
 }
 
 static void coscrew_invert_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    coscrew_invert_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coscrew_invert_single_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   coscrew_invert_single_over(data, n[0], step, step + 2);
@@ -176,21 +245,38 @@ static PyUFuncGenericFunction coscrew_invert_loops[] = { coscrew_invert_double, 
 
 /* (),(6),(6)->(6) */
 INLINED void axpy_cc_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  char *const restrict p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  double a;
+  load_scalar_double(&a, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    double a; ksl_coscrew_t x; ksl_coscrew_t y;
-    load_scalar_double(&a, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&x, data[1] + i * step[1], core + 0);
-    load_coscrew_double(&y, data[2] + i * step[2], core + 1);
+    ksl_coscrew_t x;
+    ksl_coscrew_t y;
+    if (step[0] != 0) {
+      load_scalar_double(&a, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&x, p1 + i * step[1], core + 0);
+    load_coscrew_double(&y, p2 + i * step[2], core + 1);
     ksl_axpy_cc(a, &x, &y);
-    store_coscrew_double(&y, data[3] + i * step[3], core + 2);
+    store_coscrew_double(&y, p3 + i * step[3], core + 2);
   }
 }
 
 static void axpy_cc_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 4, dense, sizeof dense) == 0) {
-    axpy_cc_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 8, 48, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    axpy_cc_double_over(data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    axpy_cc_double_over(data, n[0], dense_2, dense_2 + 4);
     return;
   }
   axpy_cc_double_over(data, n[0], step, step + 4);
@@ -198,21 +284,38 @@ static void axpy_cc_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (),(6),(6)->(6) */
 INLINED void axpy_cc_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  char *const restrict p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  float a;
+  load_scalar_single(&a, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    float a; ksl_coscrewf_t x; ksl_coscrewf_t y;
-    load_scalar_single(&a, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&x, data[1] + i * step[1], core + 0);
-    load_coscrew_single(&y, data[2] + i * step[2], core + 1);
+    ksl_coscrewf_t x;
+    ksl_coscrewf_t y;
+    if (step[0] != 0) {
+      load_scalar_single(&a, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&x, p1 + i * step[1], core + 0);
+    load_coscrew_single(&y, p2 + i * step[2], core + 1);
     ksl_axpy_ccf(a, &x, &y);
-    store_coscrew_single(&y, data[3] + i * step[3], core + 2);
+    store_coscrew_single(&y, p3 + i * step[3], core + 2);
   }
 }
 
 static void axpy_cc_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 4, dense, sizeof dense) == 0) {
-    axpy_cc_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 4, 24, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    axpy_cc_single_over(data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    axpy_cc_single_over(data, n[0], dense_2, dense_2 + 4);
     return;
   }
   axpy_cc_single_over(data, n[0], step, step + 4);
@@ -222,20 +325,35 @@ static PyUFuncGenericFunction axpy_cc_loops[] = { axpy_cc_double, axpy_cc_single
 
 /* (6),(6)->(6) */
 INLINED void xpy_cc_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrew_t x;
+  load_coscrew_double(&x, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrew_t x; ksl_coscrew_t y;
-    load_coscrew_double(&x, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&y, data[1] + i * step[1], core + 1);
+    ksl_coscrew_t y;
+    if (step[0] != 0) {
+      load_coscrew_double(&x, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&y, p1 + i * step[1], core + 1);
     ksl_xpy_cc(&x, &y);
-    store_coscrew_double(&y, data[2] + i * step[2], core + 2);
+    store_coscrew_double(&y, p2 + i * step[2], core + 2);
   }
 }
 
 static void xpy_cc_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    xpy_cc_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    xpy_cc_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    xpy_cc_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   xpy_cc_double_over(data, n[0], step, step + 3);
@@ -243,20 +361,35 @@ static void xpy_cc_double(char **data, const npy_intp *n, const npy_intp *step, 
 
 /* (6),(6)->(6) */
 INLINED void xpy_cc_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrewf_t x;
+  load_coscrew_single(&x, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrewf_t x; ksl_coscrewf_t y;
-    load_coscrew_single(&x, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&y, data[1] + i * step[1], core + 1);
+    ksl_coscrewf_t y;
+    if (step[0] != 0) {
+      load_coscrew_single(&x, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&y, p1 + i * step[1], core + 1);
     ksl_xpy_ccf(&x, &y);
-    store_coscrew_single(&y, data[2] + i * step[2], core + 2);
+    store_coscrew_single(&y, p2 + i * step[2], core + 2);
   }
 }
 
 static void xpy_cc_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    xpy_cc_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    xpy_cc_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    xpy_cc_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   xpy_cc_single_over(data, n[0], step, step + 3);
@@ -266,20 +399,35 @@ static PyUFuncGenericFunction xpy_cc_loops[] = { xpy_cc_double, xpy_cc_single };
 
 /* (6),(6)->(6) */
 INLINED void nxpy_cc_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrew_t x;
+  load_coscrew_double(&x, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrew_t x; ksl_coscrew_t y;
-    load_coscrew_double(&x, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&y, data[1] + i * step[1], core + 1);
+    ksl_coscrew_t y;
+    if (step[0] != 0) {
+      load_coscrew_double(&x, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&y, p1 + i * step[1], core + 1);
     ksl_nxpy_cc(&x, &y);
-    store_coscrew_double(&y, data[2] + i * step[2], core + 2);
+    store_coscrew_double(&y, p2 + i * step[2], core + 2);
   }
 }
 
 static void nxpy_cc_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    nxpy_cc_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    nxpy_cc_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    nxpy_cc_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   nxpy_cc_double_over(data, n[0], step, step + 3);
@@ -287,20 +435,35 @@ static void nxpy_cc_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (6),(6)->(6) */
 INLINED void nxpy_cc_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrewf_t x;
+  load_coscrew_single(&x, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrewf_t x; ksl_coscrewf_t y;
-    load_coscrew_single(&x, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&y, data[1] + i * step[1], core + 1);
+    ksl_coscrewf_t y;
+    if (step[0] != 0) {
+      load_coscrew_single(&x, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&y, p1 + i * step[1], core + 1);
     ksl_nxpy_ccf(&x, &y);
-    store_coscrew_single(&y, data[2] + i * step[2], core + 2);
+    store_coscrew_single(&y, p2 + i * step[2], core + 2);
   }
 }
 
 static void nxpy_cc_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    nxpy_cc_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    nxpy_cc_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    nxpy_cc_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   nxpy_cc_single_over(data, n[0], step, step + 3);
@@ -310,20 +473,36 @@ static PyUFuncGenericFunction nxpy_cc_loops[] = { nxpy_cc_double, nxpy_cc_single
 
 /* (),(6)->(6) */
 INLINED void product_ac_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  double a;
+  load_scalar_double(&a, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    double a; ksl_coscrew_t ci; ksl_coscrew_t co;
-    load_scalar_double(&a, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&ci, data[1] + i * step[1], core + 0);
+    ksl_coscrew_t ci;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_scalar_double(&a, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&ci, p1 + i * step[1], core + 0);
     ksl_product_ac(a, &ci, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 1);
+    store_coscrew_double(&co, p2 + i * step[2], core + 1);
   }
 }
 
 static void product_ac_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ac_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 8, 48, 48, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ac_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ac_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ac_double_over(data, n[0], step, step + 3);
@@ -331,20 +510,36 @@ static void product_ac_double(char **data, const npy_intp *n, const npy_intp *st
 
 /* (),(6)->(6) */
 INLINED void product_ac_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  float a;
+  load_scalar_single(&a, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    float a; ksl_coscrewf_t ci; ksl_coscrewf_t co;
-    load_scalar_single(&a, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&ci, data[1] + i * step[1], core + 0);
+    ksl_coscrewf_t ci;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_scalar_single(&a, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&ci, p1 + i * step[1], core + 0);
     ksl_product_acf(a, &ci, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 1);
+    store_coscrew_single(&co, p2 + i * step[2], core + 1);
   }
 }
 
 static void product_ac_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ac_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 4, 24, 24, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ac_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ac_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ac_single_over(data, n[0], step, step + 3);
@@ -354,20 +549,36 @@ static PyUFuncGenericFunction product_ac_loops[] = { product_ac_double, product_
 
 /* (6),(6)->(6) */
 INLINED void add_cc_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrew_t c1;
+  load_coscrew_double(&c1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrew_t c1; ksl_coscrew_t c2; ksl_coscrew_t co;
-    load_coscrew_double(&c1, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&c2, data[1] + i * step[1], core + 1);
+    ksl_coscrew_t c2;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_coscrew_double(&c1, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&c2, p1 + i * step[1], core + 1);
     ksl_add_cc(&c1, &c2, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 2);
+    store_coscrew_double(&co, p2 + i * step[2], core + 2);
   }
 }
 
 static void add_cc_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_cc_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_cc_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_cc_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_cc_double_over(data, n[0], step, step + 3);
@@ -375,20 +586,36 @@ static void add_cc_double(char **data, const npy_intp *n, const npy_intp *step, 
 
 /* (6),(6)->(6) */
 INLINED void add_cc_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrewf_t c1;
+  load_coscrew_single(&c1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrewf_t c1; ksl_coscrewf_t c2; ksl_coscrewf_t co;
-    load_coscrew_single(&c1, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&c2, data[1] + i * step[1], core + 1);
+    ksl_coscrewf_t c2;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_coscrew_single(&c1, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&c2, p1 + i * step[1], core + 1);
     ksl_add_ccf(&c1, &c2, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 2);
+    store_coscrew_single(&co, p2 + i * step[2], core + 2);
   }
 }
 
 static void add_cc_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_cc_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_cc_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_cc_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_cc_single_over(data, n[0], step, step + 3);
@@ -398,20 +625,36 @@ static PyUFuncGenericFunction add_cc_loops[] = { add_cc_double, add_cc_single };
 
 /* (6),(6)->(6) */
 INLINED void subtract_cc_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrew_t c1;
+  load_coscrew_double(&c1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrew_t c1; ksl_coscrew_t c2; ksl_coscrew_t co;
-    load_coscrew_double(&c1, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&c2, data[1] + i * step[1], core + 1);
+    ksl_coscrew_t c2;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_coscrew_double(&c1, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&c2, p1 + i * step[1], core + 1);
     ksl_subtract_cc(&c1, &c2, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 2);
+    store_coscrew_double(&co, p2 + i * step[2], core + 2);
   }
 }
 
 static void subtract_cc_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    subtract_cc_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    subtract_cc_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    subtract_cc_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   subtract_cc_double_over(data, n[0], step, step + 3);
@@ -419,20 +662,36 @@ static void subtract_cc_double(char **data, const npy_intp *n, const npy_intp *s
 
 /* (6),(6)->(6) */
 INLINED void subtract_cc_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrewf_t c1;
+  load_coscrew_single(&c1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrewf_t c1; ksl_coscrewf_t c2; ksl_coscrewf_t co;
-    load_coscrew_single(&c1, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&c2, data[1] + i * step[1], core + 1);
+    ksl_coscrewf_t c2;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_coscrew_single(&c1, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&c2, p1 + i * step[1], core + 1);
     ksl_subtract_ccf(&c1, &c2, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 2);
+    store_coscrew_single(&co, p2 + i * step[2], core + 2);
   }
 }
 
 static void subtract_cc_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    subtract_cc_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    subtract_cc_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    subtract_cc_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   subtract_cc_single_over(data, n[0], step, step + 3);
@@ -442,19 +701,33 @@ static PyUFuncGenericFunction subtract_cc_loops[] = { subtract_cc_double, subtra
 
 /* (6)->() */
 INLINED void coscrew_norm_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrew_t ci;
+  load_coscrew_double(&ci, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrew_t ci; double norm;
-    load_coscrew_double(&ci, data[0] + i * step[0], core + 0);
+    double norm;
+    if (step[0] != 0) {
+      load_coscrew_double(&ci, p0 + i * step[0], core + 0);
+    }
     norm = ksl_coscrew_norm(&ci);
-    store_scalar_double(&norm, data[1] + i * step[1], core + 1);
+    store_scalar_double(&norm, p1 + i * step[1], core + 1);
   }
 }
 
 static void coscrew_norm_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    coscrew_norm_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coscrew_norm_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    coscrew_norm_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   coscrew_norm_double_over(data, n[0], step, step + 2);
@@ -462,19 +735,33 @@ static void coscrew_norm_double(char **data, const npy_intp *n, const npy_intp *
 
 /* (6)->() */
 INLINED void coscrew_norm_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrewf_t ci;
+  load_coscrew_single(&ci, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrewf_t ci; float norm;
-    load_coscrew_single(&ci, data[0] + i * step[0], core + 0);
+    float norm;
+    if (step[0] != 0) {
+      load_coscrew_single(&ci, p0 + i * step[0], core + 0);
+    }
     norm = ksl_coscrewf_norm(&ci);
-    store_scalar_single(&norm, data[1] + i * step[1], core + 1);
+    store_scalar_single(&norm, p1 + i * step[1], core + 1);
   }
 }
 
 static void coscrew_norm_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    coscrew_norm_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coscrew_norm_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    coscrew_norm_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   coscrew_norm_single_over(data, n[0], step, step + 2);
@@ -484,19 +771,21 @@ static PyUFuncGenericFunction coscrew_norm_loops[] = { coscrew_norm_double, cosc
 
 /* (6)->(6) */
 INLINED void coscrew_normalize_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_coscrew_t self;
-    load_coscrew_double(&self, data[0] + i * step[0], core + 0);
+    load_coscrew_double(&self, p0 + i * step[0], core + 0);
     ksl_coscrew_normalize(&self);
-    store_coscrew_double(&self, data[1] + i * step[1], core + 1);
+    store_coscrew_double(&self, p1 + i * step[1], core + 1);
   }
 }
 
 static void coscrew_normalize_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    coscrew_normalize_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coscrew_normalize_double_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   coscrew_normalize_double_over(data, n[0], step, step + 2);
@@ -504,19 +793,21 @@ static void coscrew_normalize_double(char **data, const npy_intp *n, const npy_i
 
 /* (6)->(6) */
 INLINED void coscrew_normalize_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_coscrewf_t self;
-    load_coscrew_single(&self, data[0] + i * step[0], core + 0);
+    load_coscrew_single(&self, p0 + i * step[0], core + 0);
     ksl_coscrewf_normalize(&self);
-    store_coscrew_single(&self, data[1] + i * step[1], core + 1);
+    store_coscrew_single(&self, p1 + i * step[1], core + 1);
   }
 }
 
 static void coscrew_normalize_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    coscrew_normalize_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coscrew_normalize_single_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   coscrew_normalize_single_over(data, n[0], step, step + 2);
@@ -526,19 +817,33 @@ static PyUFuncGenericFunction coscrew_normalize_loops[] = { coscrew_normalize_do
 
 /* (6)->(6) */
 INLINED void coscrew_normalized_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrew_t ci;
+  load_coscrew_double(&ci, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrew_t ci; ksl_coscrew_t co;
-    load_coscrew_double(&ci, data[0] + i * step[0], core + 0);
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_coscrew_double(&ci, p0 + i * step[0], core + 0);
+    }
     ksl_coscrew_normalized(&ci, &co);
-    store_coscrew_double(&co, data[1] + i * step[1], core + 1);
+    store_coscrew_double(&co, p1 + i * step[1], core + 1);
   }
 }
 
 static void coscrew_normalized_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    coscrew_normalized_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coscrew_normalized_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    coscrew_normalized_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   coscrew_normalized_double_over(data, n[0], step, step + 2);
@@ -546,19 +851,33 @@ static void coscrew_normalized_double(char **data, const npy_intp *n, const npy_
 
 /* (6)->(6) */
 INLINED void coscrew_normalized_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrewf_t ci;
+  load_coscrew_single(&ci, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrewf_t ci; ksl_coscrewf_t co;
-    load_coscrew_single(&ci, data[0] + i * step[0], core + 0);
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_coscrew_single(&ci, p0 + i * step[0], core + 0);
+    }
     ksl_coscrewf_normalized(&ci, &co);
-    store_coscrew_single(&co, data[1] + i * step[1], core + 1);
+    store_coscrew_single(&co, p1 + i * step[1], core + 1);
   }
 }
 
 static void coscrew_normalized_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    coscrew_normalized_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coscrew_normalized_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    coscrew_normalized_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   coscrew_normalized_single_over(data, n[0], step, step + 2);
@@ -568,20 +887,36 @@ static PyUFuncGenericFunction coscrew_normalized_loops[] = { coscrew_normalized_
 
 /* (3),(3)->(6) */
 INLINED void coscrew_from_lin_ang_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t lin;
+  load_vec3_double(&lin, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t lin; ksl_vec3_t ang; ksl_coscrew_t co;
-    load_vec3_double(&lin, data[0] + i * step[0], core + 0);
-    load_vec3_double(&ang, data[1] + i * step[1], core + 1);
+    ksl_vec3_t ang;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_vec3_double(&lin, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&ang, p1 + i * step[1], core + 1);
     ksl_coscrew_from_lin_ang(&lin, &ang, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 2);
+    store_coscrew_double(&co, p2 + i * step[2], core + 2);
   }
 }
 
 static void coscrew_from_lin_ang_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    coscrew_from_lin_ang_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coscrew_from_lin_ang_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    coscrew_from_lin_ang_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   coscrew_from_lin_ang_double_over(data, n[0], step, step + 3);
@@ -589,20 +924,36 @@ static void coscrew_from_lin_ang_double(char **data, const npy_intp *n, const np
 
 /* (3),(3)->(6) */
 INLINED void coscrew_from_lin_ang_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t lin;
+  load_vec3_single(&lin, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t lin; ksl_vec3f_t ang; ksl_coscrewf_t co;
-    load_vec3_single(&lin, data[0] + i * step[0], core + 0);
-    load_vec3_single(&ang, data[1] + i * step[1], core + 1);
+    ksl_vec3f_t ang;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_vec3_single(&lin, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&ang, p1 + i * step[1], core + 1);
     ksl_coscrewf_from_lin_ang(&lin, &ang, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 2);
+    store_coscrew_single(&co, p2 + i * step[2], core + 2);
   }
 }
 
 static void coscrew_from_lin_ang_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    coscrew_from_lin_ang_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 12, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coscrew_from_lin_ang_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    coscrew_from_lin_ang_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   coscrew_from_lin_ang_single_over(data, n[0], step, step + 3);
@@ -612,19 +963,33 @@ static PyUFuncGenericFunction coscrew_from_lin_ang_loops[] = { coscrew_from_lin_
 
 /* (6)->(6) */
 INLINED void coscrew_to_angular_first_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrew_t ci;
+  load_coscrew_double(&ci, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrew_t ci; double x[6];
-    load_coscrew_double(&ci, data[0] + i * step[0], core + 0);
+    double x[6];
+    if (step[0] != 0) {
+      load_coscrew_double(&ci, p0 + i * step[0], core + 0);
+    }
     ksl_coscrew_to_angular_first(&ci, x);
-    store_angular_first_double(x, data[1] + i * step[1], core + 1);
+    store_angular_first_double(x, p1 + i * step[1], core + 1);
   }
 }
 
 static void coscrew_to_angular_first_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    coscrew_to_angular_first_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coscrew_to_angular_first_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    coscrew_to_angular_first_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   coscrew_to_angular_first_double_over(data, n[0], step, step + 2);
@@ -632,19 +997,33 @@ static void coscrew_to_angular_first_double(char **data, const npy_intp *n, cons
 
 /* (6)->(6) */
 INLINED void coscrew_to_angular_first_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrewf_t ci;
+  load_coscrew_single(&ci, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrewf_t ci; float x[6];
-    load_coscrew_single(&ci, data[0] + i * step[0], core + 0);
+    float x[6];
+    if (step[0] != 0) {
+      load_coscrew_single(&ci, p0 + i * step[0], core + 0);
+    }
     ksl_coscrewf_to_angular_first(&ci, x);
-    store_angular_first_single(x, data[1] + i * step[1], core + 1);
+    store_angular_first_single(x, p1 + i * step[1], core + 1);
   }
 }
 
 static void coscrew_to_angular_first_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    coscrew_to_angular_first_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coscrew_to_angular_first_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    coscrew_to_angular_first_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   coscrew_to_angular_first_single_over(data, n[0], step, step + 2);
@@ -654,19 +1033,33 @@ static PyUFuncGenericFunction coscrew_to_angular_first_loops[] = { coscrew_to_an
 
 /* (6)->(6) */
 INLINED void coscrew_from_angular_first_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  double x[6];
+  load_angular_first_double(x, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    double x[6]; ksl_coscrew_t co;
-    load_angular_first_double(x, data[0] + i * step[0], core + 0);
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_angular_first_double(x, p0 + i * step[0], core + 0);
+    }
     ksl_coscrew_from_angular_first(x, &co);
-    store_coscrew_double(&co, data[1] + i * step[1], core + 1);
+    store_coscrew_double(&co, p1 + i * step[1], core + 1);
   }
 }
 
 static void coscrew_from_angular_first_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    coscrew_from_angular_first_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coscrew_from_angular_first_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    coscrew_from_angular_first_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   coscrew_from_angular_first_double_over(data, n[0], step, step + 2);
@@ -674,19 +1067,33 @@ static void coscrew_from_angular_first_double(char **data, const npy_intp *n, co
 
 /* (6)->(6) */
 INLINED void coscrew_from_angular_first_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  float x[6];
+  load_angular_first_single(x, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    float x[6]; ksl_coscrewf_t co;
-    load_angular_first_single(x, data[0] + i * step[0], core + 0);
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_angular_first_single(x, p0 + i * step[0], core + 0);
+    }
     ksl_coscrewf_from_angular_first(x, &co);
-    store_coscrew_single(&co, data[1] + i * step[1], core + 1);
+    store_coscrew_single(&co, p1 + i * step[1], core + 1);
   }
 }
 
 static void coscrew_from_angular_first_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    coscrew_from_angular_first_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coscrew_from_angular_first_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    coscrew_from_angular_first_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   coscrew_from_angular_first_single_over(data, n[0], step, step + 2);
@@ -696,20 +1103,36 @@ static PyUFuncGenericFunction coscrew_from_angular_first_loops[] = { coscrew_fro
 
 /* (6),(6)->(6) */
 INLINED void add_cct_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrew_t c1;
+  load_coscrew_double(&c1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrew_t c1; ksl_coscrew_t c2; ksl_coscrew_t co;
-    load_coscrew_double(&c1, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&c2, data[1] + i * step[1], core + 1);
+    ksl_coscrew_t c2;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_coscrew_double(&c1, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&c2, p1 + i * step[1], core + 1);
     ksl_add_cct(&c1, &c2, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 2);
+    store_coscrew_double(&co, p2 + i * step[2], core + 2);
   }
 }
 
 static void add_cct_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_cct_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_cct_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_cct_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_cct_double_over(data, n[0], step, step + 3);
@@ -717,20 +1140,36 @@ static void add_cct_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (6),(6)->(6) */
 INLINED void add_cct_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrewf_t c1;
+  load_coscrew_single(&c1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrewf_t c1; ksl_coscrewf_t c2; ksl_coscrewf_t co;
-    load_coscrew_single(&c1, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&c2, data[1] + i * step[1], core + 1);
+    ksl_coscrewf_t c2;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_coscrew_single(&c1, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&c2, p1 + i * step[1], core + 1);
     ksl_add_cctf(&c1, &c2, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 2);
+    store_coscrew_single(&co, p2 + i * step[2], core + 2);
   }
 }
 
 static void add_cct_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_cct_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_cct_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_cct_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_cct_single_over(data, n[0], step, step + 3);
@@ -740,20 +1179,36 @@ static PyUFuncGenericFunction add_cct_loops[] = { add_cct_double, add_cct_single
 
 /* (3),(6)->(6) */
 INLINED void product_CoAdtc_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t t;
+  load_vec3_double(&t, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t t; ksl_coscrew_t ci; ksl_coscrew_t co;
-    load_vec3_double(&t, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&ci, data[1] + i * step[1], core + 1);
+    ksl_coscrew_t ci;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_vec3_double(&t, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&ci, p1 + i * step[1], core + 1);
     ksl_product_CoAdtc(&t, &ci, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 2);
+    store_coscrew_double(&co, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_CoAdtc_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_CoAdtc_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_CoAdtc_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_CoAdtc_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_CoAdtc_double_over(data, n[0], step, step + 3);
@@ -761,20 +1216,36 @@ static void product_CoAdtc_double(char **data, const npy_intp *n, const npy_intp
 
 /* (3),(6)->(6) */
 INLINED void product_CoAdtc_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t t;
+  load_vec3_single(&t, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t t; ksl_coscrewf_t ci; ksl_coscrewf_t co;
-    load_vec3_single(&t, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&ci, data[1] + i * step[1], core + 1);
+    ksl_coscrewf_t ci;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_vec3_single(&t, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&ci, p1 + i * step[1], core + 1);
     ksl_product_CoAdtcf(&t, &ci, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 2);
+    store_coscrew_single(&co, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_CoAdtc_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_CoAdtc_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_CoAdtc_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_CoAdtc_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_CoAdtc_single_over(data, n[0], step, step + 3);
@@ -784,20 +1255,36 @@ static PyUFuncGenericFunction product_CoAdtc_loops[] = { product_CoAdtc_double, 
 
 /* (3),(6)->(6) */
 INLINED void product_CoAdtinvc_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t t;
+  load_vec3_double(&t, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t t; ksl_coscrew_t ci; ksl_coscrew_t co;
-    load_vec3_double(&t, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&ci, data[1] + i * step[1], core + 1);
+    ksl_coscrew_t ci;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_vec3_double(&t, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&ci, p1 + i * step[1], core + 1);
     ksl_product_CoAdtinvc(&t, &ci, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 2);
+    store_coscrew_double(&co, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_CoAdtinvc_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_CoAdtinvc_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_CoAdtinvc_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_CoAdtinvc_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_CoAdtinvc_double_over(data, n[0], step, step + 3);
@@ -805,20 +1292,36 @@ static void product_CoAdtinvc_double(char **data, const npy_intp *n, const npy_i
 
 /* (3),(6)->(6) */
 INLINED void product_CoAdtinvc_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t t;
+  load_vec3_single(&t, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t t; ksl_coscrewf_t ci; ksl_coscrewf_t co;
-    load_vec3_single(&t, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&ci, data[1] + i * step[1], core + 1);
+    ksl_coscrewf_t ci;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_vec3_single(&t, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&ci, p1 + i * step[1], core + 1);
     ksl_product_CoAdtinvcf(&t, &ci, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 2);
+    store_coscrew_single(&co, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_CoAdtinvc_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_CoAdtinvc_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_CoAdtinvc_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_CoAdtinvc_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_CoAdtinvc_single_over(data, n[0], step, step + 3);
@@ -828,20 +1331,36 @@ static PyUFuncGenericFunction product_CoAdtinvc_loops[] = { product_CoAdtinvc_do
 
 /* (3),(6)->(6) */
 INLINED void product_CoAdtcinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t t;
+  load_vec3_double(&t, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t t; ksl_coscrew_t ci; ksl_coscrew_t co;
-    load_vec3_double(&t, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&ci, data[1] + i * step[1], core + 1);
+    ksl_coscrew_t ci;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_vec3_double(&t, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&ci, p1 + i * step[1], core + 1);
     ksl_product_CoAdtcinv(&t, &ci, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 2);
+    store_coscrew_double(&co, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_CoAdtcinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_CoAdtcinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_CoAdtcinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_CoAdtcinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_CoAdtcinv_double_over(data, n[0], step, step + 3);
@@ -849,20 +1368,36 @@ static void product_CoAdtcinv_double(char **data, const npy_intp *n, const npy_i
 
 /* (3),(6)->(6) */
 INLINED void product_CoAdtcinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t t;
+  load_vec3_single(&t, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t t; ksl_coscrewf_t ci; ksl_coscrewf_t co;
-    load_vec3_single(&t, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&ci, data[1] + i * step[1], core + 1);
+    ksl_coscrewf_t ci;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_vec3_single(&t, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&ci, p1 + i * step[1], core + 1);
     ksl_product_CoAdtcinvf(&t, &ci, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 2);
+    store_coscrew_single(&co, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_CoAdtcinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_CoAdtcinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_CoAdtcinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_CoAdtcinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_CoAdtcinv_single_over(data, n[0], step, step + 3);
@@ -872,20 +1407,36 @@ static PyUFuncGenericFunction product_CoAdtcinv_loops[] = { product_CoAdtcinv_do
 
 /* (3,3),(6)->(6) */
 INLINED void product_CoAdrc_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; ksl_coscrew_t ci; ksl_coscrew_t co;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&ci, data[1] + i * step[1], core + 2);
+    ksl_coscrew_t ci;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&ci, p1 + i * step[1], core + 2);
     ksl_product_CoAdrc(&R, &ci, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_double(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_CoAdrc_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_CoAdrc_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 48, 48, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_CoAdrc_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_CoAdrc_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_CoAdrc_double_over(data, n[0], step, step + 3);
@@ -893,20 +1444,36 @@ static void product_CoAdrc_double(char **data, const npy_intp *n, const npy_intp
 
 /* (3,3),(6)->(6) */
 INLINED void product_CoAdrc_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; ksl_coscrewf_t ci; ksl_coscrewf_t co;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&ci, data[1] + i * step[1], core + 2);
+    ksl_coscrewf_t ci;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&ci, p1 + i * step[1], core + 2);
     ksl_product_CoAdrcf(&R, &ci, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_single(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_CoAdrc_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_CoAdrc_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 24, 24, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_CoAdrc_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_CoAdrc_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_CoAdrc_single_over(data, n[0], step, step + 3);
@@ -916,20 +1483,36 @@ static PyUFuncGenericFunction product_CoAdrc_loops[] = { product_CoAdrc_double, 
 
 /* (3,3),(6)->(6) */
 INLINED void product_CoAdrinvc_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; ksl_coscrew_t ci; ksl_coscrew_t co;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&ci, data[1] + i * step[1], core + 2);
+    ksl_coscrew_t ci;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&ci, p1 + i * step[1], core + 2);
     ksl_product_CoAdrinvc(&R, &ci, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_double(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_CoAdrinvc_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_CoAdrinvc_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 48, 48, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_CoAdrinvc_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_CoAdrinvc_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_CoAdrinvc_double_over(data, n[0], step, step + 3);
@@ -937,20 +1520,36 @@ static void product_CoAdrinvc_double(char **data, const npy_intp *n, const npy_i
 
 /* (3,3),(6)->(6) */
 INLINED void product_CoAdrinvc_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; ksl_coscrewf_t ci; ksl_coscrewf_t co;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&ci, data[1] + i * step[1], core + 2);
+    ksl_coscrewf_t ci;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&ci, p1 + i * step[1], core + 2);
     ksl_product_CoAdrinvcf(&R, &ci, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_single(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_CoAdrinvc_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_CoAdrinvc_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 24, 24, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_CoAdrinvc_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_CoAdrinvc_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_CoAdrinvc_single_over(data, n[0], step, step + 3);
@@ -960,20 +1559,36 @@ static PyUFuncGenericFunction product_CoAdrinvc_loops[] = { product_CoAdrinvc_do
 
 /* (3,3),(6)->(6) */
 INLINED void product_CoAdrcinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; ksl_coscrew_t ci; ksl_coscrew_t co;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&ci, data[1] + i * step[1], core + 2);
+    ksl_coscrew_t ci;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&ci, p1 + i * step[1], core + 2);
     ksl_product_CoAdrcinv(&R, &ci, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_double(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_CoAdrcinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_CoAdrcinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 48, 48, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_CoAdrcinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_CoAdrcinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_CoAdrcinv_double_over(data, n[0], step, step + 3);
@@ -981,20 +1596,36 @@ static void product_CoAdrcinv_double(char **data, const npy_intp *n, const npy_i
 
 /* (3,3),(6)->(6) */
 INLINED void product_CoAdrcinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; ksl_coscrewf_t ci; ksl_coscrewf_t co;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&ci, data[1] + i * step[1], core + 2);
+    ksl_coscrewf_t ci;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&ci, p1 + i * step[1], core + 2);
     ksl_product_CoAdrcinvf(&R, &ci, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_single(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_CoAdrcinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_CoAdrcinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 24, 24, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_CoAdrcinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_CoAdrcinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_CoAdrcinv_single_over(data, n[0], step, step + 3);
@@ -1004,20 +1635,36 @@ static PyUFuncGenericFunction product_CoAdrcinv_loops[] = { product_CoAdrcinv_do
 
 /* (3,4),(6)->(6) */
 INLINED void product_CoAdc_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t ci; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&ci, data[1] + i * step[1], core + 2);
+    ksl_coscrew_t ci;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&ci, p1 + i * step[1], core + 2);
     ksl_product_CoAdc(&D, &ci, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_double(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_CoAdc_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_CoAdc_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_CoAdc_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_CoAdc_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_CoAdc_double_over(data, n[0], step, step + 3);
@@ -1025,20 +1672,36 @@ static void product_CoAdc_double(char **data, const npy_intp *n, const npy_intp 
 
 /* (3,4),(6)->(6) */
 INLINED void product_CoAdc_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t ci; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&ci, data[1] + i * step[1], core + 2);
+    ksl_coscrewf_t ci;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&ci, p1 + i * step[1], core + 2);
     ksl_product_CoAdcf(&D, &ci, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_single(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_CoAdc_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_CoAdc_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_CoAdc_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_CoAdc_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_CoAdc_single_over(data, n[0], step, step + 3);
@@ -1048,20 +1711,36 @@ static PyUFuncGenericFunction product_CoAdc_loops[] = { product_CoAdc_double, pr
 
 /* (3,4),(6)->(6) */
 INLINED void product_CoAdinvc_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t ci; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&ci, data[1] + i * step[1], core + 2);
+    ksl_coscrew_t ci;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&ci, p1 + i * step[1], core + 2);
     ksl_product_CoAdinvc(&D, &ci, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_double(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_CoAdinvc_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_CoAdinvc_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_CoAdinvc_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_CoAdinvc_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_CoAdinvc_double_over(data, n[0], step, step + 3);
@@ -1069,20 +1748,36 @@ static void product_CoAdinvc_double(char **data, const npy_intp *n, const npy_in
 
 /* (3,4),(6)->(6) */
 INLINED void product_CoAdinvc_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t ci; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&ci, data[1] + i * step[1], core + 2);
+    ksl_coscrewf_t ci;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&ci, p1 + i * step[1], core + 2);
     ksl_product_CoAdinvcf(&D, &ci, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_single(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_CoAdinvc_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_CoAdinvc_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_CoAdinvc_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_CoAdinvc_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_CoAdinvc_single_over(data, n[0], step, step + 3);
@@ -1092,20 +1787,36 @@ static PyUFuncGenericFunction product_CoAdinvc_loops[] = { product_CoAdinvc_doub
 
 /* (3,4),(6)->(6) */
 INLINED void product_CoAdcinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t ci; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&ci, data[1] + i * step[1], core + 2);
+    ksl_coscrew_t ci;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&ci, p1 + i * step[1], core + 2);
     ksl_product_CoAdcinv(&D, &ci, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_double(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_CoAdcinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_CoAdcinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_CoAdcinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_CoAdcinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_CoAdcinv_double_over(data, n[0], step, step + 3);
@@ -1113,20 +1824,36 @@ static void product_CoAdcinv_double(char **data, const npy_intp *n, const npy_in
 
 /* (3,4),(6)->(6) */
 INLINED void product_CoAdcinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t ci; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&ci, data[1] + i * step[1], core + 2);
+    ksl_coscrewf_t ci;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&ci, p1 + i * step[1], core + 2);
     ksl_product_CoAdcinvf(&D, &ci, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_single(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_CoAdcinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_CoAdcinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_CoAdcinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_CoAdcinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_CoAdcinv_single_over(data, n[0], step, step + 3);
@@ -1136,19 +1863,33 @@ static PyUFuncGenericFunction product_CoAdcinv_loops[] = { product_CoAdcinv_doub
 
 /* (3,4)->(6) */
 INLINED void hctx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hctx(&D, &co);
-    store_coscrew_double(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_double(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hctx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hctx_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hctx_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hctx_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hctx_double_over(data, n[0], step, step + 2);
@@ -1156,19 +1897,33 @@ static void hctx_double(char **data, const npy_intp *n, const npy_intp *step, vo
 
 /* (3,4)->(6) */
 INLINED void hctx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hctxf(&D, &co);
-    store_coscrew_single(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_single(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hctx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hctx_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hctx_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hctx_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hctx_single_over(data, n[0], step, step + 2);
@@ -1178,19 +1933,33 @@ static PyUFuncGenericFunction hctx_loops[] = { hctx_double, hctx_single };
 
 /* (3,4)->(6) */
 INLINED void hcty_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hcty(&D, &co);
-    store_coscrew_double(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_double(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hcty_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hcty_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hcty_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hcty_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hcty_double_over(data, n[0], step, step + 2);
@@ -1198,19 +1967,33 @@ static void hcty_double(char **data, const npy_intp *n, const npy_intp *step, vo
 
 /* (3,4)->(6) */
 INLINED void hcty_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hctyf(&D, &co);
-    store_coscrew_single(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_single(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hcty_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hcty_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hcty_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hcty_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hcty_single_over(data, n[0], step, step + 2);
@@ -1220,19 +2003,33 @@ static PyUFuncGenericFunction hcty_loops[] = { hcty_double, hcty_single };
 
 /* (3,4)->(6) */
 INLINED void hctz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hctz(&D, &co);
-    store_coscrew_double(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_double(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hctz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hctz_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hctz_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hctz_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hctz_double_over(data, n[0], step, step + 2);
@@ -1240,19 +2037,33 @@ static void hctz_double(char **data, const npy_intp *n, const npy_intp *step, vo
 
 /* (3,4)->(6) */
 INLINED void hctz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hctzf(&D, &co);
-    store_coscrew_single(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_single(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hctz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hctz_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hctz_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hctz_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hctz_single_over(data, n[0], step, step + 2);
@@ -1262,19 +2073,33 @@ static PyUFuncGenericFunction hctz_loops[] = { hctz_double, hctz_single };
 
 /* (3,4)->(6) */
 INLINED void hcrx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hcrx(&D, &co);
-    store_coscrew_double(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_double(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hcrx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hcrx_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hcrx_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hcrx_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hcrx_double_over(data, n[0], step, step + 2);
@@ -1282,19 +2107,33 @@ static void hcrx_double(char **data, const npy_intp *n, const npy_intp *step, vo
 
 /* (3,4)->(6) */
 INLINED void hcrx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hcrxf(&D, &co);
-    store_coscrew_single(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_single(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hcrx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hcrx_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hcrx_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hcrx_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hcrx_single_over(data, n[0], step, step + 2);
@@ -1304,19 +2143,33 @@ static PyUFuncGenericFunction hcrx_loops[] = { hcrx_double, hcrx_single };
 
 /* (3,4)->(6) */
 INLINED void hcry_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hcry(&D, &co);
-    store_coscrew_double(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_double(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hcry_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hcry_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hcry_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hcry_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hcry_double_over(data, n[0], step, step + 2);
@@ -1324,19 +2177,33 @@ static void hcry_double(char **data, const npy_intp *n, const npy_intp *step, vo
 
 /* (3,4)->(6) */
 INLINED void hcry_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hcryf(&D, &co);
-    store_coscrew_single(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_single(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hcry_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hcry_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hcry_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hcry_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hcry_single_over(data, n[0], step, step + 2);
@@ -1346,19 +2213,33 @@ static PyUFuncGenericFunction hcry_loops[] = { hcry_double, hcry_single };
 
 /* (3,4)->(6) */
 INLINED void hcrz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hcrz(&D, &co);
-    store_coscrew_double(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_double(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hcrz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hcrz_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hcrz_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hcrz_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hcrz_double_over(data, n[0], step, step + 2);
@@ -1366,19 +2247,33 @@ static void hcrz_double(char **data, const npy_intp *n, const npy_intp *step, vo
 
 /* (3,4)->(6) */
 INLINED void hcrz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hcrzf(&D, &co);
-    store_coscrew_single(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_single(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hcrz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hcrz_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hcrz_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hcrz_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hcrz_single_over(data, n[0], step, step + 2);
@@ -1388,19 +2283,33 @@ static PyUFuncGenericFunction hcrz_loops[] = { hcrz_double, hcrz_single };
 
 /* (3,4)->(6) */
 INLINED void hctxinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hctxinv(&D, &co);
-    store_coscrew_double(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_double(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hctxinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hctxinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hctxinv_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hctxinv_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hctxinv_double_over(data, n[0], step, step + 2);
@@ -1408,19 +2317,33 @@ static void hctxinv_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (3,4)->(6) */
 INLINED void hctxinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hctxinvf(&D, &co);
-    store_coscrew_single(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_single(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hctxinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hctxinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hctxinv_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hctxinv_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hctxinv_single_over(data, n[0], step, step + 2);
@@ -1430,19 +2353,33 @@ static PyUFuncGenericFunction hctxinv_loops[] = { hctxinv_double, hctxinv_single
 
 /* (3,4)->(6) */
 INLINED void hctyinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hctyinv(&D, &co);
-    store_coscrew_double(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_double(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hctyinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hctyinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hctyinv_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hctyinv_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hctyinv_double_over(data, n[0], step, step + 2);
@@ -1450,19 +2387,33 @@ static void hctyinv_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (3,4)->(6) */
 INLINED void hctyinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hctyinvf(&D, &co);
-    store_coscrew_single(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_single(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hctyinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hctyinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hctyinv_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hctyinv_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hctyinv_single_over(data, n[0], step, step + 2);
@@ -1472,19 +2423,33 @@ static PyUFuncGenericFunction hctyinv_loops[] = { hctyinv_double, hctyinv_single
 
 /* (3,4)->(6) */
 INLINED void hctzinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hctzinv(&D, &co);
-    store_coscrew_double(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_double(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hctzinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hctzinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hctzinv_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hctzinv_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hctzinv_double_over(data, n[0], step, step + 2);
@@ -1492,19 +2457,33 @@ static void hctzinv_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (3,4)->(6) */
 INLINED void hctzinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hctzinvf(&D, &co);
-    store_coscrew_single(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_single(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hctzinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hctzinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hctzinv_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hctzinv_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hctzinv_single_over(data, n[0], step, step + 2);
@@ -1514,19 +2493,33 @@ static PyUFuncGenericFunction hctzinv_loops[] = { hctzinv_double, hctzinv_single
 
 /* (3,4)->(6) */
 INLINED void hcrxinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hcrxinv(&D, &co);
-    store_coscrew_double(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_double(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hcrxinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hcrxinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hcrxinv_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hcrxinv_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hcrxinv_double_over(data, n[0], step, step + 2);
@@ -1534,19 +2527,33 @@ static void hcrxinv_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (3,4)->(6) */
 INLINED void hcrxinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hcrxinvf(&D, &co);
-    store_coscrew_single(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_single(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hcrxinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hcrxinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hcrxinv_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hcrxinv_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hcrxinv_single_over(data, n[0], step, step + 2);
@@ -1556,19 +2563,33 @@ static PyUFuncGenericFunction hcrxinv_loops[] = { hcrxinv_double, hcrxinv_single
 
 /* (3,4)->(6) */
 INLINED void hcryinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hcryinv(&D, &co);
-    store_coscrew_double(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_double(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hcryinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hcryinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hcryinv_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hcryinv_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hcryinv_double_over(data, n[0], step, step + 2);
@@ -1576,19 +2597,33 @@ static void hcryinv_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (3,4)->(6) */
 INLINED void hcryinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hcryinvf(&D, &co);
-    store_coscrew_single(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_single(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hcryinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hcryinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hcryinv_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hcryinv_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hcryinv_single_over(data, n[0], step, step + 2);
@@ -1598,19 +2633,33 @@ static PyUFuncGenericFunction hcryinv_loops[] = { hcryinv_double, hcryinv_single
 
 /* (3,4)->(6) */
 INLINED void hcrzinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hcrzinv(&D, &co);
-    store_coscrew_double(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_double(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hcrzinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hcrzinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hcrzinv_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hcrzinv_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hcrzinv_double_over(data, n[0], step, step + 2);
@@ -1618,19 +2667,33 @@ static void hcrzinv_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (3,4)->(6) */
 INLINED void hcrzinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hcrzinvf(&D, &co);
-    store_coscrew_single(&co, data[1] + i * step[1], core + 2);
+    store_coscrew_single(&co, p1 + i * step[1], core + 2);
   }
 }
 
 static void hcrzinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hcrzinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hcrzinv_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hcrzinv_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hcrzinv_single_over(data, n[0], step, step + 2);
@@ -1640,19 +2703,33 @@ static PyUFuncGenericFunction hcrzinv_loops[] = { hcrzinv_double, hcrzinv_single
 
 /* (3,4)->(6,6) */
 INLINED void CoAd_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_mat6x6_t M;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_mat6x6_t M;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_CoAd(&D, &M);
-    store_mat6x6_double(&M, data[1] + i * step[1], core + 2);
+    store_mat6x6_double(&M, p1 + i * step[1], core + 2);
   }
 }
 
 static void CoAd_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 48, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    CoAd_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 288, 32, 8, 48, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    CoAd_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 288, 32, 8, 48, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    CoAd_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   CoAd_double_over(data, n[0], step, step + 2);
@@ -1660,19 +2737,33 @@ static void CoAd_double(char **data, const npy_intp *n, const npy_intp *step, vo
 
 /* (3,4)->(6,6) */
 INLINED void CoAd_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_mat6x6f_t M;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_mat6x6f_t M;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_CoAdf(&D, &M);
-    store_mat6x6_single(&M, data[1] + i * step[1], core + 2);
+    store_mat6x6_single(&M, p1 + i * step[1], core + 2);
   }
 }
 
 static void CoAd_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 24, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    CoAd_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 144, 16, 4, 24, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    CoAd_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 144, 16, 4, 24, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    CoAd_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   CoAd_single_over(data, n[0], step, step + 2);
@@ -1682,20 +2773,36 @@ static PyUFuncGenericFunction CoAd_loops[] = { CoAd_double, CoAd_single };
 
 /* (6),(6)->() */
 INLINED void reciprocal_product_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrew_t c;
+  load_coscrew_double(&c, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrew_t c; double x[6]; double power;
-    load_coscrew_double(&c, data[0] + i * step[0], core + 0);
-    load_angular_first_double(x, data[1] + i * step[1], core + 1);
+    double x[6];
+    double power;
+    if (step[0] != 0) {
+      load_coscrew_double(&c, p0 + i * step[0], core + 0);
+    }
+    load_angular_first_double(x, p1 + i * step[1], core + 1);
     power = ksl_reciprocal_product(&c, x);
-    store_scalar_double(&power, data[2] + i * step[2], core + 2);
+    store_scalar_double(&power, p2 + i * step[2], core + 2);
   }
 }
 
 static void reciprocal_product_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    reciprocal_product_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    reciprocal_product_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    reciprocal_product_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   reciprocal_product_double_over(data, n[0], step, step + 3);
@@ -1703,20 +2810,36 @@ static void reciprocal_product_double(char **data, const npy_intp *n, const npy_
 
 /* (6),(6)->() */
 INLINED void reciprocal_product_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrewf_t c;
+  load_coscrew_single(&c, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrewf_t c; float x[6]; float power;
-    load_coscrew_single(&c, data[0] + i * step[0], core + 0);
-    load_angular_first_single(x, data[1] + i * step[1], core + 1);
+    float x[6];
+    float power;
+    if (step[0] != 0) {
+      load_coscrew_single(&c, p0 + i * step[0], core + 0);
+    }
+    load_angular_first_single(x, p1 + i * step[1], core + 1);
     power = ksl_reciprocal_productf(&c, x);
-    store_scalar_single(&power, data[2] + i * step[2], core + 2);
+    store_scalar_single(&power, p2 + i * step[2], core + 2);
   }
 }
 
 static void reciprocal_product_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    reciprocal_product_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    reciprocal_product_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    reciprocal_product_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   reciprocal_product_single_over(data, n[0], step, step + 3);
@@ -1726,20 +2849,36 @@ static PyUFuncGenericFunction reciprocal_product_loops[] = { reciprocal_product_
 
 /* (6),(6)->(6) */
 INLINED void cross_sc_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screw_t s;
+  load_screw_double(&s, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screw_t s; ksl_coscrew_t c; ksl_coscrew_t co;
-    load_screw_double(&s, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&c, data[1] + i * step[1], core + 1);
+    ksl_coscrew_t c;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_screw_double(&s, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&c, p1 + i * step[1], core + 1);
     ksl_cross_sc(&s, &c, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 2);
+    store_coscrew_double(&co, p2 + i * step[2], core + 2);
   }
 }
 
 static void cross_sc_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    cross_sc_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    cross_sc_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    cross_sc_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   cross_sc_double_over(data, n[0], step, step + 3);
@@ -1747,20 +2886,36 @@ static void cross_sc_double(char **data, const npy_intp *n, const npy_intp *step
 
 /* (6),(6)->(6) */
 INLINED void cross_sc_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screwf_t s;
+  load_screw_single(&s, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screwf_t s; ksl_coscrewf_t c; ksl_coscrewf_t co;
-    load_screw_single(&s, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&c, data[1] + i * step[1], core + 1);
+    ksl_coscrewf_t c;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_screw_single(&s, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&c, p1 + i * step[1], core + 1);
     ksl_cross_scf(&s, &c, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 2);
+    store_coscrew_single(&co, p2 + i * step[2], core + 2);
   }
 }
 
 static void cross_sc_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    cross_sc_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    cross_sc_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    cross_sc_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   cross_sc_single_over(data, n[0], step, step + 3);
@@ -1770,20 +2925,36 @@ static PyUFuncGenericFunction cross_sc_loops[] = { cross_sc_double, cross_sc_sin
 
 /* (6),(6)->(6) */
 INLINED void cross_sca_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screw_t s;
+  load_screw_double(&s, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screw_t s; ksl_coscrew_t c; ksl_coscrew_t co;
-    load_screw_double(&s, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&c, data[1] + i * step[1], core + 1);
+    ksl_coscrew_t c;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_screw_double(&s, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&c, p1 + i * step[1], core + 1);
     ksl_cross_sca(&s, &c, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 2);
+    store_coscrew_double(&co, p2 + i * step[2], core + 2);
   }
 }
 
 static void cross_sca_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    cross_sca_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    cross_sca_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    cross_sca_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   cross_sca_double_over(data, n[0], step, step + 3);
@@ -1791,20 +2962,36 @@ static void cross_sca_double(char **data, const npy_intp *n, const npy_intp *ste
 
 /* (6),(6)->(6) */
 INLINED void cross_sca_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screwf_t s;
+  load_screw_single(&s, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screwf_t s; ksl_coscrewf_t c; ksl_coscrewf_t co;
-    load_screw_single(&s, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&c, data[1] + i * step[1], core + 1);
+    ksl_coscrewf_t c;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_screw_single(&s, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&c, p1 + i * step[1], core + 1);
     ksl_cross_scaf(&s, &c, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 2);
+    store_coscrew_single(&co, p2 + i * step[2], core + 2);
   }
 }
 
 static void cross_sca_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    cross_sca_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    cross_sca_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    cross_sca_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   cross_sca_single_over(data, n[0], step, step + 3);
@@ -1814,20 +3001,36 @@ static PyUFuncGenericFunction cross_sca_loops[] = { cross_sca_double, cross_sca_
 
 /* (3,4),(6)->(6) */
 INLINED void constraint_ctx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t c; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrew_t c;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&c, p1 + i * step[1], core + 2);
     ksl_constraint_ctx(&D, &c, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_double(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void constraint_ctx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    constraint_ctx_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    constraint_ctx_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    constraint_ctx_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   constraint_ctx_double_over(data, n[0], step, step + 3);
@@ -1835,20 +3038,36 @@ static void constraint_ctx_double(char **data, const npy_intp *n, const npy_intp
 
 /* (3,4),(6)->(6) */
 INLINED void constraint_ctx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t c; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrewf_t c;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&c, p1 + i * step[1], core + 2);
     ksl_constraint_ctxf(&D, &c, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_single(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void constraint_ctx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    constraint_ctx_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    constraint_ctx_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    constraint_ctx_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   constraint_ctx_single_over(data, n[0], step, step + 3);
@@ -1858,20 +3077,36 @@ static PyUFuncGenericFunction constraint_ctx_loops[] = { constraint_ctx_double, 
 
 /* (3,4),(6)->(6) */
 INLINED void constraint_cty_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t c; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrew_t c;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&c, p1 + i * step[1], core + 2);
     ksl_constraint_cty(&D, &c, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_double(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void constraint_cty_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    constraint_cty_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    constraint_cty_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    constraint_cty_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   constraint_cty_double_over(data, n[0], step, step + 3);
@@ -1879,20 +3114,36 @@ static void constraint_cty_double(char **data, const npy_intp *n, const npy_intp
 
 /* (3,4),(6)->(6) */
 INLINED void constraint_cty_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t c; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrewf_t c;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&c, p1 + i * step[1], core + 2);
     ksl_constraint_ctyf(&D, &c, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_single(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void constraint_cty_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    constraint_cty_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    constraint_cty_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    constraint_cty_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   constraint_cty_single_over(data, n[0], step, step + 3);
@@ -1902,20 +3153,36 @@ static PyUFuncGenericFunction constraint_cty_loops[] = { constraint_cty_double, 
 
 /* (3,4),(6)->(6) */
 INLINED void constraint_ctz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t c; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrew_t c;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&c, p1 + i * step[1], core + 2);
     ksl_constraint_ctz(&D, &c, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_double(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void constraint_ctz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    constraint_ctz_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    constraint_ctz_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    constraint_ctz_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   constraint_ctz_double_over(data, n[0], step, step + 3);
@@ -1923,20 +3190,36 @@ static void constraint_ctz_double(char **data, const npy_intp *n, const npy_intp
 
 /* (3,4),(6)->(6) */
 INLINED void constraint_ctz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t c; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrewf_t c;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&c, p1 + i * step[1], core + 2);
     ksl_constraint_ctzf(&D, &c, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_single(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void constraint_ctz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    constraint_ctz_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    constraint_ctz_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    constraint_ctz_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   constraint_ctz_single_over(data, n[0], step, step + 3);
@@ -1946,20 +3229,36 @@ static PyUFuncGenericFunction constraint_ctz_loops[] = { constraint_ctz_double, 
 
 /* (3,4),(6)->(6) */
 INLINED void constraint_crx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t c; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrew_t c;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&c, p1 + i * step[1], core + 2);
     ksl_constraint_crx(&D, &c, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_double(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void constraint_crx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    constraint_crx_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    constraint_crx_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    constraint_crx_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   constraint_crx_double_over(data, n[0], step, step + 3);
@@ -1967,20 +3266,36 @@ static void constraint_crx_double(char **data, const npy_intp *n, const npy_intp
 
 /* (3,4),(6)->(6) */
 INLINED void constraint_crx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t c; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrewf_t c;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&c, p1 + i * step[1], core + 2);
     ksl_constraint_crxf(&D, &c, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_single(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void constraint_crx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    constraint_crx_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    constraint_crx_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    constraint_crx_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   constraint_crx_single_over(data, n[0], step, step + 3);
@@ -1990,20 +3305,36 @@ static PyUFuncGenericFunction constraint_crx_loops[] = { constraint_crx_double, 
 
 /* (3,4),(6)->(6) */
 INLINED void constraint_cry_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t c; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrew_t c;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&c, p1 + i * step[1], core + 2);
     ksl_constraint_cry(&D, &c, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_double(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void constraint_cry_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    constraint_cry_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    constraint_cry_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    constraint_cry_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   constraint_cry_double_over(data, n[0], step, step + 3);
@@ -2011,20 +3342,36 @@ static void constraint_cry_double(char **data, const npy_intp *n, const npy_intp
 
 /* (3,4),(6)->(6) */
 INLINED void constraint_cry_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t c; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrewf_t c;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&c, p1 + i * step[1], core + 2);
     ksl_constraint_cryf(&D, &c, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_single(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void constraint_cry_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    constraint_cry_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    constraint_cry_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    constraint_cry_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   constraint_cry_single_over(data, n[0], step, step + 3);
@@ -2034,20 +3381,36 @@ static PyUFuncGenericFunction constraint_cry_loops[] = { constraint_cry_double, 
 
 /* (3,4),(6)->(6) */
 INLINED void constraint_crz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t c; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrew_t c;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&c, p1 + i * step[1], core + 2);
     ksl_constraint_crz(&D, &c, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_double(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void constraint_crz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    constraint_crz_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    constraint_crz_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    constraint_crz_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   constraint_crz_double_over(data, n[0], step, step + 3);
@@ -2055,20 +3418,36 @@ static void constraint_crz_double(char **data, const npy_intp *n, const npy_intp
 
 /* (3,4),(6)->(6) */
 INLINED void constraint_crz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t c; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrewf_t c;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&c, p1 + i * step[1], core + 2);
     ksl_constraint_crzf(&D, &c, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_single(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void constraint_crz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    constraint_crz_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    constraint_crz_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    constraint_crz_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   constraint_crz_single_over(data, n[0], step, step + 3);
@@ -2078,20 +3457,36 @@ static PyUFuncGenericFunction constraint_crz_loops[] = { constraint_crz_double, 
 
 /* (3,4),(6)->(6) */
 INLINED void working_ctx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t c; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrew_t c;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&c, p1 + i * step[1], core + 2);
     ksl_working_ctx(&D, &c, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_double(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void working_ctx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    working_ctx_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    working_ctx_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    working_ctx_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   working_ctx_double_over(data, n[0], step, step + 3);
@@ -2099,20 +3494,36 @@ static void working_ctx_double(char **data, const npy_intp *n, const npy_intp *s
 
 /* (3,4),(6)->(6) */
 INLINED void working_ctx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t c; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrewf_t c;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&c, p1 + i * step[1], core + 2);
     ksl_working_ctxf(&D, &c, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_single(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void working_ctx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    working_ctx_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    working_ctx_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    working_ctx_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   working_ctx_single_over(data, n[0], step, step + 3);
@@ -2122,20 +3533,36 @@ static PyUFuncGenericFunction working_ctx_loops[] = { working_ctx_double, workin
 
 /* (3,4),(6)->(6) */
 INLINED void working_cty_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t c; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrew_t c;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&c, p1 + i * step[1], core + 2);
     ksl_working_cty(&D, &c, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_double(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void working_cty_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    working_cty_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    working_cty_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    working_cty_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   working_cty_double_over(data, n[0], step, step + 3);
@@ -2143,20 +3570,36 @@ static void working_cty_double(char **data, const npy_intp *n, const npy_intp *s
 
 /* (3,4),(6)->(6) */
 INLINED void working_cty_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t c; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrewf_t c;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&c, p1 + i * step[1], core + 2);
     ksl_working_ctyf(&D, &c, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_single(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void working_cty_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    working_cty_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    working_cty_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    working_cty_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   working_cty_single_over(data, n[0], step, step + 3);
@@ -2166,20 +3609,36 @@ static PyUFuncGenericFunction working_cty_loops[] = { working_cty_double, workin
 
 /* (3,4),(6)->(6) */
 INLINED void working_ctz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t c; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrew_t c;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&c, p1 + i * step[1], core + 2);
     ksl_working_ctz(&D, &c, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_double(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void working_ctz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    working_ctz_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    working_ctz_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    working_ctz_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   working_ctz_double_over(data, n[0], step, step + 3);
@@ -2187,20 +3646,36 @@ static void working_ctz_double(char **data, const npy_intp *n, const npy_intp *s
 
 /* (3,4),(6)->(6) */
 INLINED void working_ctz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t c; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrewf_t c;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&c, p1 + i * step[1], core + 2);
     ksl_working_ctzf(&D, &c, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_single(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void working_ctz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    working_ctz_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    working_ctz_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    working_ctz_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   working_ctz_single_over(data, n[0], step, step + 3);
@@ -2210,20 +3685,36 @@ static PyUFuncGenericFunction working_ctz_loops[] = { working_ctz_double, workin
 
 /* (3,4),(6)->(6) */
 INLINED void working_crx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t c; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrew_t c;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&c, p1 + i * step[1], core + 2);
     ksl_working_crx(&D, &c, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_double(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void working_crx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    working_crx_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    working_crx_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    working_crx_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   working_crx_double_over(data, n[0], step, step + 3);
@@ -2231,20 +3722,36 @@ static void working_crx_double(char **data, const npy_intp *n, const npy_intp *s
 
 /* (3,4),(6)->(6) */
 INLINED void working_crx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t c; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrewf_t c;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&c, p1 + i * step[1], core + 2);
     ksl_working_crxf(&D, &c, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_single(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void working_crx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    working_crx_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    working_crx_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    working_crx_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   working_crx_single_over(data, n[0], step, step + 3);
@@ -2254,20 +3761,36 @@ static PyUFuncGenericFunction working_crx_loops[] = { working_crx_double, workin
 
 /* (3,4),(6)->(6) */
 INLINED void working_cry_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t c; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrew_t c;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&c, p1 + i * step[1], core + 2);
     ksl_working_cry(&D, &c, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_double(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void working_cry_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    working_cry_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    working_cry_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    working_cry_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   working_cry_double_over(data, n[0], step, step + 3);
@@ -2275,20 +3798,36 @@ static void working_cry_double(char **data, const npy_intp *n, const npy_intp *s
 
 /* (3,4),(6)->(6) */
 INLINED void working_cry_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t c; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrewf_t c;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&c, p1 + i * step[1], core + 2);
     ksl_working_cryf(&D, &c, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_single(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void working_cry_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    working_cry_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    working_cry_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    working_cry_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   working_cry_single_over(data, n[0], step, step + 3);
@@ -2298,20 +3837,36 @@ static PyUFuncGenericFunction working_cry_loops[] = { working_cry_double, workin
 
 /* (3,4),(6)->(6) */
 INLINED void working_crz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_coscrew_t c; ksl_coscrew_t co;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_double(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrew_t c;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_double(&c, p1 + i * step[1], core + 2);
     ksl_working_crz(&D, &c, &co);
-    store_coscrew_double(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_double(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void working_crz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    working_crz_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    working_crz_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    working_crz_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   working_crz_double_over(data, n[0], step, step + 3);
@@ -2319,20 +3874,36 @@ static void working_crz_double(char **data, const npy_intp *n, const npy_intp *s
 
 /* (3,4),(6)->(6) */
 INLINED void working_crz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_coscrewf_t c; ksl_coscrewf_t co;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_coscrew_single(&c, data[1] + i * step[1], core + 2);
+    ksl_coscrewf_t c;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_coscrew_single(&c, p1 + i * step[1], core + 2);
     ksl_working_crzf(&D, &c, &co);
-    store_coscrew_single(&co, data[2] + i * step[2], core + 3);
+    store_coscrew_single(&co, p2 + i * step[2], core + 3);
   }
 }
 
 static void working_crz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    working_crz_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    working_crz_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    working_crz_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   working_crz_single_over(data, n[0], step, step + 3);
@@ -2342,19 +3913,33 @@ static PyUFuncGenericFunction working_crz_loops[] = { working_crz_double, workin
 
 /* (6)->(6,6) */
 INLINED void coad_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screw_t s;
+  load_screw_double(&s, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screw_t s; ksl_mat6x6_t M;
-    load_screw_double(&s, data[0] + i * step[0], core + 0);
+    ksl_mat6x6_t M;
+    if (step[0] != 0) {
+      load_screw_double(&s, p0 + i * step[0], core + 0);
+    }
     ksl_coad(&s, &M);
-    store_mat6x6_double(&M, data[1] + i * step[1], core + 1);
+    store_mat6x6_double(&M, p1 + i * step[1], core + 1);
   }
 }
 
 static void coad_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 48, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    coad_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 288, 8, 48, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coad_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 288, 8, 48, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    coad_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   coad_double_over(data, n[0], step, step + 2);
@@ -2362,19 +3947,33 @@ static void coad_double(char **data, const npy_intp *n, const npy_intp *step, vo
 
 /* (6)->(6,6) */
 INLINED void coad_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screwf_t s;
+  load_screw_single(&s, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screwf_t s; ksl_mat6x6f_t M;
-    load_screw_single(&s, data[0] + i * step[0], core + 0);
+    ksl_mat6x6f_t M;
+    if (step[0] != 0) {
+      load_screw_single(&s, p0 + i * step[0], core + 0);
+    }
     ksl_coadf(&s, &M);
-    store_mat6x6_single(&M, data[1] + i * step[1], core + 1);
+    store_mat6x6_single(&M, p1 + i * step[1], core + 1);
   }
 }
 
 static void coad_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 24, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    coad_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 144, 4, 24, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    coad_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 144, 4, 24, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    coad_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   coad_single_over(data, n[0], step, step + 2);
@@ -2382,7 +3981,7 @@ static void coad_single(char **data, const npy_intp *n, const npy_intp *step, vo
 
 static PyUFuncGenericFunction coad_loops[] = { coad_double, coad_single };
 
-const coscrew_gufunc coscrew_coscrew_gufuncs[] = {
+const coscrew_gufunc TABLE(coscrew)[] = {
   {"coscrew_copy", "(6)->(6)",
     "co = ci.\n"
     "\n"
@@ -2715,3 +4314,7 @@ const coscrew_gufunc coscrew_coscrew_gufuncs[] = {
    1, 1, coad_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };
+
+#if defined(COSCREW_FOR_AVX2) && defined(__clang__)
+#pragma clang attribute pop
+#endif

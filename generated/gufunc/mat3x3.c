@@ -1,24 +1,39 @@
 /* Made by `coscrew generate`; changes are overwritten. */
-/* Gufunc loops of the mat3x3 operations. */
+/* Gufunc loops of the mat3x3 operations.  NumPy copies overlapping operands before it calls a
+   loop, so the pointers are restrict. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 
 /* (3,3)->(3,3) */
 INLINED void mat3x3_copy_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; ksl_mat3x3_t Ro;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
+    ksl_mat3x3_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
     ksl_mat3x3_copy(&R, &Ro);
-    store_mat3x3_double(&Ro, data[1] + i * step[1], core + 2);
+    store_mat3x3_double(&Ro, p1 + i * step[1], core + 2);
   }
 }
 
 static void mat3x3_copy_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 24, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    mat3x3_copy_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 72, 24, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_copy_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 72, 24, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_copy_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   mat3x3_copy_double_over(data, n[0], step, step + 2);
@@ -26,19 +41,33 @@ static void mat3x3_copy_double(char **data, const npy_intp *n, const npy_intp *s
 
 /* (3,3)->(3,3) */
 INLINED void mat3x3_copy_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; ksl_mat3x3f_t Ro;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
+    ksl_mat3x3f_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
     ksl_mat3x3f_copy(&R, &Ro);
-    store_mat3x3_single(&Ro, data[1] + i * step[1], core + 2);
+    store_mat3x3_single(&Ro, p1 + i * step[1], core + 2);
   }
 }
 
 static void mat3x3_copy_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 12, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    mat3x3_copy_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 36, 12, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_copy_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 36, 12, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_copy_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   mat3x3_copy_single_over(data, n[0], step, step + 2);
@@ -48,19 +77,21 @@ static PyUFuncGenericFunction mat3x3_copy_loops[] = { mat3x3_copy_double, mat3x3
 
 /* (3,3)->(3,3) */
 INLINED void mat3x3_setIdentity_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat3x3_t self;
-    load_mat3x3_double(&self, data[0] + i * step[0], core + 0);
+    load_mat3x3_double(&self, p0 + i * step[0], core + 0);
     ksl_mat3x3_setIdentity(&self);
-    store_mat3x3_double(&self, data[1] + i * step[1], core + 2);
+    store_mat3x3_double(&self, p1 + i * step[1], core + 2);
   }
 }
 
 static void mat3x3_setIdentity_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 24, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    mat3x3_setIdentity_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 72, 24, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_setIdentity_double_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   mat3x3_setIdentity_double_over(data, n[0], step, step + 2);
@@ -68,19 +99,21 @@ static void mat3x3_setIdentity_double(char **data, const npy_intp *n, const npy_
 
 /* (3,3)->(3,3) */
 INLINED void mat3x3_setIdentity_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat3x3f_t self;
-    load_mat3x3_single(&self, data[0] + i * step[0], core + 0);
+    load_mat3x3_single(&self, p0 + i * step[0], core + 0);
     ksl_mat3x3f_setIdentity(&self);
-    store_mat3x3_single(&self, data[1] + i * step[1], core + 2);
+    store_mat3x3_single(&self, p1 + i * step[1], core + 2);
   }
 }
 
 static void mat3x3_setIdentity_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 12, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    mat3x3_setIdentity_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 36, 12, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_setIdentity_single_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   mat3x3_setIdentity_single_over(data, n[0], step, step + 2);
@@ -90,21 +123,39 @@ static PyUFuncGenericFunction mat3x3_setIdentity_loops[] = { mat3x3_setIdentity_
 
 /* (3),(3),(3)->(3,3) */
 INLINED void mat3x3_setFromVectors_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  char *const restrict p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t x;
+  load_vec3_double(&x, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t x; ksl_vec3_t y; ksl_vec3_t z; ksl_mat3x3_t R;
-    load_vec3_double(&x, data[0] + i * step[0], core + 0);
-    load_vec3_double(&y, data[1] + i * step[1], core + 1);
-    load_vec3_double(&z, data[2] + i * step[2], core + 2);
+    ksl_vec3_t y;
+    ksl_vec3_t z;
+    ksl_mat3x3_t R;
+    if (step[0] != 0) {
+      load_vec3_double(&x, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&y, p1 + i * step[1], core + 1);
+    load_vec3_double(&z, p2 + i * step[2], core + 2);
     ksl_mat3x3_setFromVectors(&R, &x, &y, &z);
-    store_mat3x3_double(&R, data[3] + i * step[3], core + 3);
+    store_mat3x3_double(&R, p3 + i * step[3], core + 3);
   }
 }
 
 static void mat3x3_setFromVectors_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8, 24, 8 };
-  if (memcmp(step + 4, dense, sizeof dense) == 0) {
-    mat3x3_setFromVectors_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 72, 8, 8, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_setFromVectors_double_over(data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 72, 8, 8, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_setFromVectors_double_over(data, n[0], dense_2, dense_2 + 4);
     return;
   }
   mat3x3_setFromVectors_double_over(data, n[0], step, step + 4);
@@ -112,21 +163,39 @@ static void mat3x3_setFromVectors_double(char **data, const npy_intp *n, const n
 
 /* (3),(3),(3)->(3,3) */
 INLINED void mat3x3_setFromVectors_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  char *const restrict p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t x;
+  load_vec3_single(&x, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t x; ksl_vec3f_t y; ksl_vec3f_t z; ksl_mat3x3f_t R;
-    load_vec3_single(&x, data[0] + i * step[0], core + 0);
-    load_vec3_single(&y, data[1] + i * step[1], core + 1);
-    load_vec3_single(&z, data[2] + i * step[2], core + 2);
+    ksl_vec3f_t y;
+    ksl_vec3f_t z;
+    ksl_mat3x3f_t R;
+    if (step[0] != 0) {
+      load_vec3_single(&x, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&y, p1 + i * step[1], core + 1);
+    load_vec3_single(&z, p2 + i * step[2], core + 2);
     ksl_mat3x3f_setFromVectors(&R, &x, &y, &z);
-    store_mat3x3_single(&R, data[3] + i * step[3], core + 3);
+    store_mat3x3_single(&R, p3 + i * step[3], core + 3);
   }
 }
 
 static void mat3x3_setFromVectors_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4, 12, 4 };
-  if (memcmp(step + 4, dense, sizeof dense) == 0) {
-    mat3x3_setFromVectors_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 12, 12, 36, 4, 4, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_setFromVectors_single_over(data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 12, 36, 4, 4, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_setFromVectors_single_over(data, n[0], dense_2, dense_2 + 4);
     return;
   }
   mat3x3_setFromVectors_single_over(data, n[0], step, step + 4);
@@ -136,19 +205,33 @@ static PyUFuncGenericFunction mat3x3_setFromVectors_loops[] = { mat3x3_setFromVe
 
 /* (3)->(3,3) */
 INLINED void skew_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v;
+  load_vec3_double(&v, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t v; ksl_mat3x3_t Ro;
-    load_vec3_double(&v, data[0] + i * step[0], core + 0);
+    ksl_mat3x3_t Ro;
+    if (step[0] != 0) {
+      load_vec3_double(&v, p0 + i * step[0], core + 0);
+    }
     ksl_skew(&v, &Ro);
-    store_mat3x3_double(&Ro, data[1] + i * step[1], core + 1);
+    store_mat3x3_double(&Ro, p1 + i * step[1], core + 1);
   }
 }
 
 static void skew_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 24, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    skew_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    skew_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 72, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    skew_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   skew_double_over(data, n[0], step, step + 2);
@@ -156,19 +239,33 @@ static void skew_double(char **data, const npy_intp *n, const npy_intp *step, vo
 
 /* (3)->(3,3) */
 INLINED void skew_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v;
+  load_vec3_single(&v, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t v; ksl_mat3x3f_t Ro;
-    load_vec3_single(&v, data[0] + i * step[0], core + 0);
+    ksl_mat3x3f_t Ro;
+    if (step[0] != 0) {
+      load_vec3_single(&v, p0 + i * step[0], core + 0);
+    }
     ksl_skewf(&v, &Ro);
-    store_mat3x3_single(&Ro, data[1] + i * step[1], core + 1);
+    store_mat3x3_single(&Ro, p1 + i * step[1], core + 1);
   }
 }
 
 static void skew_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 12, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    skew_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    skew_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 36, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    skew_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   skew_single_over(data, n[0], step, step + 2);
@@ -178,19 +275,21 @@ static PyUFuncGenericFunction skew_loops[] = { skew_double, skew_single };
 
 /* (3,3)->(3,3) */
 INLINED void mat3x3_transpose_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat3x3_t self;
-    load_mat3x3_double(&self, data[0] + i * step[0], core + 0);
+    load_mat3x3_double(&self, p0 + i * step[0], core + 0);
     ksl_mat3x3_transpose(&self);
-    store_mat3x3_double(&self, data[1] + i * step[1], core + 2);
+    store_mat3x3_double(&self, p1 + i * step[1], core + 2);
   }
 }
 
 static void mat3x3_transpose_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 24, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    mat3x3_transpose_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 72, 24, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_transpose_double_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   mat3x3_transpose_double_over(data, n[0], step, step + 2);
@@ -198,19 +297,21 @@ static void mat3x3_transpose_double(char **data, const npy_intp *n, const npy_in
 
 /* (3,3)->(3,3) */
 INLINED void mat3x3_transpose_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat3x3f_t self;
-    load_mat3x3_single(&self, data[0] + i * step[0], core + 0);
+    load_mat3x3_single(&self, p0 + i * step[0], core + 0);
     ksl_mat3x3f_transpose(&self);
-    store_mat3x3_single(&self, data[1] + i * step[1], core + 2);
+    store_mat3x3_single(&self, p1 + i * step[1], core + 2);
   }
 }
 
 static void mat3x3_transpose_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 12, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    mat3x3_transpose_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 36, 12, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_transpose_single_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   mat3x3_transpose_single_over(data, n[0], step, step + 2);
@@ -220,19 +321,33 @@ static PyUFuncGenericFunction mat3x3_transpose_loops[] = { mat3x3_transpose_doub
 
 /* (3,3)->(3,3) */
 INLINED void mat3x3_transposed_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; ksl_mat3x3_t Ro;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
+    ksl_mat3x3_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
     ksl_mat3x3_transposed(&R, &Ro);
-    store_mat3x3_double(&Ro, data[1] + i * step[1], core + 2);
+    store_mat3x3_double(&Ro, p1 + i * step[1], core + 2);
   }
 }
 
 static void mat3x3_transposed_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 24, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    mat3x3_transposed_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 72, 24, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_transposed_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 72, 24, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_transposed_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   mat3x3_transposed_double_over(data, n[0], step, step + 2);
@@ -240,19 +355,33 @@ static void mat3x3_transposed_double(char **data, const npy_intp *n, const npy_i
 
 /* (3,3)->(3,3) */
 INLINED void mat3x3_transposed_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; ksl_mat3x3f_t Ro;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
+    ksl_mat3x3f_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
     ksl_mat3x3f_transposed(&R, &Ro);
-    store_mat3x3_single(&Ro, data[1] + i * step[1], core + 2);
+    store_mat3x3_single(&Ro, p1 + i * step[1], core + 2);
   }
 }
 
 static void mat3x3_transposed_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 12, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    mat3x3_transposed_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 36, 12, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_transposed_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 36, 12, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_transposed_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   mat3x3_transposed_single_over(data, n[0], step, step + 2);
@@ -262,19 +391,33 @@ static PyUFuncGenericFunction mat3x3_transposed_loops[] = { mat3x3_transposed_do
 
 /* (3,3)->() */
 INLINED void mat3x3_determinant_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; double det;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
+    double det;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
     det = ksl_mat3x3_determinant(&R);
-    store_scalar_double(&det, data[1] + i * step[1], core + 2);
+    store_scalar_double(&det, p1 + i * step[1], core + 2);
   }
 }
 
 static void mat3x3_determinant_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    mat3x3_determinant_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_determinant_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_determinant_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   mat3x3_determinant_double_over(data, n[0], step, step + 2);
@@ -282,19 +425,33 @@ static void mat3x3_determinant_double(char **data, const npy_intp *n, const npy_
 
 /* (3,3)->() */
 INLINED void mat3x3_determinant_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; float det;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
+    float det;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
     det = ksl_mat3x3f_determinant(&R);
-    store_scalar_single(&det, data[1] + i * step[1], core + 2);
+    store_scalar_single(&det, p1 + i * step[1], core + 2);
   }
 }
 
 static void mat3x3_determinant_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    mat3x3_determinant_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_determinant_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_determinant_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   mat3x3_determinant_single_over(data, n[0], step, step + 2);
@@ -302,7 +459,7 @@ static void mat3x3_determinant_single(char **data, const npy_intp *n, const npy_
 
 static PyUFuncGenericFunction mat3x3_determinant_loops[] = { mat3x3_determinant_double, mat3x3_determinant_single };
 
-const coscrew_gufunc coscrew_mat3x3_gufuncs[] = {
+const coscrew_gufunc TABLE(mat3x3)[] = {
   {"mat3x3_copy", "(3,3)->(3,3)",
     "Ro = R.\n"
     "\n"
@@ -347,3 +504,7 @@ const coscrew_gufunc coscrew_mat3x3_gufuncs[] = {
    1, 1, mat3x3_determinant_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };
+
+#if defined(COSCREW_FOR_AVX2) && defined(__clang__)
+#pragma clang attribute pop
+#endif

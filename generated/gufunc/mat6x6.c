@@ -1,24 +1,39 @@
 /* Made by `coscrew generate`; changes are overwritten. */
-/* Gufunc loops of the mat6x6 operations. */
+/* Gufunc loops of the mat6x6 operations.  NumPy copies overlapping operands before it calls a
+   loop, so the pointers are restrict. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 
 /* (6,6)->(6,6) */
 INLINED void mat6x6_copy_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat6x6_t M;
+  load_mat6x6_double(&M, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat6x6_t M; ksl_mat6x6_t Mo;
-    load_mat6x6_double(&M, data[0] + i * step[0], core + 0);
+    ksl_mat6x6_t Mo;
+    if (step[0] != 0) {
+      load_mat6x6_double(&M, p0 + i * step[0], core + 0);
+    }
     ksl_mat6x6_copy(&M, &Mo);
-    store_mat6x6_double(&Mo, data[1] + i * step[1], core + 2);
+    store_mat6x6_double(&Mo, p1 + i * step[1], core + 2);
   }
 }
 
 static void mat6x6_copy_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 48, 8, 48, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    mat6x6_copy_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 288, 288, 48, 8, 48, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat6x6_copy_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 288, 48, 8, 48, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat6x6_copy_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   mat6x6_copy_double_over(data, n[0], step, step + 2);
@@ -26,19 +41,33 @@ static void mat6x6_copy_double(char **data, const npy_intp *n, const npy_intp *s
 
 /* (6,6)->(6,6) */
 INLINED void mat6x6_copy_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat6x6f_t M;
+  load_mat6x6_single(&M, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat6x6f_t M; ksl_mat6x6f_t Mo;
-    load_mat6x6_single(&M, data[0] + i * step[0], core + 0);
+    ksl_mat6x6f_t Mo;
+    if (step[0] != 0) {
+      load_mat6x6_single(&M, p0 + i * step[0], core + 0);
+    }
     ksl_mat6x6f_copy(&M, &Mo);
-    store_mat6x6_single(&Mo, data[1] + i * step[1], core + 2);
+    store_mat6x6_single(&Mo, p1 + i * step[1], core + 2);
   }
 }
 
 static void mat6x6_copy_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 4, 24, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    mat6x6_copy_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 144, 144, 24, 4, 24, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat6x6_copy_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 144, 24, 4, 24, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat6x6_copy_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   mat6x6_copy_single_over(data, n[0], step, step + 2);
@@ -48,19 +77,21 @@ static PyUFuncGenericFunction mat6x6_copy_loops[] = { mat6x6_copy_double, mat6x6
 
 /* (6,6)->(6,6) */
 INLINED void mat6x6_setIdentity_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat6x6_t self;
-    load_mat6x6_double(&self, data[0] + i * step[0], core + 0);
+    load_mat6x6_double(&self, p0 + i * step[0], core + 0);
     ksl_mat6x6_setIdentity(&self);
-    store_mat6x6_double(&self, data[1] + i * step[1], core + 2);
+    store_mat6x6_double(&self, p1 + i * step[1], core + 2);
   }
 }
 
 static void mat6x6_setIdentity_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 48, 8, 48, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    mat6x6_setIdentity_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 288, 288, 48, 8, 48, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat6x6_setIdentity_double_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   mat6x6_setIdentity_double_over(data, n[0], step, step + 2);
@@ -68,19 +99,21 @@ static void mat6x6_setIdentity_double(char **data, const npy_intp *n, const npy_
 
 /* (6,6)->(6,6) */
 INLINED void mat6x6_setIdentity_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat6x6f_t self;
-    load_mat6x6_single(&self, data[0] + i * step[0], core + 0);
+    load_mat6x6_single(&self, p0 + i * step[0], core + 0);
     ksl_mat6x6f_setIdentity(&self);
-    store_mat6x6_single(&self, data[1] + i * step[1], core + 2);
+    store_mat6x6_single(&self, p1 + i * step[1], core + 2);
   }
 }
 
 static void mat6x6_setIdentity_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 4, 24, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    mat6x6_setIdentity_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 144, 144, 24, 4, 24, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat6x6_setIdentity_single_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   mat6x6_setIdentity_single_over(data, n[0], step, step + 2);
@@ -90,19 +123,33 @@ static PyUFuncGenericFunction mat6x6_setIdentity_loops[] = { mat6x6_setIdentity_
 
 /* (6,6)->(6,6) */
 INLINED void mat6x6_transposed_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat6x6_t M;
+  load_mat6x6_double(&M, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat6x6_t M; ksl_mat6x6_t Mo;
-    load_mat6x6_double(&M, data[0] + i * step[0], core + 0);
+    ksl_mat6x6_t Mo;
+    if (step[0] != 0) {
+      load_mat6x6_double(&M, p0 + i * step[0], core + 0);
+    }
     ksl_mat6x6_transposed(&M, &Mo);
-    store_mat6x6_double(&Mo, data[1] + i * step[1], core + 2);
+    store_mat6x6_double(&Mo, p1 + i * step[1], core + 2);
   }
 }
 
 static void mat6x6_transposed_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 48, 8, 48, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    mat6x6_transposed_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 288, 288, 48, 8, 48, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat6x6_transposed_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 288, 48, 8, 48, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat6x6_transposed_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   mat6x6_transposed_double_over(data, n[0], step, step + 2);
@@ -110,19 +157,33 @@ static void mat6x6_transposed_double(char **data, const npy_intp *n, const npy_i
 
 /* (6,6)->(6,6) */
 INLINED void mat6x6_transposed_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat6x6f_t M;
+  load_mat6x6_single(&M, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat6x6f_t M; ksl_mat6x6f_t Mo;
-    load_mat6x6_single(&M, data[0] + i * step[0], core + 0);
+    ksl_mat6x6f_t Mo;
+    if (step[0] != 0) {
+      load_mat6x6_single(&M, p0 + i * step[0], core + 0);
+    }
     ksl_mat6x6f_transposed(&M, &Mo);
-    store_mat6x6_single(&Mo, data[1] + i * step[1], core + 2);
+    store_mat6x6_single(&Mo, p1 + i * step[1], core + 2);
   }
 }
 
 static void mat6x6_transposed_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 4, 24, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    mat6x6_transposed_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 144, 144, 24, 4, 24, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat6x6_transposed_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 144, 24, 4, 24, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat6x6_transposed_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   mat6x6_transposed_single_over(data, n[0], step, step + 2);
@@ -130,7 +191,7 @@ static void mat6x6_transposed_single(char **data, const npy_intp *n, const npy_i
 
 static PyUFuncGenericFunction mat6x6_transposed_loops[] = { mat6x6_transposed_double, mat6x6_transposed_single };
 
-const coscrew_gufunc coscrew_mat6x6_gufuncs[] = {
+const coscrew_gufunc TABLE(mat6x6)[] = {
   {"mat6x6_copy", "(6,6)->(6,6)",
     "Mo = M.\n"
     "\n"
@@ -151,3 +212,7 @@ const coscrew_gufunc coscrew_mat6x6_gufuncs[] = {
    1, 1, mat6x6_transposed_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };
+
+#if defined(COSCREW_FOR_AVX2) && defined(__clang__)
+#pragma clang attribute pop
+#endif

@@ -1,25 +1,42 @@
 /* Made by `coscrew generate`; changes are overwritten. */
-/* Gufunc loops of the matrix operations. */
+/* Gufunc loops of the matrix operations.  NumPy copies overlapping operands before it calls a
+   loop, so the pointers are restrict. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 
 /* (3,3),(3)->(3) */
 INLINED void product_drv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; ksl_vec3_t v; ksl_vec3_t vo;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_vec3_double(&v, data[1] + i * step[1], core + 2);
+    ksl_vec3_t v;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&v, p1 + i * step[1], core + 2);
     ksl_product_drv(&R, &v, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 3);
+    store_vec3_double(&vo, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_drv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 24, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drv_double_over(data, n[0], step, step + 3);
@@ -27,20 +44,36 @@ static void product_drv_double(char **data, const npy_intp *n, const npy_intp *s
 
 /* (3,3),(3)->(3) */
 INLINED void product_drv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; ksl_vec3f_t v; ksl_vec3f_t vo;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_vec3_single(&v, data[1] + i * step[1], core + 2);
+    ksl_vec3f_t v;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&v, p1 + i * step[1], core + 2);
     ksl_product_drvf(&R, &v, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 3);
+    store_vec3_single(&vo, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_drv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 12, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drv_single_over(data, n[0], step, step + 3);
@@ -50,20 +83,36 @@ static PyUFuncGenericFunction product_drv_loops[] = { product_drv_double, produc
 
 /* (3,3),(3)->(3) */
 INLINED void product_drvinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; ksl_vec3_t v; ksl_vec3_t vo;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_vec3_double(&v, data[1] + i * step[1], core + 2);
+    ksl_vec3_t v;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&v, p1 + i * step[1], core + 2);
     ksl_product_drvinv(&R, &v, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 3);
+    store_vec3_double(&vo, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_drvinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drvinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 24, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drvinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drvinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvinv_double_over(data, n[0], step, step + 3);
@@ -71,20 +120,36 @@ static void product_drvinv_double(char **data, const npy_intp *n, const npy_intp
 
 /* (3,3),(3)->(3) */
 INLINED void product_drvinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; ksl_vec3f_t v; ksl_vec3f_t vo;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_vec3_single(&v, data[1] + i * step[1], core + 2);
+    ksl_vec3f_t v;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&v, p1 + i * step[1], core + 2);
     ksl_product_drvinvf(&R, &v, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 3);
+    store_vec3_single(&vo, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_drvinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drvinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 12, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drvinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drvinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvinv_single_over(data, n[0], step, step + 3);
@@ -94,20 +159,36 @@ static PyUFuncGenericFunction product_drvinv_loops[] = { product_drvinv_double, 
 
 /* (3,3),(3)->(3) */
 INLINED void product_drinvv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; ksl_vec3_t v; ksl_vec3_t vo;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_vec3_double(&v, data[1] + i * step[1], core + 2);
+    ksl_vec3_t v;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&v, p1 + i * step[1], core + 2);
     ksl_product_drinvv(&R, &v, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 3);
+    store_vec3_double(&vo, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_drinvv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drinvv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 24, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drinvv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drinvv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drinvv_double_over(data, n[0], step, step + 3);
@@ -115,20 +196,36 @@ static void product_drinvv_double(char **data, const npy_intp *n, const npy_intp
 
 /* (3,3),(3)->(3) */
 INLINED void product_drinvv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; ksl_vec3f_t v; ksl_vec3f_t vo;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_vec3_single(&v, data[1] + i * step[1], core + 2);
+    ksl_vec3f_t v;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&v, p1 + i * step[1], core + 2);
     ksl_product_drinvvf(&R, &v, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 3);
+    store_vec3_single(&vo, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_drinvv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drinvv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 12, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drinvv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drinvv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drinvv_single_over(data, n[0], step, step + 3);
@@ -138,20 +235,36 @@ static PyUFuncGenericFunction product_drinvv_loops[] = { product_drinvv_double, 
 
 /* (3,3),(3)->(3) */
 INLINED void product_drinvvinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; ksl_vec3_t v; ksl_vec3_t vo;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_vec3_double(&v, data[1] + i * step[1], core + 2);
+    ksl_vec3_t v;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&v, p1 + i * step[1], core + 2);
     ksl_product_drinvvinv(&R, &v, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 3);
+    store_vec3_double(&vo, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_drinvvinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drinvvinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 24, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drinvvinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drinvvinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drinvvinv_double_over(data, n[0], step, step + 3);
@@ -159,20 +272,36 @@ static void product_drinvvinv_double(char **data, const npy_intp *n, const npy_i
 
 /* (3,3),(3)->(3) */
 INLINED void product_drinvvinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; ksl_vec3f_t v; ksl_vec3f_t vo;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_vec3_single(&v, data[1] + i * step[1], core + 2);
+    ksl_vec3f_t v;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&v, p1 + i * step[1], core + 2);
     ksl_product_drinvvinvf(&R, &v, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 3);
+    store_vec3_single(&vo, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_drinvvinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drinvvinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 12, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drinvvinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drinvvinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drinvvinv_single_over(data, n[0], step, step + 3);
@@ -182,20 +311,36 @@ static PyUFuncGenericFunction product_drinvvinv_loops[] = { product_drinvvinv_do
 
 /* (3,4),(3)->(3) */
 INLINED void product_dv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_vec3_t v; ksl_vec3_t vo;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_vec3_double(&v, data[1] + i * step[1], core + 2);
+    ksl_vec3_t v;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&v, p1 + i * step[1], core + 2);
     ksl_product_dv(&D, &v, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 3);
+    store_vec3_double(&vo, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_dv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_dv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 24, 24, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_dv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_dv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_dv_double_over(data, n[0], step, step + 3);
@@ -203,20 +348,36 @@ static void product_dv_double(char **data, const npy_intp *n, const npy_intp *st
 
 /* (3,4),(3)->(3) */
 INLINED void product_dv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_vec3f_t v; ksl_vec3f_t vo;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_vec3_single(&v, data[1] + i * step[1], core + 2);
+    ksl_vec3f_t v;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&v, p1 + i * step[1], core + 2);
     ksl_product_dvf(&D, &v, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 3);
+    store_vec3_single(&vo, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_dv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_dv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 12, 12, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_dv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 12, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_dv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_dv_single_over(data, n[0], step, step + 3);
@@ -226,20 +387,36 @@ static PyUFuncGenericFunction product_dv_loops[] = { product_dv_double, product_
 
 /* (3,4),(3)->(3) */
 INLINED void product_dinvv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_vec3_t v; ksl_vec3_t vo;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_vec3_double(&v, data[1] + i * step[1], core + 2);
+    ksl_vec3_t v;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&v, p1 + i * step[1], core + 2);
     ksl_product_dinvv(&D, &v, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 3);
+    store_vec3_double(&vo, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_dinvv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_dinvv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 24, 24, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_dinvv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_dinvv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_dinvv_double_over(data, n[0], step, step + 3);
@@ -247,20 +424,36 @@ static void product_dinvv_double(char **data, const npy_intp *n, const npy_intp 
 
 /* (3,4),(3)->(3) */
 INLINED void product_dinvv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_vec3f_t v; ksl_vec3f_t vo;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_vec3_single(&v, data[1] + i * step[1], core + 2);
+    ksl_vec3f_t v;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&v, p1 + i * step[1], core + 2);
     ksl_product_dinvvf(&D, &v, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 3);
+    store_vec3_single(&vo, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_dinvv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_dinvv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 12, 12, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_dinvv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 12, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_dinvv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_dinvv_single_over(data, n[0], step, step + 3);
@@ -270,20 +463,36 @@ static PyUFuncGenericFunction product_dinvv_loops[] = { product_dinvv_double, pr
 
 /* (3,3),(3,3)->(3,3) */
 INLINED void product_drdr_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R1;
+  load_mat3x3_double(&R1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R1; ksl_mat3x3_t R2; ksl_mat3x3_t Ro;
-    load_mat3x3_double(&R1, data[0] + i * step[0], core + 0);
-    load_mat3x3_double(&R2, data[1] + i * step[1], core + 2);
+    ksl_mat3x3_t R2;
+    ksl_mat3x3_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R1, p0 + i * step[0], core + 0);
+    }
+    load_mat3x3_double(&R2, p1 + i * step[1], core + 2);
     ksl_product_drdr(&R1, &R2, &Ro);
-    store_mat3x3_double(&Ro, data[2] + i * step[2], core + 4);
+    store_mat3x3_double(&Ro, p2 + i * step[2], core + 4);
   }
 }
 
 static void product_drdr_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 24, 8, 24, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drdr_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 72, 72, 24, 8, 24, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drdr_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 72, 72, 24, 8, 24, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drdr_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdr_double_over(data, n[0], step, step + 3);
@@ -291,20 +500,36 @@ static void product_drdr_double(char **data, const npy_intp *n, const npy_intp *
 
 /* (3,3),(3,3)->(3,3) */
 INLINED void product_drdr_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R1;
+  load_mat3x3_single(&R1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R1; ksl_mat3x3f_t R2; ksl_mat3x3f_t Ro;
-    load_mat3x3_single(&R1, data[0] + i * step[0], core + 0);
-    load_mat3x3_single(&R2, data[1] + i * step[1], core + 2);
+    ksl_mat3x3f_t R2;
+    ksl_mat3x3f_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R1, p0 + i * step[0], core + 0);
+    }
+    load_mat3x3_single(&R2, p1 + i * step[1], core + 2);
     ksl_product_drdrf(&R1, &R2, &Ro);
-    store_mat3x3_single(&Ro, data[2] + i * step[2], core + 4);
+    store_mat3x3_single(&Ro, p2 + i * step[2], core + 4);
   }
 }
 
 static void product_drdr_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 12, 4, 12, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drdr_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 36, 36, 12, 4, 12, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drdr_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 36, 36, 12, 4, 12, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drdr_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdr_single_over(data, n[0], step, step + 3);
@@ -314,20 +539,36 @@ static PyUFuncGenericFunction product_drdr_loops[] = { product_drdr_double, prod
 
 /* (3,3),(3,3)->(3,3) */
 INLINED void product_drdrinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R1;
+  load_mat3x3_double(&R1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R1; ksl_mat3x3_t R2; ksl_mat3x3_t Ro;
-    load_mat3x3_double(&R1, data[0] + i * step[0], core + 0);
-    load_mat3x3_double(&R2, data[1] + i * step[1], core + 2);
+    ksl_mat3x3_t R2;
+    ksl_mat3x3_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R1, p0 + i * step[0], core + 0);
+    }
+    load_mat3x3_double(&R2, p1 + i * step[1], core + 2);
     ksl_product_drdrinv(&R1, &R2, &Ro);
-    store_mat3x3_double(&Ro, data[2] + i * step[2], core + 4);
+    store_mat3x3_double(&Ro, p2 + i * step[2], core + 4);
   }
 }
 
 static void product_drdrinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 24, 8, 24, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drdrinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 72, 72, 24, 8, 24, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drdrinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 72, 72, 24, 8, 24, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drdrinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdrinv_double_over(data, n[0], step, step + 3);
@@ -335,20 +576,36 @@ static void product_drdrinv_double(char **data, const npy_intp *n, const npy_int
 
 /* (3,3),(3,3)->(3,3) */
 INLINED void product_drdrinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R1;
+  load_mat3x3_single(&R1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R1; ksl_mat3x3f_t R2; ksl_mat3x3f_t Ro;
-    load_mat3x3_single(&R1, data[0] + i * step[0], core + 0);
-    load_mat3x3_single(&R2, data[1] + i * step[1], core + 2);
+    ksl_mat3x3f_t R2;
+    ksl_mat3x3f_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R1, p0 + i * step[0], core + 0);
+    }
+    load_mat3x3_single(&R2, p1 + i * step[1], core + 2);
     ksl_product_drdrinvf(&R1, &R2, &Ro);
-    store_mat3x3_single(&Ro, data[2] + i * step[2], core + 4);
+    store_mat3x3_single(&Ro, p2 + i * step[2], core + 4);
   }
 }
 
 static void product_drdrinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 12, 4, 12, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drdrinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 36, 36, 12, 4, 12, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drdrinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 36, 36, 12, 4, 12, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drdrinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdrinv_single_over(data, n[0], step, step + 3);
@@ -358,20 +615,36 @@ static PyUFuncGenericFunction product_drdrinv_loops[] = { product_drdrinv_double
 
 /* (3,3),(3,3)->(3,3) */
 INLINED void product_drinvdr_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R1;
+  load_mat3x3_double(&R1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R1; ksl_mat3x3_t R2; ksl_mat3x3_t Ro;
-    load_mat3x3_double(&R1, data[0] + i * step[0], core + 0);
-    load_mat3x3_double(&R2, data[1] + i * step[1], core + 2);
+    ksl_mat3x3_t R2;
+    ksl_mat3x3_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R1, p0 + i * step[0], core + 0);
+    }
+    load_mat3x3_double(&R2, p1 + i * step[1], core + 2);
     ksl_product_drinvdr(&R1, &R2, &Ro);
-    store_mat3x3_double(&Ro, data[2] + i * step[2], core + 4);
+    store_mat3x3_double(&Ro, p2 + i * step[2], core + 4);
   }
 }
 
 static void product_drinvdr_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 24, 8, 24, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drinvdr_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 72, 72, 24, 8, 24, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drinvdr_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 72, 72, 24, 8, 24, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drinvdr_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drinvdr_double_over(data, n[0], step, step + 3);
@@ -379,20 +652,36 @@ static void product_drinvdr_double(char **data, const npy_intp *n, const npy_int
 
 /* (3,3),(3,3)->(3,3) */
 INLINED void product_drinvdr_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R1;
+  load_mat3x3_single(&R1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R1; ksl_mat3x3f_t R2; ksl_mat3x3f_t Ro;
-    load_mat3x3_single(&R1, data[0] + i * step[0], core + 0);
-    load_mat3x3_single(&R2, data[1] + i * step[1], core + 2);
+    ksl_mat3x3f_t R2;
+    ksl_mat3x3f_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R1, p0 + i * step[0], core + 0);
+    }
+    load_mat3x3_single(&R2, p1 + i * step[1], core + 2);
     ksl_product_drinvdrf(&R1, &R2, &Ro);
-    store_mat3x3_single(&Ro, data[2] + i * step[2], core + 4);
+    store_mat3x3_single(&Ro, p2 + i * step[2], core + 4);
   }
 }
 
 static void product_drinvdr_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 12, 4, 12, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drinvdr_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 36, 36, 12, 4, 12, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drinvdr_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 36, 36, 12, 4, 12, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drinvdr_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drinvdr_single_over(data, n[0], step, step + 3);
@@ -402,20 +691,36 @@ static PyUFuncGenericFunction product_drinvdr_loops[] = { product_drinvdr_double
 
 /* (3,4),(3,4)->(3,4) */
 INLINED void product_dd_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D1;
+  load_SE3_double(&D1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D1; ksl_SE3_t D2; ksl_SE3_t Do;
-    load_SE3_double(&D1, data[0] + i * step[0], core + 0);
-    load_SE3_double(&D2, data[1] + i * step[1], core + 2);
+    ksl_SE3_t D2;
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D1, p0 + i * step[0], core + 0);
+    }
+    load_SE3_double(&D2, p1 + i * step[1], core + 2);
     ksl_product_dd(&D1, &D2, &Do);
-    store_SE3_double(&Do, data[2] + i * step[2], core + 4);
+    store_SE3_double(&Do, p2 + i * step[2], core + 4);
   }
 }
 
 static void product_dd_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 32, 8, 32, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_dd_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 96, 96, 32, 8, 32, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_dd_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 96, 96, 32, 8, 32, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_dd_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_dd_double_over(data, n[0], step, step + 3);
@@ -423,20 +728,36 @@ static void product_dd_double(char **data, const npy_intp *n, const npy_intp *st
 
 /* (3,4),(3,4)->(3,4) */
 INLINED void product_dd_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D1;
+  load_SE3_single(&D1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D1; ksl_SE3f_t D2; ksl_SE3f_t Do;
-    load_SE3_single(&D1, data[0] + i * step[0], core + 0);
-    load_SE3_single(&D2, data[1] + i * step[1], core + 2);
+    ksl_SE3f_t D2;
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D1, p0 + i * step[0], core + 0);
+    }
+    load_SE3_single(&D2, p1 + i * step[1], core + 2);
     ksl_product_ddf(&D1, &D2, &Do);
-    store_SE3_single(&Do, data[2] + i * step[2], core + 4);
+    store_SE3_single(&Do, p2 + i * step[2], core + 4);
   }
 }
 
 static void product_dd_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 16, 4, 16, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_dd_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 48, 16, 4, 16, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_dd_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 16, 4, 16, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_dd_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_dd_single_over(data, n[0], step, step + 3);
@@ -446,20 +767,36 @@ static PyUFuncGenericFunction product_dd_loops[] = { product_dd_double, product_
 
 /* (3,4),(3,4)->(3,4) */
 INLINED void product_ddinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D1;
+  load_SE3_double(&D1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D1; ksl_SE3_t D2; ksl_SE3_t Do;
-    load_SE3_double(&D1, data[0] + i * step[0], core + 0);
-    load_SE3_double(&D2, data[1] + i * step[1], core + 2);
+    ksl_SE3_t D2;
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D1, p0 + i * step[0], core + 0);
+    }
+    load_SE3_double(&D2, p1 + i * step[1], core + 2);
     ksl_product_ddinv(&D1, &D2, &Do);
-    store_SE3_double(&Do, data[2] + i * step[2], core + 4);
+    store_SE3_double(&Do, p2 + i * step[2], core + 4);
   }
 }
 
 static void product_ddinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 32, 8, 32, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 96, 96, 32, 8, 32, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 96, 96, 32, 8, 32, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddinv_double_over(data, n[0], step, step + 3);
@@ -467,20 +804,36 @@ static void product_ddinv_double(char **data, const npy_intp *n, const npy_intp 
 
 /* (3,4),(3,4)->(3,4) */
 INLINED void product_ddinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D1;
+  load_SE3_single(&D1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D1; ksl_SE3f_t D2; ksl_SE3f_t Do;
-    load_SE3_single(&D1, data[0] + i * step[0], core + 0);
-    load_SE3_single(&D2, data[1] + i * step[1], core + 2);
+    ksl_SE3f_t D2;
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D1, p0 + i * step[0], core + 0);
+    }
+    load_SE3_single(&D2, p1 + i * step[1], core + 2);
     ksl_product_ddinvf(&D1, &D2, &Do);
-    store_SE3_single(&Do, data[2] + i * step[2], core + 4);
+    store_SE3_single(&Do, p2 + i * step[2], core + 4);
   }
 }
 
 static void product_ddinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 16, 4, 16, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 48, 16, 4, 16, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 16, 4, 16, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddinv_single_over(data, n[0], step, step + 3);
@@ -490,20 +843,36 @@ static PyUFuncGenericFunction product_ddinv_loops[] = { product_ddinv_double, pr
 
 /* (3,4),(3,4)->(3,4) */
 INLINED void product_dinvd_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D1;
+  load_SE3_double(&D1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D1; ksl_SE3_t D2; ksl_SE3_t Do;
-    load_SE3_double(&D1, data[0] + i * step[0], core + 0);
-    load_SE3_double(&D2, data[1] + i * step[1], core + 2);
+    ksl_SE3_t D2;
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D1, p0 + i * step[0], core + 0);
+    }
+    load_SE3_double(&D2, p1 + i * step[1], core + 2);
     ksl_product_dinvd(&D1, &D2, &Do);
-    store_SE3_double(&Do, data[2] + i * step[2], core + 4);
+    store_SE3_double(&Do, p2 + i * step[2], core + 4);
   }
 }
 
 static void product_dinvd_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 32, 8, 32, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_dinvd_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 96, 96, 32, 8, 32, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_dinvd_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 96, 96, 32, 8, 32, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_dinvd_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_dinvd_double_over(data, n[0], step, step + 3);
@@ -511,20 +880,36 @@ static void product_dinvd_double(char **data, const npy_intp *n, const npy_intp 
 
 /* (3,4),(3,4)->(3,4) */
 INLINED void product_dinvd_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D1;
+  load_SE3_single(&D1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D1; ksl_SE3f_t D2; ksl_SE3f_t Do;
-    load_SE3_single(&D1, data[0] + i * step[0], core + 0);
-    load_SE3_single(&D2, data[1] + i * step[1], core + 2);
+    ksl_SE3f_t D2;
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D1, p0 + i * step[0], core + 0);
+    }
+    load_SE3_single(&D2, p1 + i * step[1], core + 2);
     ksl_product_dinvdf(&D1, &D2, &Do);
-    store_SE3_single(&Do, data[2] + i * step[2], core + 4);
+    store_SE3_single(&Do, p2 + i * step[2], core + 4);
   }
 }
 
 static void product_dinvd_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 16, 4, 16, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_dinvd_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 48, 16, 4, 16, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_dinvd_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 16, 4, 16, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_dinvd_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_dinvd_single_over(data, n[0], step, step + 3);
@@ -534,20 +919,36 @@ static PyUFuncGenericFunction product_dinvd_loops[] = { product_dinvd_double, pr
 
 /* (3,4),(3,3)->(3,4) */
 INLINED void product_ddr_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_mat3x3_t R; ksl_SE3_t Do;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_mat3x3_double(&R, data[1] + i * step[1], core + 2);
+    ksl_mat3x3_t R;
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_mat3x3_double(&R, p1 + i * step[1], core + 2);
     ksl_product_ddr(&D, &R, &Do);
-    store_SE3_double(&Do, data[2] + i * step[2], core + 4);
+    store_SE3_double(&Do, p2 + i * step[2], core + 4);
   }
 }
 
 static void product_ddr_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 24, 8, 32, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddr_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 72, 96, 32, 8, 24, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddr_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 72, 96, 32, 8, 24, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddr_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddr_double_over(data, n[0], step, step + 3);
@@ -555,20 +956,36 @@ static void product_ddr_double(char **data, const npy_intp *n, const npy_intp *s
 
 /* (3,4),(3,3)->(3,4) */
 INLINED void product_ddr_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_mat3x3f_t R; ksl_SE3f_t Do;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_mat3x3_single(&R, data[1] + i * step[1], core + 2);
+    ksl_mat3x3f_t R;
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_mat3x3_single(&R, p1 + i * step[1], core + 2);
     ksl_product_ddrf(&D, &R, &Do);
-    store_SE3_single(&Do, data[2] + i * step[2], core + 4);
+    store_SE3_single(&Do, p2 + i * step[2], core + 4);
   }
 }
 
 static void product_ddr_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 12, 4, 16, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddr_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 36, 48, 16, 4, 12, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddr_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 36, 48, 16, 4, 12, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddr_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddr_single_over(data, n[0], step, step + 3);
@@ -578,20 +995,36 @@ static PyUFuncGenericFunction product_ddr_loops[] = { product_ddr_double, produc
 
 /* (3,4),(3,3)->(3,4) */
 INLINED void product_ddrinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_mat3x3_t R; ksl_SE3_t Do;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_mat3x3_double(&R, data[1] + i * step[1], core + 2);
+    ksl_mat3x3_t R;
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_mat3x3_double(&R, p1 + i * step[1], core + 2);
     ksl_product_ddrinv(&D, &R, &Do);
-    store_SE3_double(&Do, data[2] + i * step[2], core + 4);
+    store_SE3_double(&Do, p2 + i * step[2], core + 4);
   }
 }
 
 static void product_ddrinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 24, 8, 32, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddrinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 72, 96, 32, 8, 24, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddrinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 72, 96, 32, 8, 24, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddrinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddrinv_double_over(data, n[0], step, step + 3);
@@ -599,20 +1032,36 @@ static void product_ddrinv_double(char **data, const npy_intp *n, const npy_intp
 
 /* (3,4),(3,3)->(3,4) */
 INLINED void product_ddrinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_mat3x3f_t R; ksl_SE3f_t Do;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_mat3x3_single(&R, data[1] + i * step[1], core + 2);
+    ksl_mat3x3f_t R;
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_mat3x3_single(&R, p1 + i * step[1], core + 2);
     ksl_product_ddrinvf(&D, &R, &Do);
-    store_SE3_single(&Do, data[2] + i * step[2], core + 4);
+    store_SE3_single(&Do, p2 + i * step[2], core + 4);
   }
 }
 
 static void product_ddrinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 12, 4, 16, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddrinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 36, 48, 16, 4, 12, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddrinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 36, 48, 16, 4, 12, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddrinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddrinv_single_over(data, n[0], step, step + 3);
@@ -622,20 +1071,36 @@ static PyUFuncGenericFunction product_ddrinv_loops[] = { product_ddrinv_double, 
 
 /* (3,4),(3)->(3,4) */
 INLINED void product_ddt_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_vec3_t t; ksl_SE3_t Do;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_vec3_double(&t, data[1] + i * step[1], core + 2);
+    ksl_vec3_t t;
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&t, p1 + i * step[1], core + 2);
     ksl_product_ddt(&D, &t, &Do);
-    store_SE3_double(&Do, data[2] + i * step[2], core + 3);
+    store_SE3_double(&Do, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_ddt_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 32, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddt_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 24, 96, 32, 8, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddt_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 96, 32, 8, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddt_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddt_double_over(data, n[0], step, step + 3);
@@ -643,20 +1108,36 @@ static void product_ddt_double(char **data, const npy_intp *n, const npy_intp *s
 
 /* (3,4),(3)->(3,4) */
 INLINED void product_ddt_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_vec3f_t t; ksl_SE3f_t Do;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_vec3_single(&t, data[1] + i * step[1], core + 2);
+    ksl_vec3f_t t;
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&t, p1 + i * step[1], core + 2);
     ksl_product_ddtf(&D, &t, &Do);
-    store_SE3_single(&Do, data[2] + i * step[2], core + 3);
+    store_SE3_single(&Do, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_ddt_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 16, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddt_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 12, 48, 16, 4, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddt_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 48, 16, 4, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddt_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddt_single_over(data, n[0], step, step + 3);
@@ -666,20 +1147,36 @@ static PyUFuncGenericFunction product_ddt_loops[] = { product_ddt_double, produc
 
 /* (3,4),(3)->(3,4) */
 INLINED void product_ddtinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_vec3_t t; ksl_SE3_t Do;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_vec3_double(&t, data[1] + i * step[1], core + 2);
+    ksl_vec3_t t;
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&t, p1 + i * step[1], core + 2);
     ksl_product_ddtinv(&D, &t, &Do);
-    store_SE3_double(&Do, data[2] + i * step[2], core + 3);
+    store_SE3_double(&Do, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_ddtinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 32, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddtinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 24, 96, 32, 8, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddtinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 96, 32, 8, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddtinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtinv_double_over(data, n[0], step, step + 3);
@@ -687,20 +1184,36 @@ static void product_ddtinv_double(char **data, const npy_intp *n, const npy_intp
 
 /* (3,4),(3)->(3,4) */
 INLINED void product_ddtinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_vec3f_t t; ksl_SE3f_t Do;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_vec3_single(&t, data[1] + i * step[1], core + 2);
+    ksl_vec3f_t t;
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&t, p1 + i * step[1], core + 2);
     ksl_product_ddtinvf(&D, &t, &Do);
-    store_SE3_single(&Do, data[2] + i * step[2], core + 3);
+    store_SE3_single(&Do, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_ddtinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 16, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddtinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 12, 48, 16, 4, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddtinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 48, 16, 4, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddtinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtinv_single_over(data, n[0], step, step + 3);
@@ -710,20 +1223,36 @@ static PyUFuncGenericFunction product_ddtinv_loops[] = { product_ddtinv_double, 
 
 /* (3,4),(3)->(3,4) */
 INLINED void product_dinvdt_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_vec3_t t; ksl_SE3_t Do;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_vec3_double(&t, data[1] + i * step[1], core + 2);
+    ksl_vec3_t t;
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&t, p1 + i * step[1], core + 2);
     ksl_product_dinvdt(&D, &t, &Do);
-    store_SE3_double(&Do, data[2] + i * step[2], core + 3);
+    store_SE3_double(&Do, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_dinvdt_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 32, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_dinvdt_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 24, 96, 32, 8, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_dinvdt_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 96, 32, 8, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_dinvdt_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_dinvdt_double_over(data, n[0], step, step + 3);
@@ -731,20 +1260,36 @@ static void product_dinvdt_double(char **data, const npy_intp *n, const npy_intp
 
 /* (3,4),(3)->(3,4) */
 INLINED void product_dinvdt_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_vec3f_t t; ksl_SE3f_t Do;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_vec3_single(&t, data[1] + i * step[1], core + 2);
+    ksl_vec3f_t t;
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&t, p1 + i * step[1], core + 2);
     ksl_product_dinvdtf(&D, &t, &Do);
-    store_SE3_single(&Do, data[2] + i * step[2], core + 3);
+    store_SE3_single(&Do, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_dinvdt_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 16, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_dinvdt_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 12, 48, 16, 4, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_dinvdt_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 48, 16, 4, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_dinvdt_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_dinvdt_single_over(data, n[0], step, step + 3);
@@ -754,20 +1299,36 @@ static PyUFuncGenericFunction product_dinvdt_loops[] = { product_dinvdt_double, 
 
 /* (3,3),()->(3) */
 INLINED void product_drvtx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; double k; ksl_vec3_t vo;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_scalar_double(&k, data[1] + i * step[1], core + 2);
+    double k;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&k, p1 + i * step[1], core + 2);
     ksl_product_drvtx(&R, k, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 2);
+    store_vec3_double(&vo, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_drvtx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drvtx_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drvtx_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drvtx_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvtx_double_over(data, n[0], step, step + 3);
@@ -775,20 +1336,36 @@ static void product_drvtx_double(char **data, const npy_intp *n, const npy_intp 
 
 /* (3,3),()->(3) */
 INLINED void product_drvtx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; float k; ksl_vec3f_t vo;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_scalar_single(&k, data[1] + i * step[1], core + 2);
+    float k;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&k, p1 + i * step[1], core + 2);
     ksl_product_drvtxf(&R, k, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 2);
+    store_vec3_single(&vo, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_drvtx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drvtx_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drvtx_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drvtx_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvtx_single_over(data, n[0], step, step + 3);
@@ -798,20 +1375,36 @@ static PyUFuncGenericFunction product_drvtx_loops[] = { product_drvtx_double, pr
 
 /* (3,3),(2)->(3,3) */
 INLINED void product_drdrx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; double dc[2]; ksl_mat3x3_t Ro;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_dc_double(dc, data[1] + i * step[1], core + 2);
+    double dc[2];
+    ksl_mat3x3_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_dc_double(dc, p1 + i * step[1], core + 2);
     ksl_product_drdrx(&R, dc, &Ro);
-    store_mat3x3_double(&Ro, data[2] + i * step[2], core + 3);
+    store_mat3x3_double(&Ro, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_drdrx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8, 24, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drdrx_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 16, 72, 24, 8, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drdrx_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 16, 72, 24, 8, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drdrx_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdrx_double_over(data, n[0], step, step + 3);
@@ -819,20 +1412,36 @@ static void product_drdrx_double(char **data, const npy_intp *n, const npy_intp 
 
 /* (3,3),(2)->(3,3) */
 INLINED void product_drdrx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; float dc[2]; ksl_mat3x3f_t Ro;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_dc_single(dc, data[1] + i * step[1], core + 2);
+    float dc[2];
+    ksl_mat3x3f_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_dc_single(dc, p1 + i * step[1], core + 2);
     ksl_product_drdrxf(&R, dc, &Ro);
-    store_mat3x3_single(&Ro, data[2] + i * step[2], core + 3);
+    store_mat3x3_single(&Ro, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_drdrx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4, 12, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drdrx_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 8, 36, 12, 4, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drdrx_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 36, 12, 4, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drdrx_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdrx_single_over(data, n[0], step, step + 3);
@@ -842,20 +1451,36 @@ static PyUFuncGenericFunction product_drdrx_loops[] = { product_drdrx_double, pr
 
 /* (3,4),(2)->(3,4) */
 INLINED void product_ddrx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; double dc[2]; ksl_SE3_t Do;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_dc_double(dc, data[1] + i * step[1], core + 2);
+    double dc[2];
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_dc_double(dc, p1 + i * step[1], core + 2);
     ksl_product_ddrx(&D, dc, &Do);
-    store_SE3_double(&Do, data[2] + i * step[2], core + 3);
+    store_SE3_double(&Do, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_ddrx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 32, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddrx_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 16, 96, 32, 8, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddrx_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 16, 96, 32, 8, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddrx_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddrx_double_over(data, n[0], step, step + 3);
@@ -863,20 +1488,36 @@ static void product_ddrx_double(char **data, const npy_intp *n, const npy_intp *
 
 /* (3,4),(2)->(3,4) */
 INLINED void product_ddrx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; float dc[2]; ksl_SE3f_t Do;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_dc_single(dc, data[1] + i * step[1], core + 2);
+    float dc[2];
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_dc_single(dc, p1 + i * step[1], core + 2);
     ksl_product_ddrxf(&D, dc, &Do);
-    store_SE3_single(&Do, data[2] + i * step[2], core + 3);
+    store_SE3_single(&Do, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_ddrx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 16, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddrx_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 8, 48, 16, 4, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddrx_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 48, 16, 4, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddrx_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddrx_single_over(data, n[0], step, step + 3);
@@ -886,20 +1527,36 @@ static PyUFuncGenericFunction product_ddrx_loops[] = { product_ddrx_double, prod
 
 /* (3,4),()->(3,4) */
 INLINED void product_ddtx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; double k; ksl_SE3_t Do;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_scalar_double(&k, data[1] + i * step[1], core + 2);
+    double k;
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&k, p1 + i * step[1], core + 2);
     ksl_product_ddtx(&D, k, &Do);
-    store_SE3_double(&Do, data[2] + i * step[2], core + 2);
+    store_SE3_double(&Do, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_ddtx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 32, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddtx_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 8, 96, 32, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddtx_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 96, 32, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddtx_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtx_double_over(data, n[0], step, step + 3);
@@ -907,20 +1564,36 @@ static void product_ddtx_double(char **data, const npy_intp *n, const npy_intp *
 
 /* (3,4),()->(3,4) */
 INLINED void product_ddtx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; float k; ksl_SE3f_t Do;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_scalar_single(&k, data[1] + i * step[1], core + 2);
+    float k;
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&k, p1 + i * step[1], core + 2);
     ksl_product_ddtxf(&D, k, &Do);
-    store_SE3_single(&Do, data[2] + i * step[2], core + 2);
+    store_SE3_single(&Do, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_ddtx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 16, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddtx_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 4, 48, 16, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddtx_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 48, 16, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddtx_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtx_single_over(data, n[0], step, step + 3);
@@ -930,20 +1603,36 @@ static PyUFuncGenericFunction product_ddtx_loops[] = { product_ddtx_double, prod
 
 /* (3,3),()->(3) */
 INLINED void product_drvtxinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; double k; ksl_vec3_t vo;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_scalar_double(&k, data[1] + i * step[1], core + 2);
+    double k;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&k, p1 + i * step[1], core + 2);
     ksl_product_drvtxinv(&R, k, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 2);
+    store_vec3_double(&vo, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_drvtxinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drvtxinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drvtxinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drvtxinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvtxinv_double_over(data, n[0], step, step + 3);
@@ -951,20 +1640,36 @@ static void product_drvtxinv_double(char **data, const npy_intp *n, const npy_in
 
 /* (3,3),()->(3) */
 INLINED void product_drvtxinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; float k; ksl_vec3f_t vo;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_scalar_single(&k, data[1] + i * step[1], core + 2);
+    float k;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&k, p1 + i * step[1], core + 2);
     ksl_product_drvtxinvf(&R, k, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 2);
+    store_vec3_single(&vo, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_drvtxinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drvtxinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drvtxinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drvtxinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvtxinv_single_over(data, n[0], step, step + 3);
@@ -974,20 +1679,36 @@ static PyUFuncGenericFunction product_drvtxinv_loops[] = { product_drvtxinv_doub
 
 /* (3,3),(2)->(3,3) */
 INLINED void product_drdrxinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; double dc[2]; ksl_mat3x3_t Ro;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_dc_double(dc, data[1] + i * step[1], core + 2);
+    double dc[2];
+    ksl_mat3x3_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_dc_double(dc, p1 + i * step[1], core + 2);
     ksl_product_drdrxinv(&R, dc, &Ro);
-    store_mat3x3_double(&Ro, data[2] + i * step[2], core + 3);
+    store_mat3x3_double(&Ro, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_drdrxinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8, 24, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drdrxinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 16, 72, 24, 8, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drdrxinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 16, 72, 24, 8, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drdrxinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdrxinv_double_over(data, n[0], step, step + 3);
@@ -995,20 +1716,36 @@ static void product_drdrxinv_double(char **data, const npy_intp *n, const npy_in
 
 /* (3,3),(2)->(3,3) */
 INLINED void product_drdrxinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; float dc[2]; ksl_mat3x3f_t Ro;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_dc_single(dc, data[1] + i * step[1], core + 2);
+    float dc[2];
+    ksl_mat3x3f_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_dc_single(dc, p1 + i * step[1], core + 2);
     ksl_product_drdrxinvf(&R, dc, &Ro);
-    store_mat3x3_single(&Ro, data[2] + i * step[2], core + 3);
+    store_mat3x3_single(&Ro, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_drdrxinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4, 12, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drdrxinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 8, 36, 12, 4, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drdrxinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 36, 12, 4, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drdrxinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdrxinv_single_over(data, n[0], step, step + 3);
@@ -1018,20 +1755,36 @@ static PyUFuncGenericFunction product_drdrxinv_loops[] = { product_drdrxinv_doub
 
 /* (3,4),(2)->(3,4) */
 INLINED void product_ddrxinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; double dc[2]; ksl_SE3_t Do;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_dc_double(dc, data[1] + i * step[1], core + 2);
+    double dc[2];
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_dc_double(dc, p1 + i * step[1], core + 2);
     ksl_product_ddrxinv(&D, dc, &Do);
-    store_SE3_double(&Do, data[2] + i * step[2], core + 3);
+    store_SE3_double(&Do, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_ddrxinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 32, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddrxinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 16, 96, 32, 8, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddrxinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 16, 96, 32, 8, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddrxinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddrxinv_double_over(data, n[0], step, step + 3);
@@ -1039,20 +1792,36 @@ static void product_ddrxinv_double(char **data, const npy_intp *n, const npy_int
 
 /* (3,4),(2)->(3,4) */
 INLINED void product_ddrxinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; float dc[2]; ksl_SE3f_t Do;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_dc_single(dc, data[1] + i * step[1], core + 2);
+    float dc[2];
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_dc_single(dc, p1 + i * step[1], core + 2);
     ksl_product_ddrxinvf(&D, dc, &Do);
-    store_SE3_single(&Do, data[2] + i * step[2], core + 3);
+    store_SE3_single(&Do, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_ddrxinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 16, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddrxinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 8, 48, 16, 4, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddrxinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 48, 16, 4, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddrxinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddrxinv_single_over(data, n[0], step, step + 3);
@@ -1062,20 +1831,36 @@ static PyUFuncGenericFunction product_ddrxinv_loops[] = { product_ddrxinv_double
 
 /* (3,4),()->(3,4) */
 INLINED void product_ddtxinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; double k; ksl_SE3_t Do;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_scalar_double(&k, data[1] + i * step[1], core + 2);
+    double k;
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&k, p1 + i * step[1], core + 2);
     ksl_product_ddtxinv(&D, k, &Do);
-    store_SE3_double(&Do, data[2] + i * step[2], core + 2);
+    store_SE3_double(&Do, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_ddtxinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 32, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddtxinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 8, 96, 32, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddtxinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 96, 32, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddtxinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtxinv_double_over(data, n[0], step, step + 3);
@@ -1083,20 +1868,36 @@ static void product_ddtxinv_double(char **data, const npy_intp *n, const npy_int
 
 /* (3,4),()->(3,4) */
 INLINED void product_ddtxinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; float k; ksl_SE3f_t Do;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_scalar_single(&k, data[1] + i * step[1], core + 2);
+    float k;
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&k, p1 + i * step[1], core + 2);
     ksl_product_ddtxinvf(&D, k, &Do);
-    store_SE3_single(&Do, data[2] + i * step[2], core + 2);
+    store_SE3_single(&Do, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_ddtxinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 16, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddtxinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 4, 48, 16, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddtxinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 48, 16, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddtxinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtxinv_single_over(data, n[0], step, step + 3);
@@ -1106,20 +1907,36 @@ static PyUFuncGenericFunction product_ddtxinv_loops[] = { product_ddtxinv_double
 
 /* (3,3),()->(3) */
 INLINED void product_drvty_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; double k; ksl_vec3_t vo;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_scalar_double(&k, data[1] + i * step[1], core + 2);
+    double k;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&k, p1 + i * step[1], core + 2);
     ksl_product_drvty(&R, k, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 2);
+    store_vec3_double(&vo, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_drvty_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drvty_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drvty_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drvty_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvty_double_over(data, n[0], step, step + 3);
@@ -1127,20 +1944,36 @@ static void product_drvty_double(char **data, const npy_intp *n, const npy_intp 
 
 /* (3,3),()->(3) */
 INLINED void product_drvty_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; float k; ksl_vec3f_t vo;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_scalar_single(&k, data[1] + i * step[1], core + 2);
+    float k;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&k, p1 + i * step[1], core + 2);
     ksl_product_drvtyf(&R, k, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 2);
+    store_vec3_single(&vo, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_drvty_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drvty_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drvty_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drvty_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvty_single_over(data, n[0], step, step + 3);
@@ -1150,20 +1983,36 @@ static PyUFuncGenericFunction product_drvty_loops[] = { product_drvty_double, pr
 
 /* (3,3),(2)->(3,3) */
 INLINED void product_drdry_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; double dc[2]; ksl_mat3x3_t Ro;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_dc_double(dc, data[1] + i * step[1], core + 2);
+    double dc[2];
+    ksl_mat3x3_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_dc_double(dc, p1 + i * step[1], core + 2);
     ksl_product_drdry(&R, dc, &Ro);
-    store_mat3x3_double(&Ro, data[2] + i * step[2], core + 3);
+    store_mat3x3_double(&Ro, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_drdry_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8, 24, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drdry_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 16, 72, 24, 8, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drdry_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 16, 72, 24, 8, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drdry_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdry_double_over(data, n[0], step, step + 3);
@@ -1171,20 +2020,36 @@ static void product_drdry_double(char **data, const npy_intp *n, const npy_intp 
 
 /* (3,3),(2)->(3,3) */
 INLINED void product_drdry_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; float dc[2]; ksl_mat3x3f_t Ro;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_dc_single(dc, data[1] + i * step[1], core + 2);
+    float dc[2];
+    ksl_mat3x3f_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_dc_single(dc, p1 + i * step[1], core + 2);
     ksl_product_drdryf(&R, dc, &Ro);
-    store_mat3x3_single(&Ro, data[2] + i * step[2], core + 3);
+    store_mat3x3_single(&Ro, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_drdry_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4, 12, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drdry_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 8, 36, 12, 4, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drdry_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 36, 12, 4, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drdry_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdry_single_over(data, n[0], step, step + 3);
@@ -1194,20 +2059,36 @@ static PyUFuncGenericFunction product_drdry_loops[] = { product_drdry_double, pr
 
 /* (3,4),(2)->(3,4) */
 INLINED void product_ddry_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; double dc[2]; ksl_SE3_t Do;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_dc_double(dc, data[1] + i * step[1], core + 2);
+    double dc[2];
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_dc_double(dc, p1 + i * step[1], core + 2);
     ksl_product_ddry(&D, dc, &Do);
-    store_SE3_double(&Do, data[2] + i * step[2], core + 3);
+    store_SE3_double(&Do, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_ddry_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 32, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddry_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 16, 96, 32, 8, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddry_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 16, 96, 32, 8, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddry_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddry_double_over(data, n[0], step, step + 3);
@@ -1215,20 +2096,36 @@ static void product_ddry_double(char **data, const npy_intp *n, const npy_intp *
 
 /* (3,4),(2)->(3,4) */
 INLINED void product_ddry_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; float dc[2]; ksl_SE3f_t Do;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_dc_single(dc, data[1] + i * step[1], core + 2);
+    float dc[2];
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_dc_single(dc, p1 + i * step[1], core + 2);
     ksl_product_ddryf(&D, dc, &Do);
-    store_SE3_single(&Do, data[2] + i * step[2], core + 3);
+    store_SE3_single(&Do, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_ddry_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 16, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddry_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 8, 48, 16, 4, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddry_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 48, 16, 4, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddry_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddry_single_over(data, n[0], step, step + 3);
@@ -1238,20 +2135,36 @@ static PyUFuncGenericFunction product_ddry_loops[] = { product_ddry_double, prod
 
 /* (3,4),()->(3,4) */
 INLINED void product_ddty_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; double k; ksl_SE3_t Do;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_scalar_double(&k, data[1] + i * step[1], core + 2);
+    double k;
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&k, p1 + i * step[1], core + 2);
     ksl_product_ddty(&D, k, &Do);
-    store_SE3_double(&Do, data[2] + i * step[2], core + 2);
+    store_SE3_double(&Do, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_ddty_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 32, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddty_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 8, 96, 32, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddty_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 96, 32, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddty_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddty_double_over(data, n[0], step, step + 3);
@@ -1259,20 +2172,36 @@ static void product_ddty_double(char **data, const npy_intp *n, const npy_intp *
 
 /* (3,4),()->(3,4) */
 INLINED void product_ddty_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; float k; ksl_SE3f_t Do;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_scalar_single(&k, data[1] + i * step[1], core + 2);
+    float k;
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&k, p1 + i * step[1], core + 2);
     ksl_product_ddtyf(&D, k, &Do);
-    store_SE3_single(&Do, data[2] + i * step[2], core + 2);
+    store_SE3_single(&Do, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_ddty_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 16, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddty_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 4, 48, 16, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddty_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 48, 16, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddty_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddty_single_over(data, n[0], step, step + 3);
@@ -1282,20 +2211,36 @@ static PyUFuncGenericFunction product_ddty_loops[] = { product_ddty_double, prod
 
 /* (3,3),()->(3) */
 INLINED void product_drvtyinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; double k; ksl_vec3_t vo;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_scalar_double(&k, data[1] + i * step[1], core + 2);
+    double k;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&k, p1 + i * step[1], core + 2);
     ksl_product_drvtyinv(&R, k, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 2);
+    store_vec3_double(&vo, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_drvtyinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drvtyinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drvtyinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drvtyinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvtyinv_double_over(data, n[0], step, step + 3);
@@ -1303,20 +2248,36 @@ static void product_drvtyinv_double(char **data, const npy_intp *n, const npy_in
 
 /* (3,3),()->(3) */
 INLINED void product_drvtyinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; float k; ksl_vec3f_t vo;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_scalar_single(&k, data[1] + i * step[1], core + 2);
+    float k;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&k, p1 + i * step[1], core + 2);
     ksl_product_drvtyinvf(&R, k, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 2);
+    store_vec3_single(&vo, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_drvtyinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drvtyinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drvtyinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drvtyinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvtyinv_single_over(data, n[0], step, step + 3);
@@ -1326,20 +2287,36 @@ static PyUFuncGenericFunction product_drvtyinv_loops[] = { product_drvtyinv_doub
 
 /* (3,3),(2)->(3,3) */
 INLINED void product_drdryinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; double dc[2]; ksl_mat3x3_t Ro;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_dc_double(dc, data[1] + i * step[1], core + 2);
+    double dc[2];
+    ksl_mat3x3_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_dc_double(dc, p1 + i * step[1], core + 2);
     ksl_product_drdryinv(&R, dc, &Ro);
-    store_mat3x3_double(&Ro, data[2] + i * step[2], core + 3);
+    store_mat3x3_double(&Ro, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_drdryinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8, 24, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drdryinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 16, 72, 24, 8, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drdryinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 16, 72, 24, 8, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drdryinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdryinv_double_over(data, n[0], step, step + 3);
@@ -1347,20 +2324,36 @@ static void product_drdryinv_double(char **data, const npy_intp *n, const npy_in
 
 /* (3,3),(2)->(3,3) */
 INLINED void product_drdryinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; float dc[2]; ksl_mat3x3f_t Ro;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_dc_single(dc, data[1] + i * step[1], core + 2);
+    float dc[2];
+    ksl_mat3x3f_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_dc_single(dc, p1 + i * step[1], core + 2);
     ksl_product_drdryinvf(&R, dc, &Ro);
-    store_mat3x3_single(&Ro, data[2] + i * step[2], core + 3);
+    store_mat3x3_single(&Ro, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_drdryinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4, 12, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drdryinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 8, 36, 12, 4, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drdryinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 36, 12, 4, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drdryinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdryinv_single_over(data, n[0], step, step + 3);
@@ -1370,20 +2363,36 @@ static PyUFuncGenericFunction product_drdryinv_loops[] = { product_drdryinv_doub
 
 /* (3,4),(2)->(3,4) */
 INLINED void product_ddryinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; double dc[2]; ksl_SE3_t Do;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_dc_double(dc, data[1] + i * step[1], core + 2);
+    double dc[2];
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_dc_double(dc, p1 + i * step[1], core + 2);
     ksl_product_ddryinv(&D, dc, &Do);
-    store_SE3_double(&Do, data[2] + i * step[2], core + 3);
+    store_SE3_double(&Do, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_ddryinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 32, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddryinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 16, 96, 32, 8, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddryinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 16, 96, 32, 8, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddryinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddryinv_double_over(data, n[0], step, step + 3);
@@ -1391,20 +2400,36 @@ static void product_ddryinv_double(char **data, const npy_intp *n, const npy_int
 
 /* (3,4),(2)->(3,4) */
 INLINED void product_ddryinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; float dc[2]; ksl_SE3f_t Do;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_dc_single(dc, data[1] + i * step[1], core + 2);
+    float dc[2];
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_dc_single(dc, p1 + i * step[1], core + 2);
     ksl_product_ddryinvf(&D, dc, &Do);
-    store_SE3_single(&Do, data[2] + i * step[2], core + 3);
+    store_SE3_single(&Do, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_ddryinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 16, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddryinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 8, 48, 16, 4, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddryinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 48, 16, 4, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddryinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddryinv_single_over(data, n[0], step, step + 3);
@@ -1414,20 +2439,36 @@ static PyUFuncGenericFunction product_ddryinv_loops[] = { product_ddryinv_double
 
 /* (3,4),()->(3,4) */
 INLINED void product_ddtyinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; double k; ksl_SE3_t Do;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_scalar_double(&k, data[1] + i * step[1], core + 2);
+    double k;
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&k, p1 + i * step[1], core + 2);
     ksl_product_ddtyinv(&D, k, &Do);
-    store_SE3_double(&Do, data[2] + i * step[2], core + 2);
+    store_SE3_double(&Do, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_ddtyinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 32, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddtyinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 8, 96, 32, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddtyinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 96, 32, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddtyinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtyinv_double_over(data, n[0], step, step + 3);
@@ -1435,20 +2476,36 @@ static void product_ddtyinv_double(char **data, const npy_intp *n, const npy_int
 
 /* (3,4),()->(3,4) */
 INLINED void product_ddtyinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; float k; ksl_SE3f_t Do;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_scalar_single(&k, data[1] + i * step[1], core + 2);
+    float k;
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&k, p1 + i * step[1], core + 2);
     ksl_product_ddtyinvf(&D, k, &Do);
-    store_SE3_single(&Do, data[2] + i * step[2], core + 2);
+    store_SE3_single(&Do, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_ddtyinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 16, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddtyinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 4, 48, 16, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddtyinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 48, 16, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddtyinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtyinv_single_over(data, n[0], step, step + 3);
@@ -1458,20 +2515,36 @@ static PyUFuncGenericFunction product_ddtyinv_loops[] = { product_ddtyinv_double
 
 /* (3,3),()->(3) */
 INLINED void product_drvtz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; double k; ksl_vec3_t vo;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_scalar_double(&k, data[1] + i * step[1], core + 2);
+    double k;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&k, p1 + i * step[1], core + 2);
     ksl_product_drvtz(&R, k, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 2);
+    store_vec3_double(&vo, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_drvtz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drvtz_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drvtz_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drvtz_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvtz_double_over(data, n[0], step, step + 3);
@@ -1479,20 +2552,36 @@ static void product_drvtz_double(char **data, const npy_intp *n, const npy_intp 
 
 /* (3,3),()->(3) */
 INLINED void product_drvtz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; float k; ksl_vec3f_t vo;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_scalar_single(&k, data[1] + i * step[1], core + 2);
+    float k;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&k, p1 + i * step[1], core + 2);
     ksl_product_drvtzf(&R, k, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 2);
+    store_vec3_single(&vo, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_drvtz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drvtz_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drvtz_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drvtz_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvtz_single_over(data, n[0], step, step + 3);
@@ -1502,20 +2591,36 @@ static PyUFuncGenericFunction product_drvtz_loops[] = { product_drvtz_double, pr
 
 /* (3,3),(2)->(3,3) */
 INLINED void product_drdrz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; double dc[2]; ksl_mat3x3_t Ro;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_dc_double(dc, data[1] + i * step[1], core + 2);
+    double dc[2];
+    ksl_mat3x3_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_dc_double(dc, p1 + i * step[1], core + 2);
     ksl_product_drdrz(&R, dc, &Ro);
-    store_mat3x3_double(&Ro, data[2] + i * step[2], core + 3);
+    store_mat3x3_double(&Ro, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_drdrz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8, 24, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drdrz_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 16, 72, 24, 8, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drdrz_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 16, 72, 24, 8, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drdrz_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdrz_double_over(data, n[0], step, step + 3);
@@ -1523,20 +2628,36 @@ static void product_drdrz_double(char **data, const npy_intp *n, const npy_intp 
 
 /* (3,3),(2)->(3,3) */
 INLINED void product_drdrz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; float dc[2]; ksl_mat3x3f_t Ro;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_dc_single(dc, data[1] + i * step[1], core + 2);
+    float dc[2];
+    ksl_mat3x3f_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_dc_single(dc, p1 + i * step[1], core + 2);
     ksl_product_drdrzf(&R, dc, &Ro);
-    store_mat3x3_single(&Ro, data[2] + i * step[2], core + 3);
+    store_mat3x3_single(&Ro, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_drdrz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4, 12, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drdrz_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 8, 36, 12, 4, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drdrz_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 36, 12, 4, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drdrz_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdrz_single_over(data, n[0], step, step + 3);
@@ -1546,20 +2667,36 @@ static PyUFuncGenericFunction product_drdrz_loops[] = { product_drdrz_double, pr
 
 /* (3,4),(2)->(3,4) */
 INLINED void product_ddrz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; double dc[2]; ksl_SE3_t Do;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_dc_double(dc, data[1] + i * step[1], core + 2);
+    double dc[2];
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_dc_double(dc, p1 + i * step[1], core + 2);
     ksl_product_ddrz(&D, dc, &Do);
-    store_SE3_double(&Do, data[2] + i * step[2], core + 3);
+    store_SE3_double(&Do, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_ddrz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 32, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddrz_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 16, 96, 32, 8, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddrz_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 16, 96, 32, 8, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddrz_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddrz_double_over(data, n[0], step, step + 3);
@@ -1567,20 +2704,36 @@ static void product_ddrz_double(char **data, const npy_intp *n, const npy_intp *
 
 /* (3,4),(2)->(3,4) */
 INLINED void product_ddrz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; float dc[2]; ksl_SE3f_t Do;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_dc_single(dc, data[1] + i * step[1], core + 2);
+    float dc[2];
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_dc_single(dc, p1 + i * step[1], core + 2);
     ksl_product_ddrzf(&D, dc, &Do);
-    store_SE3_single(&Do, data[2] + i * step[2], core + 3);
+    store_SE3_single(&Do, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_ddrz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 16, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddrz_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 8, 48, 16, 4, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddrz_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 48, 16, 4, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddrz_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddrz_single_over(data, n[0], step, step + 3);
@@ -1590,20 +2743,36 @@ static PyUFuncGenericFunction product_ddrz_loops[] = { product_ddrz_double, prod
 
 /* (3,4),()->(3,4) */
 INLINED void product_ddtz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; double k; ksl_SE3_t Do;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_scalar_double(&k, data[1] + i * step[1], core + 2);
+    double k;
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&k, p1 + i * step[1], core + 2);
     ksl_product_ddtz(&D, k, &Do);
-    store_SE3_double(&Do, data[2] + i * step[2], core + 2);
+    store_SE3_double(&Do, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_ddtz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 32, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddtz_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 8, 96, 32, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddtz_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 96, 32, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddtz_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtz_double_over(data, n[0], step, step + 3);
@@ -1611,20 +2780,36 @@ static void product_ddtz_double(char **data, const npy_intp *n, const npy_intp *
 
 /* (3,4),()->(3,4) */
 INLINED void product_ddtz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; float k; ksl_SE3f_t Do;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_scalar_single(&k, data[1] + i * step[1], core + 2);
+    float k;
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&k, p1 + i * step[1], core + 2);
     ksl_product_ddtzf(&D, k, &Do);
-    store_SE3_single(&Do, data[2] + i * step[2], core + 2);
+    store_SE3_single(&Do, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_ddtz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 16, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddtz_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 4, 48, 16, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddtz_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 48, 16, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddtz_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtz_single_over(data, n[0], step, step + 3);
@@ -1634,20 +2819,36 @@ static PyUFuncGenericFunction product_ddtz_loops[] = { product_ddtz_double, prod
 
 /* (3,3),()->(3) */
 INLINED void product_drvtzinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; double k; ksl_vec3_t vo;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_scalar_double(&k, data[1] + i * step[1], core + 2);
+    double k;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&k, p1 + i * step[1], core + 2);
     ksl_product_drvtzinv(&R, k, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 2);
+    store_vec3_double(&vo, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_drvtzinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drvtzinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drvtzinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drvtzinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvtzinv_double_over(data, n[0], step, step + 3);
@@ -1655,20 +2856,36 @@ static void product_drvtzinv_double(char **data, const npy_intp *n, const npy_in
 
 /* (3,3),()->(3) */
 INLINED void product_drvtzinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; float k; ksl_vec3f_t vo;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_scalar_single(&k, data[1] + i * step[1], core + 2);
+    float k;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&k, p1 + i * step[1], core + 2);
     ksl_product_drvtzinvf(&R, k, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 2);
+    store_vec3_single(&vo, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_drvtzinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drvtzinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drvtzinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drvtzinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvtzinv_single_over(data, n[0], step, step + 3);
@@ -1678,20 +2895,36 @@ static PyUFuncGenericFunction product_drvtzinv_loops[] = { product_drvtzinv_doub
 
 /* (3,3),(2)->(3,3) */
 INLINED void product_drdrzinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; double dc[2]; ksl_mat3x3_t Ro;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_dc_double(dc, data[1] + i * step[1], core + 2);
+    double dc[2];
+    ksl_mat3x3_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_dc_double(dc, p1 + i * step[1], core + 2);
     ksl_product_drdrzinv(&R, dc, &Ro);
-    store_mat3x3_double(&Ro, data[2] + i * step[2], core + 3);
+    store_mat3x3_double(&Ro, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_drdrzinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8, 24, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drdrzinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 16, 72, 24, 8, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drdrzinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 16, 72, 24, 8, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drdrzinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdrzinv_double_over(data, n[0], step, step + 3);
@@ -1699,20 +2932,36 @@ static void product_drdrzinv_double(char **data, const npy_intp *n, const npy_in
 
 /* (3,3),(2)->(3,3) */
 INLINED void product_drdrzinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; float dc[2]; ksl_mat3x3f_t Ro;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_dc_single(dc, data[1] + i * step[1], core + 2);
+    float dc[2];
+    ksl_mat3x3f_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_dc_single(dc, p1 + i * step[1], core + 2);
     ksl_product_drdrzinvf(&R, dc, &Ro);
-    store_mat3x3_single(&Ro, data[2] + i * step[2], core + 3);
+    store_mat3x3_single(&Ro, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_drdrzinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4, 12, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_drdrzinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 8, 36, 12, 4, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_drdrzinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 36, 12, 4, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_drdrzinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdrzinv_single_over(data, n[0], step, step + 3);
@@ -1722,20 +2971,36 @@ static PyUFuncGenericFunction product_drdrzinv_loops[] = { product_drdrzinv_doub
 
 /* (3,4),(2)->(3,4) */
 INLINED void product_ddrzinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; double dc[2]; ksl_SE3_t Do;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_dc_double(dc, data[1] + i * step[1], core + 2);
+    double dc[2];
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_dc_double(dc, p1 + i * step[1], core + 2);
     ksl_product_ddrzinv(&D, dc, &Do);
-    store_SE3_double(&Do, data[2] + i * step[2], core + 3);
+    store_SE3_double(&Do, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_ddrzinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 32, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddrzinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 16, 96, 32, 8, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddrzinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 16, 96, 32, 8, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddrzinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddrzinv_double_over(data, n[0], step, step + 3);
@@ -1743,20 +3008,36 @@ static void product_ddrzinv_double(char **data, const npy_intp *n, const npy_int
 
 /* (3,4),(2)->(3,4) */
 INLINED void product_ddrzinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; float dc[2]; ksl_SE3f_t Do;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_dc_single(dc, data[1] + i * step[1], core + 2);
+    float dc[2];
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_dc_single(dc, p1 + i * step[1], core + 2);
     ksl_product_ddrzinvf(&D, dc, &Do);
-    store_SE3_single(&Do, data[2] + i * step[2], core + 3);
+    store_SE3_single(&Do, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_ddrzinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 16, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddrzinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 8, 48, 16, 4, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddrzinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 48, 16, 4, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddrzinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddrzinv_single_over(data, n[0], step, step + 3);
@@ -1766,20 +3047,36 @@ static PyUFuncGenericFunction product_ddrzinv_loops[] = { product_ddrzinv_double
 
 /* (3,4),()->(3,4) */
 INLINED void product_ddtzinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; double k; ksl_SE3_t Do;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_scalar_double(&k, data[1] + i * step[1], core + 2);
+    double k;
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&k, p1 + i * step[1], core + 2);
     ksl_product_ddtzinv(&D, k, &Do);
-    store_SE3_double(&Do, data[2] + i * step[2], core + 2);
+    store_SE3_double(&Do, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_ddtzinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 32, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddtzinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 8, 96, 32, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddtzinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 96, 32, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddtzinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtzinv_double_over(data, n[0], step, step + 3);
@@ -1787,20 +3084,36 @@ static void product_ddtzinv_double(char **data, const npy_intp *n, const npy_int
 
 /* (3,4),()->(3,4) */
 INLINED void product_ddtzinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; float k; ksl_SE3f_t Do;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_scalar_single(&k, data[1] + i * step[1], core + 2);
+    float k;
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&k, p1 + i * step[1], core + 2);
     ksl_product_ddtzinvf(&D, k, &Do);
-    store_SE3_single(&Do, data[2] + i * step[2], core + 2);
+    store_SE3_single(&Do, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_ddtzinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 16, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ddtzinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 4, 48, 16, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ddtzinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 48, 16, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ddtzinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtzinv_single_over(data, n[0], step, step + 3);
@@ -1808,7 +3121,7 @@ static void product_ddtzinv_single(char **data, const npy_intp *n, const npy_int
 
 static PyUFuncGenericFunction product_ddtzinv_loops[] = { product_ddtzinv_double, product_ddtzinv_single };
 
-const coscrew_gufunc coscrew_matrix_gufuncs[] = {
+const coscrew_gufunc TABLE(matrix)[] = {
   {"product_drv", "(3,3),(3)->(3)",
     "vo = R v.\n"
     "\n"
@@ -2057,3 +3370,7 @@ const coscrew_gufunc coscrew_matrix_gufuncs[] = {
    2, 1, product_ddtzinv_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };
+
+#if defined(COSCREW_FOR_AVX2) && defined(__clang__)
+#pragma clang attribute pop
+#endif

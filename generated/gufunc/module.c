@@ -2,7 +2,7 @@
 /* The extension module coscrew._gufunc: registers every gufunc. */
 #include "_gufunc.h"
 
-static const coscrew_gufunc *const families[] = {
+static const coscrew_gufunc *const baseline[] = {
   coscrew_vec3_gufuncs,
   coscrew_mat3x3_gufuncs,
   coscrew_SE3_gufuncs,
@@ -12,6 +12,30 @@ static const coscrew_gufunc *const families[] = {
   coscrew_screw_gufuncs,
   coscrew_coscrew_gufuncs,
 };
+
+#if COSCREW_HAS_AVX2
+static const coscrew_gufunc *const avx2[] = {
+  coscrew_vec3_gufuncs_avx2,
+  coscrew_mat3x3_gufuncs_avx2,
+  coscrew_SE3_gufuncs_avx2,
+  coscrew_mat6x6_gufuncs_avx2,
+  coscrew_matrix_gufuncs_avx2,
+  coscrew_trig_gufuncs_avx2,
+  coscrew_screw_gufuncs_avx2,
+  coscrew_coscrew_gufuncs_avx2,
+};
+#endif
+
+/* The loops that suit this processor best. */
+static const coscrew_gufunc *const *best_families(void) {
+#if COSCREW_HAS_AVX2
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("avx2")) {
+    return avx2;
+  }
+#endif
+  return baseline;
+}
 
 /* The type numbers of each loop: as many as the gufunc with the most arguments needs. */
 enum { MOST_ARGUMENTS = 4, LOOPS = 2 };
@@ -91,13 +115,14 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
   if (module == NULL) {
     return NULL;
   }
-  for (size_t k = 0; k < sizeof families / sizeof families[0]; k++) {
+  const coscrew_gufunc *const *families = best_families();
+  for (size_t k = 0; k < sizeof baseline / sizeof baseline[0]; k++) {
     if (add_gufuncs(module, families[k]) < 0) {
       Py_DECREF(module);
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "fbb369b1e4d191c8") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "b99fa66fdbe24281") < 0) {
     Py_DECREF(module);
     return NULL;
   }

@@ -1,24 +1,39 @@
 /* Made by `coscrew generate`; changes are overwritten. */
-/* Gufunc loops of the screw operations. */
+/* Gufunc loops of the screw operations.  NumPy copies overlapping operands before it calls a
+   loop, so the pointers are restrict. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 
 /* (6)->(6) */
 INLINED void screw_copy_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screw_t si;
+  load_screw_double(&si, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screw_t si; ksl_screw_t so;
-    load_screw_double(&si, data[0] + i * step[0], core + 0);
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_screw_double(&si, p0 + i * step[0], core + 0);
+    }
     ksl_screw_copy(&si, &so);
-    store_screw_double(&so, data[1] + i * step[1], core + 1);
+    store_screw_double(&so, p1 + i * step[1], core + 1);
   }
 }
 
 static void screw_copy_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    screw_copy_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    screw_copy_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    screw_copy_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_copy_double_over(data, n[0], step, step + 2);
@@ -26,19 +41,33 @@ static void screw_copy_double(char **data, const npy_intp *n, const npy_intp *st
 
 /* (6)->(6) */
 INLINED void screw_copy_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screwf_t si;
+  load_screw_single(&si, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screwf_t si; ksl_screwf_t so;
-    load_screw_single(&si, data[0] + i * step[0], core + 0);
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_screw_single(&si, p0 + i * step[0], core + 0);
+    }
     ksl_screwf_copy(&si, &so);
-    store_screw_single(&so, data[1] + i * step[1], core + 1);
+    store_screw_single(&so, p1 + i * step[1], core + 1);
   }
 }
 
 static void screw_copy_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    screw_copy_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    screw_copy_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    screw_copy_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_copy_single_over(data, n[0], step, step + 2);
@@ -48,20 +77,24 @@ static PyUFuncGenericFunction screw_copy_loops[] = { screw_copy_double, screw_co
 
 /* (6),()->(6) */
 INLINED void screw_scale_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screw_t self; double a;
-    load_screw_double(&self, data[0] + i * step[0], core + 0);
-    load_scalar_double(&a, data[1] + i * step[1], core + 1);
+    ksl_screw_t self;
+    double a;
+    load_screw_double(&self, p0 + i * step[0], core + 0);
+    load_scalar_double(&a, p1 + i * step[1], core + 1);
     ksl_screw_scale(&self, a);
-    store_screw_double(&self, data[2] + i * step[2], core + 1);
+    store_screw_double(&self, p2 + i * step[2], core + 1);
   }
 }
 
 static void screw_scale_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    screw_scale_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 8, 48, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    screw_scale_double_over(data, n[0], dense_1, dense_1 + 3);
     return;
   }
   screw_scale_double_over(data, n[0], step, step + 3);
@@ -69,20 +102,24 @@ static void screw_scale_double(char **data, const npy_intp *n, const npy_intp *s
 
 /* (6),()->(6) */
 INLINED void screw_scale_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screwf_t self; float a;
-    load_screw_single(&self, data[0] + i * step[0], core + 0);
-    load_scalar_single(&a, data[1] + i * step[1], core + 1);
+    ksl_screwf_t self;
+    float a;
+    load_screw_single(&self, p0 + i * step[0], core + 0);
+    load_scalar_single(&a, p1 + i * step[1], core + 1);
     ksl_screwf_scale(&self, a);
-    store_screw_single(&self, data[2] + i * step[2], core + 1);
+    store_screw_single(&self, p2 + i * step[2], core + 1);
   }
 }
 
 static void screw_scale_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    screw_scale_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 4, 24, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    screw_scale_single_over(data, n[0], dense_1, dense_1 + 3);
     return;
   }
   screw_scale_single_over(data, n[0], step, step + 3);
@@ -92,19 +129,33 @@ static PyUFuncGenericFunction screw_scale_loops[] = { screw_scale_double, screw_
 
 /* (6)->(6) */
 INLINED void screw_inverted_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screw_t si;
+  load_screw_double(&si, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screw_t si; ksl_screw_t so;
-    load_screw_double(&si, data[0] + i * step[0], core + 0);
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_screw_double(&si, p0 + i * step[0], core + 0);
+    }
     ksl_screw_inverted(&si, &so);
-    store_screw_double(&so, data[1] + i * step[1], core + 1);
+    store_screw_double(&so, p1 + i * step[1], core + 1);
   }
 }
 
 static void screw_inverted_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    screw_inverted_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    screw_inverted_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    screw_inverted_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_inverted_double_over(data, n[0], step, step + 2);
@@ -112,19 +163,33 @@ static void screw_inverted_double(char **data, const npy_intp *n, const npy_intp
 
 /* (6)->(6) */
 INLINED void screw_inverted_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screwf_t si;
+  load_screw_single(&si, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screwf_t si; ksl_screwf_t so;
-    load_screw_single(&si, data[0] + i * step[0], core + 0);
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_screw_single(&si, p0 + i * step[0], core + 0);
+    }
     ksl_screwf_inverted(&si, &so);
-    store_screw_single(&so, data[1] + i * step[1], core + 1);
+    store_screw_single(&so, p1 + i * step[1], core + 1);
   }
 }
 
 static void screw_inverted_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    screw_inverted_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    screw_inverted_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    screw_inverted_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_inverted_single_over(data, n[0], step, step + 2);
@@ -134,19 +199,21 @@ static PyUFuncGenericFunction screw_inverted_loops[] = { screw_inverted_double, 
 
 /* (6)->(6) */
 INLINED void screw_invert_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t self;
-    load_screw_double(&self, data[0] + i * step[0], core + 0);
+    load_screw_double(&self, p0 + i * step[0], core + 0);
     ksl_screw_invert(&self);
-    store_screw_double(&self, data[1] + i * step[1], core + 1);
+    store_screw_double(&self, p1 + i * step[1], core + 1);
   }
 }
 
 static void screw_invert_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    screw_invert_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    screw_invert_double_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   screw_invert_double_over(data, n[0], step, step + 2);
@@ -154,19 +221,21 @@ static void screw_invert_double(char **data, const npy_intp *n, const npy_intp *
 
 /* (6)->(6) */
 INLINED void screw_invert_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t self;
-    load_screw_single(&self, data[0] + i * step[0], core + 0);
+    load_screw_single(&self, p0 + i * step[0], core + 0);
     ksl_screwf_invert(&self);
-    store_screw_single(&self, data[1] + i * step[1], core + 1);
+    store_screw_single(&self, p1 + i * step[1], core + 1);
   }
 }
 
 static void screw_invert_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    screw_invert_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    screw_invert_single_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   screw_invert_single_over(data, n[0], step, step + 2);
@@ -176,21 +245,38 @@ static PyUFuncGenericFunction screw_invert_loops[] = { screw_invert_double, scre
 
 /* (),(6),(6)->(6) */
 INLINED void axpy_ss_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  char *const restrict p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  double a;
+  load_scalar_double(&a, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    double a; ksl_screw_t x; ksl_screw_t y;
-    load_scalar_double(&a, data[0] + i * step[0], core + 0);
-    load_screw_double(&x, data[1] + i * step[1], core + 0);
-    load_screw_double(&y, data[2] + i * step[2], core + 1);
+    ksl_screw_t x;
+    ksl_screw_t y;
+    if (step[0] != 0) {
+      load_scalar_double(&a, p0 + i * step[0], core + 0);
+    }
+    load_screw_double(&x, p1 + i * step[1], core + 0);
+    load_screw_double(&y, p2 + i * step[2], core + 1);
     ksl_axpy_ss(a, &x, &y);
-    store_screw_double(&y, data[3] + i * step[3], core + 2);
+    store_screw_double(&y, p3 + i * step[3], core + 2);
   }
 }
 
 static void axpy_ss_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 4, dense, sizeof dense) == 0) {
-    axpy_ss_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 8, 48, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    axpy_ss_double_over(data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    axpy_ss_double_over(data, n[0], dense_2, dense_2 + 4);
     return;
   }
   axpy_ss_double_over(data, n[0], step, step + 4);
@@ -198,21 +284,38 @@ static void axpy_ss_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (),(6),(6)->(6) */
 INLINED void axpy_ss_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  char *const restrict p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  float a;
+  load_scalar_single(&a, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    float a; ksl_screwf_t x; ksl_screwf_t y;
-    load_scalar_single(&a, data[0] + i * step[0], core + 0);
-    load_screw_single(&x, data[1] + i * step[1], core + 0);
-    load_screw_single(&y, data[2] + i * step[2], core + 1);
+    ksl_screwf_t x;
+    ksl_screwf_t y;
+    if (step[0] != 0) {
+      load_scalar_single(&a, p0 + i * step[0], core + 0);
+    }
+    load_screw_single(&x, p1 + i * step[1], core + 0);
+    load_screw_single(&y, p2 + i * step[2], core + 1);
     ksl_axpy_ssf(a, &x, &y);
-    store_screw_single(&y, data[3] + i * step[3], core + 2);
+    store_screw_single(&y, p3 + i * step[3], core + 2);
   }
 }
 
 static void axpy_ss_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 4, dense, sizeof dense) == 0) {
-    axpy_ss_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 4, 24, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    axpy_ss_single_over(data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    axpy_ss_single_over(data, n[0], dense_2, dense_2 + 4);
     return;
   }
   axpy_ss_single_over(data, n[0], step, step + 4);
@@ -222,20 +325,35 @@ static PyUFuncGenericFunction axpy_ss_loops[] = { axpy_ss_double, axpy_ss_single
 
 /* (6),(6)->(6) */
 INLINED void xpy_ss_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screw_t x;
+  load_screw_double(&x, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screw_t x; ksl_screw_t y;
-    load_screw_double(&x, data[0] + i * step[0], core + 0);
-    load_screw_double(&y, data[1] + i * step[1], core + 1);
+    ksl_screw_t y;
+    if (step[0] != 0) {
+      load_screw_double(&x, p0 + i * step[0], core + 0);
+    }
+    load_screw_double(&y, p1 + i * step[1], core + 1);
     ksl_xpy_ss(&x, &y);
-    store_screw_double(&y, data[2] + i * step[2], core + 2);
+    store_screw_double(&y, p2 + i * step[2], core + 2);
   }
 }
 
 static void xpy_ss_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    xpy_ss_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    xpy_ss_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    xpy_ss_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   xpy_ss_double_over(data, n[0], step, step + 3);
@@ -243,20 +361,35 @@ static void xpy_ss_double(char **data, const npy_intp *n, const npy_intp *step, 
 
 /* (6),(6)->(6) */
 INLINED void xpy_ss_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screwf_t x;
+  load_screw_single(&x, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screwf_t x; ksl_screwf_t y;
-    load_screw_single(&x, data[0] + i * step[0], core + 0);
-    load_screw_single(&y, data[1] + i * step[1], core + 1);
+    ksl_screwf_t y;
+    if (step[0] != 0) {
+      load_screw_single(&x, p0 + i * step[0], core + 0);
+    }
+    load_screw_single(&y, p1 + i * step[1], core + 1);
     ksl_xpy_ssf(&x, &y);
-    store_screw_single(&y, data[2] + i * step[2], core + 2);
+    store_screw_single(&y, p2 + i * step[2], core + 2);
   }
 }
 
 static void xpy_ss_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    xpy_ss_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    xpy_ss_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    xpy_ss_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   xpy_ss_single_over(data, n[0], step, step + 3);
@@ -266,20 +399,35 @@ static PyUFuncGenericFunction xpy_ss_loops[] = { xpy_ss_double, xpy_ss_single };
 
 /* (6),(6)->(6) */
 INLINED void nxpy_ss_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screw_t x;
+  load_screw_double(&x, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screw_t x; ksl_screw_t y;
-    load_screw_double(&x, data[0] + i * step[0], core + 0);
-    load_screw_double(&y, data[1] + i * step[1], core + 1);
+    ksl_screw_t y;
+    if (step[0] != 0) {
+      load_screw_double(&x, p0 + i * step[0], core + 0);
+    }
+    load_screw_double(&y, p1 + i * step[1], core + 1);
     ksl_nxpy_ss(&x, &y);
-    store_screw_double(&y, data[2] + i * step[2], core + 2);
+    store_screw_double(&y, p2 + i * step[2], core + 2);
   }
 }
 
 static void nxpy_ss_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    nxpy_ss_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    nxpy_ss_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    nxpy_ss_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   nxpy_ss_double_over(data, n[0], step, step + 3);
@@ -287,20 +435,35 @@ static void nxpy_ss_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (6),(6)->(6) */
 INLINED void nxpy_ss_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screwf_t x;
+  load_screw_single(&x, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screwf_t x; ksl_screwf_t y;
-    load_screw_single(&x, data[0] + i * step[0], core + 0);
-    load_screw_single(&y, data[1] + i * step[1], core + 1);
+    ksl_screwf_t y;
+    if (step[0] != 0) {
+      load_screw_single(&x, p0 + i * step[0], core + 0);
+    }
+    load_screw_single(&y, p1 + i * step[1], core + 1);
     ksl_nxpy_ssf(&x, &y);
-    store_screw_single(&y, data[2] + i * step[2], core + 2);
+    store_screw_single(&y, p2 + i * step[2], core + 2);
   }
 }
 
 static void nxpy_ss_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    nxpy_ss_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    nxpy_ss_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    nxpy_ss_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   nxpy_ss_single_over(data, n[0], step, step + 3);
@@ -310,20 +473,36 @@ static PyUFuncGenericFunction nxpy_ss_loops[] = { nxpy_ss_double, nxpy_ss_single
 
 /* (),(6)->(6) */
 INLINED void product_as_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  double a;
+  load_scalar_double(&a, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    double a; ksl_screw_t si; ksl_screw_t so;
-    load_scalar_double(&a, data[0] + i * step[0], core + 0);
-    load_screw_double(&si, data[1] + i * step[1], core + 0);
+    ksl_screw_t si;
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_scalar_double(&a, p0 + i * step[0], core + 0);
+    }
+    load_screw_double(&si, p1 + i * step[1], core + 0);
     ksl_product_as(a, &si, &so);
-    store_screw_double(&so, data[2] + i * step[2], core + 1);
+    store_screw_double(&so, p2 + i * step[2], core + 1);
   }
 }
 
 static void product_as_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_as_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 8, 48, 48, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_as_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_as_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_as_double_over(data, n[0], step, step + 3);
@@ -331,20 +510,36 @@ static void product_as_double(char **data, const npy_intp *n, const npy_intp *st
 
 /* (),(6)->(6) */
 INLINED void product_as_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  float a;
+  load_scalar_single(&a, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    float a; ksl_screwf_t si; ksl_screwf_t so;
-    load_scalar_single(&a, data[0] + i * step[0], core + 0);
-    load_screw_single(&si, data[1] + i * step[1], core + 0);
+    ksl_screwf_t si;
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_scalar_single(&a, p0 + i * step[0], core + 0);
+    }
+    load_screw_single(&si, p1 + i * step[1], core + 0);
     ksl_product_asf(a, &si, &so);
-    store_screw_single(&so, data[2] + i * step[2], core + 1);
+    store_screw_single(&so, p2 + i * step[2], core + 1);
   }
 }
 
 static void product_as_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_as_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 4, 24, 24, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_as_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_as_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_as_single_over(data, n[0], step, step + 3);
@@ -354,20 +549,36 @@ static PyUFuncGenericFunction product_as_loops[] = { product_as_double, product_
 
 /* (6),(6)->(6) */
 INLINED void add_ss_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screw_t s1;
+  load_screw_double(&s1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screw_t s1; ksl_screw_t s2; ksl_screw_t so;
-    load_screw_double(&s1, data[0] + i * step[0], core + 0);
-    load_screw_double(&s2, data[1] + i * step[1], core + 1);
+    ksl_screw_t s2;
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_screw_double(&s1, p0 + i * step[0], core + 0);
+    }
+    load_screw_double(&s2, p1 + i * step[1], core + 1);
     ksl_add_ss(&s1, &s2, &so);
-    store_screw_double(&so, data[2] + i * step[2], core + 2);
+    store_screw_double(&so, p2 + i * step[2], core + 2);
   }
 }
 
 static void add_ss_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_ss_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_ss_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_ss_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_ss_double_over(data, n[0], step, step + 3);
@@ -375,20 +586,36 @@ static void add_ss_double(char **data, const npy_intp *n, const npy_intp *step, 
 
 /* (6),(6)->(6) */
 INLINED void add_ss_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screwf_t s1;
+  load_screw_single(&s1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screwf_t s1; ksl_screwf_t s2; ksl_screwf_t so;
-    load_screw_single(&s1, data[0] + i * step[0], core + 0);
-    load_screw_single(&s2, data[1] + i * step[1], core + 1);
+    ksl_screwf_t s2;
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_screw_single(&s1, p0 + i * step[0], core + 0);
+    }
+    load_screw_single(&s2, p1 + i * step[1], core + 1);
     ksl_add_ssf(&s1, &s2, &so);
-    store_screw_single(&so, data[2] + i * step[2], core + 2);
+    store_screw_single(&so, p2 + i * step[2], core + 2);
   }
 }
 
 static void add_ss_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_ss_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_ss_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_ss_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_ss_single_over(data, n[0], step, step + 3);
@@ -398,20 +625,36 @@ static PyUFuncGenericFunction add_ss_loops[] = { add_ss_double, add_ss_single };
 
 /* (6),(6)->(6) */
 INLINED void subtract_ss_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screw_t s1;
+  load_screw_double(&s1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screw_t s1; ksl_screw_t s2; ksl_screw_t so;
-    load_screw_double(&s1, data[0] + i * step[0], core + 0);
-    load_screw_double(&s2, data[1] + i * step[1], core + 1);
+    ksl_screw_t s2;
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_screw_double(&s1, p0 + i * step[0], core + 0);
+    }
+    load_screw_double(&s2, p1 + i * step[1], core + 1);
     ksl_subtract_ss(&s1, &s2, &so);
-    store_screw_double(&so, data[2] + i * step[2], core + 2);
+    store_screw_double(&so, p2 + i * step[2], core + 2);
   }
 }
 
 static void subtract_ss_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    subtract_ss_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    subtract_ss_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    subtract_ss_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   subtract_ss_double_over(data, n[0], step, step + 3);
@@ -419,20 +662,36 @@ static void subtract_ss_double(char **data, const npy_intp *n, const npy_intp *s
 
 /* (6),(6)->(6) */
 INLINED void subtract_ss_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screwf_t s1;
+  load_screw_single(&s1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screwf_t s1; ksl_screwf_t s2; ksl_screwf_t so;
-    load_screw_single(&s1, data[0] + i * step[0], core + 0);
-    load_screw_single(&s2, data[1] + i * step[1], core + 1);
+    ksl_screwf_t s2;
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_screw_single(&s1, p0 + i * step[0], core + 0);
+    }
+    load_screw_single(&s2, p1 + i * step[1], core + 1);
     ksl_subtract_ssf(&s1, &s2, &so);
-    store_screw_single(&so, data[2] + i * step[2], core + 2);
+    store_screw_single(&so, p2 + i * step[2], core + 2);
   }
 }
 
 static void subtract_ss_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    subtract_ss_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    subtract_ss_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    subtract_ss_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   subtract_ss_single_over(data, n[0], step, step + 3);
@@ -442,19 +701,33 @@ static PyUFuncGenericFunction subtract_ss_loops[] = { subtract_ss_double, subtra
 
 /* (6)->() */
 INLINED void screw_norm_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screw_t si;
+  load_screw_double(&si, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screw_t si; double norm;
-    load_screw_double(&si, data[0] + i * step[0], core + 0);
+    double norm;
+    if (step[0] != 0) {
+      load_screw_double(&si, p0 + i * step[0], core + 0);
+    }
     norm = ksl_screw_norm(&si);
-    store_scalar_double(&norm, data[1] + i * step[1], core + 1);
+    store_scalar_double(&norm, p1 + i * step[1], core + 1);
   }
 }
 
 static void screw_norm_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    screw_norm_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    screw_norm_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    screw_norm_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_norm_double_over(data, n[0], step, step + 2);
@@ -462,19 +735,33 @@ static void screw_norm_double(char **data, const npy_intp *n, const npy_intp *st
 
 /* (6)->() */
 INLINED void screw_norm_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screwf_t si;
+  load_screw_single(&si, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screwf_t si; float norm;
-    load_screw_single(&si, data[0] + i * step[0], core + 0);
+    float norm;
+    if (step[0] != 0) {
+      load_screw_single(&si, p0 + i * step[0], core + 0);
+    }
     norm = ksl_screwf_norm(&si);
-    store_scalar_single(&norm, data[1] + i * step[1], core + 1);
+    store_scalar_single(&norm, p1 + i * step[1], core + 1);
   }
 }
 
 static void screw_norm_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    screw_norm_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    screw_norm_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    screw_norm_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_norm_single_over(data, n[0], step, step + 2);
@@ -484,19 +771,21 @@ static PyUFuncGenericFunction screw_norm_loops[] = { screw_norm_double, screw_no
 
 /* (6)->(6) */
 INLINED void screw_normalize_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t self;
-    load_screw_double(&self, data[0] + i * step[0], core + 0);
+    load_screw_double(&self, p0 + i * step[0], core + 0);
     ksl_screw_normalize(&self);
-    store_screw_double(&self, data[1] + i * step[1], core + 1);
+    store_screw_double(&self, p1 + i * step[1], core + 1);
   }
 }
 
 static void screw_normalize_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    screw_normalize_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    screw_normalize_double_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   screw_normalize_double_over(data, n[0], step, step + 2);
@@ -504,19 +793,21 @@ static void screw_normalize_double(char **data, const npy_intp *n, const npy_int
 
 /* (6)->(6) */
 INLINED void screw_normalize_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t self;
-    load_screw_single(&self, data[0] + i * step[0], core + 0);
+    load_screw_single(&self, p0 + i * step[0], core + 0);
     ksl_screwf_normalize(&self);
-    store_screw_single(&self, data[1] + i * step[1], core + 1);
+    store_screw_single(&self, p1 + i * step[1], core + 1);
   }
 }
 
 static void screw_normalize_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    screw_normalize_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    screw_normalize_single_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   screw_normalize_single_over(data, n[0], step, step + 2);
@@ -526,19 +817,33 @@ static PyUFuncGenericFunction screw_normalize_loops[] = { screw_normalize_double
 
 /* (6)->(6) */
 INLINED void screw_normalized_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screw_t si;
+  load_screw_double(&si, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screw_t si; ksl_screw_t so;
-    load_screw_double(&si, data[0] + i * step[0], core + 0);
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_screw_double(&si, p0 + i * step[0], core + 0);
+    }
     ksl_screw_normalized(&si, &so);
-    store_screw_double(&so, data[1] + i * step[1], core + 1);
+    store_screw_double(&so, p1 + i * step[1], core + 1);
   }
 }
 
 static void screw_normalized_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    screw_normalized_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    screw_normalized_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    screw_normalized_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_normalized_double_over(data, n[0], step, step + 2);
@@ -546,19 +851,33 @@ static void screw_normalized_double(char **data, const npy_intp *n, const npy_in
 
 /* (6)->(6) */
 INLINED void screw_normalized_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screwf_t si;
+  load_screw_single(&si, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screwf_t si; ksl_screwf_t so;
-    load_screw_single(&si, data[0] + i * step[0], core + 0);
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_screw_single(&si, p0 + i * step[0], core + 0);
+    }
     ksl_screwf_normalized(&si, &so);
-    store_screw_single(&so, data[1] + i * step[1], core + 1);
+    store_screw_single(&so, p1 + i * step[1], core + 1);
   }
 }
 
 static void screw_normalized_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    screw_normalized_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    screw_normalized_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    screw_normalized_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_normalized_single_over(data, n[0], step, step + 2);
@@ -568,20 +887,36 @@ static PyUFuncGenericFunction screw_normalized_loops[] = { screw_normalized_doub
 
 /* (3),(3)->(6) */
 INLINED void screw_from_lin_ang_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t lin;
+  load_vec3_double(&lin, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t lin; ksl_vec3_t ang; ksl_screw_t so;
-    load_vec3_double(&lin, data[0] + i * step[0], core + 0);
-    load_vec3_double(&ang, data[1] + i * step[1], core + 1);
+    ksl_vec3_t ang;
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_vec3_double(&lin, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&ang, p1 + i * step[1], core + 1);
     ksl_screw_from_lin_ang(&lin, &ang, &so);
-    store_screw_double(&so, data[2] + i * step[2], core + 2);
+    store_screw_double(&so, p2 + i * step[2], core + 2);
   }
 }
 
 static void screw_from_lin_ang_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    screw_from_lin_ang_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    screw_from_lin_ang_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    screw_from_lin_ang_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   screw_from_lin_ang_double_over(data, n[0], step, step + 3);
@@ -589,20 +924,36 @@ static void screw_from_lin_ang_double(char **data, const npy_intp *n, const npy_
 
 /* (3),(3)->(6) */
 INLINED void screw_from_lin_ang_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t lin;
+  load_vec3_single(&lin, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t lin; ksl_vec3f_t ang; ksl_screwf_t so;
-    load_vec3_single(&lin, data[0] + i * step[0], core + 0);
-    load_vec3_single(&ang, data[1] + i * step[1], core + 1);
+    ksl_vec3f_t ang;
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_vec3_single(&lin, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&ang, p1 + i * step[1], core + 1);
     ksl_screwf_from_lin_ang(&lin, &ang, &so);
-    store_screw_single(&so, data[2] + i * step[2], core + 2);
+    store_screw_single(&so, p2 + i * step[2], core + 2);
   }
 }
 
 static void screw_from_lin_ang_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    screw_from_lin_ang_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 12, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    screw_from_lin_ang_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    screw_from_lin_ang_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   screw_from_lin_ang_single_over(data, n[0], step, step + 3);
@@ -612,19 +963,33 @@ static PyUFuncGenericFunction screw_from_lin_ang_loops[] = { screw_from_lin_ang_
 
 /* (6)->(6) */
 INLINED void screw_to_angular_first_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screw_t si;
+  load_screw_double(&si, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screw_t si; double x[6];
-    load_screw_double(&si, data[0] + i * step[0], core + 0);
+    double x[6];
+    if (step[0] != 0) {
+      load_screw_double(&si, p0 + i * step[0], core + 0);
+    }
     ksl_screw_to_angular_first(&si, x);
-    store_angular_first_double(x, data[1] + i * step[1], core + 1);
+    store_angular_first_double(x, p1 + i * step[1], core + 1);
   }
 }
 
 static void screw_to_angular_first_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    screw_to_angular_first_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    screw_to_angular_first_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    screw_to_angular_first_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_to_angular_first_double_over(data, n[0], step, step + 2);
@@ -632,19 +997,33 @@ static void screw_to_angular_first_double(char **data, const npy_intp *n, const 
 
 /* (6)->(6) */
 INLINED void screw_to_angular_first_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screwf_t si;
+  load_screw_single(&si, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screwf_t si; float x[6];
-    load_screw_single(&si, data[0] + i * step[0], core + 0);
+    float x[6];
+    if (step[0] != 0) {
+      load_screw_single(&si, p0 + i * step[0], core + 0);
+    }
     ksl_screwf_to_angular_first(&si, x);
-    store_angular_first_single(x, data[1] + i * step[1], core + 1);
+    store_angular_first_single(x, p1 + i * step[1], core + 1);
   }
 }
 
 static void screw_to_angular_first_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    screw_to_angular_first_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    screw_to_angular_first_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    screw_to_angular_first_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_to_angular_first_single_over(data, n[0], step, step + 2);
@@ -654,19 +1033,33 @@ static PyUFuncGenericFunction screw_to_angular_first_loops[] = { screw_to_angula
 
 /* (6)->(6) */
 INLINED void screw_from_angular_first_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  double x[6];
+  load_angular_first_double(x, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    double x[6]; ksl_screw_t so;
-    load_angular_first_double(x, data[0] + i * step[0], core + 0);
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_angular_first_double(x, p0 + i * step[0], core + 0);
+    }
     ksl_screw_from_angular_first(x, &so);
-    store_screw_double(&so, data[1] + i * step[1], core + 1);
+    store_screw_double(&so, p1 + i * step[1], core + 1);
   }
 }
 
 static void screw_from_angular_first_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    screw_from_angular_first_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    screw_from_angular_first_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    screw_from_angular_first_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_from_angular_first_double_over(data, n[0], step, step + 2);
@@ -674,19 +1067,33 @@ static void screw_from_angular_first_double(char **data, const npy_intp *n, cons
 
 /* (6)->(6) */
 INLINED void screw_from_angular_first_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  float x[6];
+  load_angular_first_single(x, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    float x[6]; ksl_screwf_t so;
-    load_angular_first_single(x, data[0] + i * step[0], core + 0);
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_angular_first_single(x, p0 + i * step[0], core + 0);
+    }
     ksl_screwf_from_angular_first(x, &so);
-    store_screw_single(&so, data[1] + i * step[1], core + 1);
+    store_screw_single(&so, p1 + i * step[1], core + 1);
   }
 }
 
 static void screw_from_angular_first_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    screw_from_angular_first_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    screw_from_angular_first_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    screw_from_angular_first_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_from_angular_first_single_over(data, n[0], step, step + 2);
@@ -696,20 +1103,36 @@ static PyUFuncGenericFunction screw_from_angular_first_loops[] = { screw_from_an
 
 /* (6),(6)->(6) */
 INLINED void add_sst_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screw_t s1;
+  load_screw_double(&s1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screw_t s1; ksl_screw_t s2; ksl_screw_t so;
-    load_screw_double(&s1, data[0] + i * step[0], core + 0);
-    load_screw_double(&s2, data[1] + i * step[1], core + 1);
+    ksl_screw_t s2;
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_screw_double(&s1, p0 + i * step[0], core + 0);
+    }
+    load_screw_double(&s2, p1 + i * step[1], core + 1);
     ksl_add_sst(&s1, &s2, &so);
-    store_screw_double(&so, data[2] + i * step[2], core + 2);
+    store_screw_double(&so, p2 + i * step[2], core + 2);
   }
 }
 
 static void add_sst_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_sst_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_sst_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_sst_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_sst_double_over(data, n[0], step, step + 3);
@@ -717,20 +1140,36 @@ static void add_sst_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (6),(6)->(6) */
 INLINED void add_sst_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screwf_t s1;
+  load_screw_single(&s1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screwf_t s1; ksl_screwf_t s2; ksl_screwf_t so;
-    load_screw_single(&s1, data[0] + i * step[0], core + 0);
-    load_screw_single(&s2, data[1] + i * step[1], core + 1);
+    ksl_screwf_t s2;
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_screw_single(&s1, p0 + i * step[0], core + 0);
+    }
+    load_screw_single(&s2, p1 + i * step[1], core + 1);
     ksl_add_sstf(&s1, &s2, &so);
-    store_screw_single(&so, data[2] + i * step[2], core + 2);
+    store_screw_single(&so, p2 + i * step[2], core + 2);
   }
 }
 
 static void add_sst_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_sst_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_sst_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_sst_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_sst_single_over(data, n[0], step, step + 3);
@@ -740,20 +1179,36 @@ static PyUFuncGenericFunction add_sst_loops[] = { add_sst_double, add_sst_single
 
 /* (3),(6)->(6) */
 INLINED void product_Adts_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t t;
+  load_vec3_double(&t, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t t; ksl_screw_t si; ksl_screw_t so;
-    load_vec3_double(&t, data[0] + i * step[0], core + 0);
-    load_screw_double(&si, data[1] + i * step[1], core + 1);
+    ksl_screw_t si;
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_vec3_double(&t, p0 + i * step[0], core + 0);
+    }
+    load_screw_double(&si, p1 + i * step[1], core + 1);
     ksl_product_Adts(&t, &si, &so);
-    store_screw_double(&so, data[2] + i * step[2], core + 2);
+    store_screw_double(&so, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_Adts_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_Adts_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_Adts_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_Adts_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adts_double_over(data, n[0], step, step + 3);
@@ -761,20 +1216,36 @@ static void product_Adts_double(char **data, const npy_intp *n, const npy_intp *
 
 /* (3),(6)->(6) */
 INLINED void product_Adts_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t t;
+  load_vec3_single(&t, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t t; ksl_screwf_t si; ksl_screwf_t so;
-    load_vec3_single(&t, data[0] + i * step[0], core + 0);
-    load_screw_single(&si, data[1] + i * step[1], core + 1);
+    ksl_screwf_t si;
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_vec3_single(&t, p0 + i * step[0], core + 0);
+    }
+    load_screw_single(&si, p1 + i * step[1], core + 1);
     ksl_product_Adtsf(&t, &si, &so);
-    store_screw_single(&so, data[2] + i * step[2], core + 2);
+    store_screw_single(&so, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_Adts_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_Adts_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_Adts_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_Adts_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adts_single_over(data, n[0], step, step + 3);
@@ -784,20 +1255,36 @@ static PyUFuncGenericFunction product_Adts_loops[] = { product_Adts_double, prod
 
 /* (3),(6)->(6) */
 INLINED void product_Adtinvs_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t t;
+  load_vec3_double(&t, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t t; ksl_screw_t si; ksl_screw_t so;
-    load_vec3_double(&t, data[0] + i * step[0], core + 0);
-    load_screw_double(&si, data[1] + i * step[1], core + 1);
+    ksl_screw_t si;
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_vec3_double(&t, p0 + i * step[0], core + 0);
+    }
+    load_screw_double(&si, p1 + i * step[1], core + 1);
     ksl_product_Adtinvs(&t, &si, &so);
-    store_screw_double(&so, data[2] + i * step[2], core + 2);
+    store_screw_double(&so, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_Adtinvs_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_Adtinvs_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_Adtinvs_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_Adtinvs_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adtinvs_double_over(data, n[0], step, step + 3);
@@ -805,20 +1292,36 @@ static void product_Adtinvs_double(char **data, const npy_intp *n, const npy_int
 
 /* (3),(6)->(6) */
 INLINED void product_Adtinvs_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t t;
+  load_vec3_single(&t, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t t; ksl_screwf_t si; ksl_screwf_t so;
-    load_vec3_single(&t, data[0] + i * step[0], core + 0);
-    load_screw_single(&si, data[1] + i * step[1], core + 1);
+    ksl_screwf_t si;
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_vec3_single(&t, p0 + i * step[0], core + 0);
+    }
+    load_screw_single(&si, p1 + i * step[1], core + 1);
     ksl_product_Adtinvsf(&t, &si, &so);
-    store_screw_single(&so, data[2] + i * step[2], core + 2);
+    store_screw_single(&so, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_Adtinvs_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_Adtinvs_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_Adtinvs_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_Adtinvs_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adtinvs_single_over(data, n[0], step, step + 3);
@@ -828,20 +1331,36 @@ static PyUFuncGenericFunction product_Adtinvs_loops[] = { product_Adtinvs_double
 
 /* (3),(6)->(6) */
 INLINED void product_Adtsinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t t;
+  load_vec3_double(&t, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t t; ksl_screw_t si; ksl_screw_t so;
-    load_vec3_double(&t, data[0] + i * step[0], core + 0);
-    load_screw_double(&si, data[1] + i * step[1], core + 1);
+    ksl_screw_t si;
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_vec3_double(&t, p0 + i * step[0], core + 0);
+    }
+    load_screw_double(&si, p1 + i * step[1], core + 1);
     ksl_product_Adtsinv(&t, &si, &so);
-    store_screw_double(&so, data[2] + i * step[2], core + 2);
+    store_screw_double(&so, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_Adtsinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_Adtsinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_Adtsinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_Adtsinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adtsinv_double_over(data, n[0], step, step + 3);
@@ -849,20 +1368,36 @@ static void product_Adtsinv_double(char **data, const npy_intp *n, const npy_int
 
 /* (3),(6)->(6) */
 INLINED void product_Adtsinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t t;
+  load_vec3_single(&t, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t t; ksl_screwf_t si; ksl_screwf_t so;
-    load_vec3_single(&t, data[0] + i * step[0], core + 0);
-    load_screw_single(&si, data[1] + i * step[1], core + 1);
+    ksl_screwf_t si;
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_vec3_single(&t, p0 + i * step[0], core + 0);
+    }
+    load_screw_single(&si, p1 + i * step[1], core + 1);
     ksl_product_Adtsinvf(&t, &si, &so);
-    store_screw_single(&so, data[2] + i * step[2], core + 2);
+    store_screw_single(&so, p2 + i * step[2], core + 2);
   }
 }
 
 static void product_Adtsinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_Adtsinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_Adtsinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_Adtsinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adtsinv_single_over(data, n[0], step, step + 3);
@@ -872,20 +1407,36 @@ static PyUFuncGenericFunction product_Adtsinv_loops[] = { product_Adtsinv_double
 
 /* (3,3),(6)->(6) */
 INLINED void product_Adrs_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; ksl_screw_t si; ksl_screw_t so;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_screw_double(&si, data[1] + i * step[1], core + 2);
+    ksl_screw_t si;
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_screw_double(&si, p1 + i * step[1], core + 2);
     ksl_product_Adrs(&R, &si, &so);
-    store_screw_double(&so, data[2] + i * step[2], core + 3);
+    store_screw_double(&so, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_Adrs_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_Adrs_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 48, 48, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_Adrs_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_Adrs_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adrs_double_over(data, n[0], step, step + 3);
@@ -893,20 +1444,36 @@ static void product_Adrs_double(char **data, const npy_intp *n, const npy_intp *
 
 /* (3,3),(6)->(6) */
 INLINED void product_Adrs_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; ksl_screwf_t si; ksl_screwf_t so;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_screw_single(&si, data[1] + i * step[1], core + 2);
+    ksl_screwf_t si;
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_screw_single(&si, p1 + i * step[1], core + 2);
     ksl_product_Adrsf(&R, &si, &so);
-    store_screw_single(&so, data[2] + i * step[2], core + 3);
+    store_screw_single(&so, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_Adrs_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_Adrs_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 24, 24, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_Adrs_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_Adrs_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adrs_single_over(data, n[0], step, step + 3);
@@ -916,20 +1483,36 @@ static PyUFuncGenericFunction product_Adrs_loops[] = { product_Adrs_double, prod
 
 /* (3,3),(6)->(6) */
 INLINED void product_Adrinvs_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; ksl_screw_t si; ksl_screw_t so;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_screw_double(&si, data[1] + i * step[1], core + 2);
+    ksl_screw_t si;
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_screw_double(&si, p1 + i * step[1], core + 2);
     ksl_product_Adrinvs(&R, &si, &so);
-    store_screw_double(&so, data[2] + i * step[2], core + 3);
+    store_screw_double(&so, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_Adrinvs_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_Adrinvs_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 48, 48, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_Adrinvs_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_Adrinvs_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adrinvs_double_over(data, n[0], step, step + 3);
@@ -937,20 +1520,36 @@ static void product_Adrinvs_double(char **data, const npy_intp *n, const npy_int
 
 /* (3,3),(6)->(6) */
 INLINED void product_Adrinvs_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; ksl_screwf_t si; ksl_screwf_t so;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_screw_single(&si, data[1] + i * step[1], core + 2);
+    ksl_screwf_t si;
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_screw_single(&si, p1 + i * step[1], core + 2);
     ksl_product_Adrinvsf(&R, &si, &so);
-    store_screw_single(&so, data[2] + i * step[2], core + 3);
+    store_screw_single(&so, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_Adrinvs_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_Adrinvs_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 24, 24, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_Adrinvs_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_Adrinvs_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adrinvs_single_over(data, n[0], step, step + 3);
@@ -960,20 +1559,36 @@ static PyUFuncGenericFunction product_Adrinvs_loops[] = { product_Adrinvs_double
 
 /* (3,3),(6)->(6) */
 INLINED void product_Adrsinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t R; ksl_screw_t si; ksl_screw_t so;
-    load_mat3x3_double(&R, data[0] + i * step[0], core + 0);
-    load_screw_double(&si, data[1] + i * step[1], core + 2);
+    ksl_screw_t si;
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    load_screw_double(&si, p1 + i * step[1], core + 2);
     ksl_product_Adrsinv(&R, &si, &so);
-    store_screw_double(&so, data[2] + i * step[2], core + 3);
+    store_screw_double(&so, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_Adrsinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 24, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_Adrsinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 72, 48, 48, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_Adrsinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_Adrsinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adrsinv_double_over(data, n[0], step, step + 3);
@@ -981,20 +1596,36 @@ static void product_Adrsinv_double(char **data, const npy_intp *n, const npy_int
 
 /* (3,3),(6)->(6) */
 INLINED void product_Adrsinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t R; ksl_screwf_t si; ksl_screwf_t so;
-    load_mat3x3_single(&R, data[0] + i * step[0], core + 0);
-    load_screw_single(&si, data[1] + i * step[1], core + 2);
+    ksl_screwf_t si;
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    load_screw_single(&si, p1 + i * step[1], core + 2);
     ksl_product_Adrsinvf(&R, &si, &so);
-    store_screw_single(&so, data[2] + i * step[2], core + 3);
+    store_screw_single(&so, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_Adrsinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 12, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_Adrsinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 36, 24, 24, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_Adrsinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_Adrsinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adrsinv_single_over(data, n[0], step, step + 3);
@@ -1004,20 +1635,36 @@ static PyUFuncGenericFunction product_Adrsinv_loops[] = { product_Adrsinv_double
 
 /* (3,4),(6)->(6) */
 INLINED void product_Ads_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_screw_t si; ksl_screw_t so;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_screw_double(&si, data[1] + i * step[1], core + 2);
+    ksl_screw_t si;
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_screw_double(&si, p1 + i * step[1], core + 2);
     ksl_product_Ads(&D, &si, &so);
-    store_screw_double(&so, data[2] + i * step[2], core + 3);
+    store_screw_double(&so, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_Ads_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_Ads_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_Ads_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_Ads_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Ads_double_over(data, n[0], step, step + 3);
@@ -1025,20 +1672,36 @@ static void product_Ads_double(char **data, const npy_intp *n, const npy_intp *s
 
 /* (3,4),(6)->(6) */
 INLINED void product_Ads_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_screwf_t si; ksl_screwf_t so;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_screw_single(&si, data[1] + i * step[1], core + 2);
+    ksl_screwf_t si;
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_screw_single(&si, p1 + i * step[1], core + 2);
     ksl_product_Adsf(&D, &si, &so);
-    store_screw_single(&so, data[2] + i * step[2], core + 3);
+    store_screw_single(&so, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_Ads_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_Ads_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_Ads_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_Ads_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Ads_single_over(data, n[0], step, step + 3);
@@ -1048,20 +1711,36 @@ static PyUFuncGenericFunction product_Ads_loops[] = { product_Ads_double, produc
 
 /* (3,4),(6)->(6) */
 INLINED void product_Adinvs_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_screw_t si; ksl_screw_t so;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_screw_double(&si, data[1] + i * step[1], core + 2);
+    ksl_screw_t si;
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_screw_double(&si, p1 + i * step[1], core + 2);
     ksl_product_Adinvs(&D, &si, &so);
-    store_screw_double(&so, data[2] + i * step[2], core + 3);
+    store_screw_double(&so, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_Adinvs_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_Adinvs_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_Adinvs_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_Adinvs_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adinvs_double_over(data, n[0], step, step + 3);
@@ -1069,20 +1748,36 @@ static void product_Adinvs_double(char **data, const npy_intp *n, const npy_intp
 
 /* (3,4),(6)->(6) */
 INLINED void product_Adinvs_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_screwf_t si; ksl_screwf_t so;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_screw_single(&si, data[1] + i * step[1], core + 2);
+    ksl_screwf_t si;
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_screw_single(&si, p1 + i * step[1], core + 2);
     ksl_product_Adinvsf(&D, &si, &so);
-    store_screw_single(&so, data[2] + i * step[2], core + 3);
+    store_screw_single(&so, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_Adinvs_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_Adinvs_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_Adinvs_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_Adinvs_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adinvs_single_over(data, n[0], step, step + 3);
@@ -1092,20 +1787,36 @@ static PyUFuncGenericFunction product_Adinvs_loops[] = { product_Adinvs_double, 
 
 /* (3,4),(6)->(6) */
 INLINED void product_Adsinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_screw_t si; ksl_screw_t so;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_screw_double(&si, data[1] + i * step[1], core + 2);
+    ksl_screw_t si;
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_screw_double(&si, p1 + i * step[1], core + 2);
     ksl_product_Adsinv(&D, &si, &so);
-    store_screw_double(&so, data[2] + i * step[2], core + 3);
+    store_screw_double(&so, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_Adsinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_Adsinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_Adsinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_Adsinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adsinv_double_over(data, n[0], step, step + 3);
@@ -1113,20 +1824,36 @@ static void product_Adsinv_double(char **data, const npy_intp *n, const npy_intp
 
 /* (3,4),(6)->(6) */
 INLINED void product_Adsinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_screwf_t si; ksl_screwf_t so;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_screw_single(&si, data[1] + i * step[1], core + 2);
+    ksl_screwf_t si;
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_screw_single(&si, p1 + i * step[1], core + 2);
     ksl_product_Adsinvf(&D, &si, &so);
-    store_screw_single(&so, data[2] + i * step[2], core + 3);
+    store_screw_single(&so, p2 + i * step[2], core + 3);
   }
 }
 
 static void product_Adsinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_Adsinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_Adsinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_Adsinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adsinv_single_over(data, n[0], step, step + 3);
@@ -1136,19 +1863,33 @@ static PyUFuncGenericFunction product_Adsinv_loops[] = { product_Adsinv_double, 
 
 /* (3,4)->(6) */
 INLINED void hstx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_screw_t so;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hstx(&D, &so);
-    store_screw_double(&so, data[1] + i * step[1], core + 2);
+    store_screw_double(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hstx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hstx_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hstx_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hstx_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hstx_double_over(data, n[0], step, step + 2);
@@ -1156,19 +1897,33 @@ static void hstx_double(char **data, const npy_intp *n, const npy_intp *step, vo
 
 /* (3,4)->(6) */
 INLINED void hstx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_screwf_t so;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hstxf(&D, &so);
-    store_screw_single(&so, data[1] + i * step[1], core + 2);
+    store_screw_single(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hstx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hstx_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hstx_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hstx_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hstx_single_over(data, n[0], step, step + 2);
@@ -1178,19 +1933,33 @@ static PyUFuncGenericFunction hstx_loops[] = { hstx_double, hstx_single };
 
 /* (3,4)->(6) */
 INLINED void hsty_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_screw_t so;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hsty(&D, &so);
-    store_screw_double(&so, data[1] + i * step[1], core + 2);
+    store_screw_double(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hsty_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hsty_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsty_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsty_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsty_double_over(data, n[0], step, step + 2);
@@ -1198,19 +1967,33 @@ static void hsty_double(char **data, const npy_intp *n, const npy_intp *step, vo
 
 /* (3,4)->(6) */
 INLINED void hsty_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_screwf_t so;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hstyf(&D, &so);
-    store_screw_single(&so, data[1] + i * step[1], core + 2);
+    store_screw_single(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hsty_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hsty_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsty_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsty_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsty_single_over(data, n[0], step, step + 2);
@@ -1220,19 +2003,33 @@ static PyUFuncGenericFunction hsty_loops[] = { hsty_double, hsty_single };
 
 /* (3,4)->(6) */
 INLINED void hstz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_screw_t so;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hstz(&D, &so);
-    store_screw_double(&so, data[1] + i * step[1], core + 2);
+    store_screw_double(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hstz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hstz_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hstz_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hstz_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hstz_double_over(data, n[0], step, step + 2);
@@ -1240,19 +2037,33 @@ static void hstz_double(char **data, const npy_intp *n, const npy_intp *step, vo
 
 /* (3,4)->(6) */
 INLINED void hstz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_screwf_t so;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hstzf(&D, &so);
-    store_screw_single(&so, data[1] + i * step[1], core + 2);
+    store_screw_single(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hstz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hstz_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hstz_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hstz_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hstz_single_over(data, n[0], step, step + 2);
@@ -1262,19 +2073,33 @@ static PyUFuncGenericFunction hstz_loops[] = { hstz_double, hstz_single };
 
 /* (3,4)->(6) */
 INLINED void hsrx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_screw_t so;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hsrx(&D, &so);
-    store_screw_double(&so, data[1] + i * step[1], core + 2);
+    store_screw_double(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hsrx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hsrx_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsrx_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsrx_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsrx_double_over(data, n[0], step, step + 2);
@@ -1282,19 +2107,33 @@ static void hsrx_double(char **data, const npy_intp *n, const npy_intp *step, vo
 
 /* (3,4)->(6) */
 INLINED void hsrx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_screwf_t so;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hsrxf(&D, &so);
-    store_screw_single(&so, data[1] + i * step[1], core + 2);
+    store_screw_single(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hsrx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hsrx_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsrx_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsrx_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsrx_single_over(data, n[0], step, step + 2);
@@ -1304,19 +2143,33 @@ static PyUFuncGenericFunction hsrx_loops[] = { hsrx_double, hsrx_single };
 
 /* (3,4)->(6) */
 INLINED void hsry_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_screw_t so;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hsry(&D, &so);
-    store_screw_double(&so, data[1] + i * step[1], core + 2);
+    store_screw_double(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hsry_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hsry_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsry_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsry_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsry_double_over(data, n[0], step, step + 2);
@@ -1324,19 +2177,33 @@ static void hsry_double(char **data, const npy_intp *n, const npy_intp *step, vo
 
 /* (3,4)->(6) */
 INLINED void hsry_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_screwf_t so;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hsryf(&D, &so);
-    store_screw_single(&so, data[1] + i * step[1], core + 2);
+    store_screw_single(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hsry_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hsry_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsry_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsry_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsry_single_over(data, n[0], step, step + 2);
@@ -1346,19 +2213,33 @@ static PyUFuncGenericFunction hsry_loops[] = { hsry_double, hsry_single };
 
 /* (3,4)->(6) */
 INLINED void hsrz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_screw_t so;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hsrz(&D, &so);
-    store_screw_double(&so, data[1] + i * step[1], core + 2);
+    store_screw_double(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hsrz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hsrz_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsrz_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsrz_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsrz_double_over(data, n[0], step, step + 2);
@@ -1366,19 +2247,33 @@ static void hsrz_double(char **data, const npy_intp *n, const npy_intp *step, vo
 
 /* (3,4)->(6) */
 INLINED void hsrz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_screwf_t so;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hsrzf(&D, &so);
-    store_screw_single(&so, data[1] + i * step[1], core + 2);
+    store_screw_single(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hsrz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hsrz_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsrz_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsrz_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsrz_single_over(data, n[0], step, step + 2);
@@ -1388,19 +2283,33 @@ static PyUFuncGenericFunction hsrz_loops[] = { hsrz_double, hsrz_single };
 
 /* (3,4)->(6) */
 INLINED void hstxinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_screw_t so;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hstxinv(&D, &so);
-    store_screw_double(&so, data[1] + i * step[1], core + 2);
+    store_screw_double(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hstxinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hstxinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hstxinv_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hstxinv_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hstxinv_double_over(data, n[0], step, step + 2);
@@ -1408,19 +2317,33 @@ static void hstxinv_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (3,4)->(6) */
 INLINED void hstxinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_screwf_t so;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hstxinvf(&D, &so);
-    store_screw_single(&so, data[1] + i * step[1], core + 2);
+    store_screw_single(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hstxinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hstxinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hstxinv_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hstxinv_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hstxinv_single_over(data, n[0], step, step + 2);
@@ -1430,19 +2353,33 @@ static PyUFuncGenericFunction hstxinv_loops[] = { hstxinv_double, hstxinv_single
 
 /* (3,4)->(6) */
 INLINED void hstyinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_screw_t so;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hstyinv(&D, &so);
-    store_screw_double(&so, data[1] + i * step[1], core + 2);
+    store_screw_double(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hstyinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hstyinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hstyinv_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hstyinv_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hstyinv_double_over(data, n[0], step, step + 2);
@@ -1450,19 +2387,33 @@ static void hstyinv_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (3,4)->(6) */
 INLINED void hstyinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_screwf_t so;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hstyinvf(&D, &so);
-    store_screw_single(&so, data[1] + i * step[1], core + 2);
+    store_screw_single(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hstyinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hstyinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hstyinv_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hstyinv_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hstyinv_single_over(data, n[0], step, step + 2);
@@ -1472,19 +2423,33 @@ static PyUFuncGenericFunction hstyinv_loops[] = { hstyinv_double, hstyinv_single
 
 /* (3,4)->(6) */
 INLINED void hstzinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_screw_t so;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hstzinv(&D, &so);
-    store_screw_double(&so, data[1] + i * step[1], core + 2);
+    store_screw_double(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hstzinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hstzinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hstzinv_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hstzinv_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hstzinv_double_over(data, n[0], step, step + 2);
@@ -1492,19 +2457,33 @@ static void hstzinv_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (3,4)->(6) */
 INLINED void hstzinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_screwf_t so;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hstzinvf(&D, &so);
-    store_screw_single(&so, data[1] + i * step[1], core + 2);
+    store_screw_single(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hstzinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hstzinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hstzinv_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hstzinv_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hstzinv_single_over(data, n[0], step, step + 2);
@@ -1514,19 +2493,33 @@ static PyUFuncGenericFunction hstzinv_loops[] = { hstzinv_double, hstzinv_single
 
 /* (3,4)->(6) */
 INLINED void hsrxinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_screw_t so;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hsrxinv(&D, &so);
-    store_screw_double(&so, data[1] + i * step[1], core + 2);
+    store_screw_double(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hsrxinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hsrxinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsrxinv_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsrxinv_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsrxinv_double_over(data, n[0], step, step + 2);
@@ -1534,19 +2527,33 @@ static void hsrxinv_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (3,4)->(6) */
 INLINED void hsrxinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_screwf_t so;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hsrxinvf(&D, &so);
-    store_screw_single(&so, data[1] + i * step[1], core + 2);
+    store_screw_single(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hsrxinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hsrxinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsrxinv_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsrxinv_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsrxinv_single_over(data, n[0], step, step + 2);
@@ -1556,19 +2563,33 @@ static PyUFuncGenericFunction hsrxinv_loops[] = { hsrxinv_double, hsrxinv_single
 
 /* (3,4)->(6) */
 INLINED void hsryinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_screw_t so;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hsryinv(&D, &so);
-    store_screw_double(&so, data[1] + i * step[1], core + 2);
+    store_screw_double(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hsryinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hsryinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsryinv_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsryinv_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsryinv_double_over(data, n[0], step, step + 2);
@@ -1576,19 +2597,33 @@ static void hsryinv_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (3,4)->(6) */
 INLINED void hsryinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_screwf_t so;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hsryinvf(&D, &so);
-    store_screw_single(&so, data[1] + i * step[1], core + 2);
+    store_screw_single(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hsryinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hsryinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsryinv_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsryinv_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsryinv_single_over(data, n[0], step, step + 2);
@@ -1598,19 +2633,33 @@ static PyUFuncGenericFunction hsryinv_loops[] = { hsryinv_double, hsryinv_single
 
 /* (3,4)->(6) */
 INLINED void hsrzinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_screw_t so;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hsrzinv(&D, &so);
-    store_screw_double(&so, data[1] + i * step[1], core + 2);
+    store_screw_double(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hsrzinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hsrzinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsrzinv_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsrzinv_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsrzinv_double_over(data, n[0], step, step + 2);
@@ -1618,19 +2667,33 @@ static void hsrzinv_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (3,4)->(6) */
 INLINED void hsrzinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_screwf_t so;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_hsrzinvf(&D, &so);
-    store_screw_single(&so, data[1] + i * step[1], core + 2);
+    store_screw_single(&so, p1 + i * step[1], core + 2);
   }
 }
 
 static void hsrzinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    hsrzinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsrzinv_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsrzinv_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsrzinv_single_over(data, n[0], step, step + 2);
@@ -1640,19 +2703,33 @@ static PyUFuncGenericFunction hsrzinv_loops[] = { hsrzinv_double, hsrzinv_single
 
 /* (3,4)->(6,6) */
 INLINED void Ad_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_mat6x6_t M;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
+    ksl_mat6x6_t M;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
     ksl_Ad(&D, &M);
-    store_mat6x6_double(&M, data[1] + i * step[1], core + 2);
+    store_mat6x6_double(&M, p1 + i * step[1], core + 2);
   }
 }
 
 static void Ad_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 48, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    Ad_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 288, 32, 8, 48, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    Ad_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 288, 32, 8, 48, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    Ad_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   Ad_double_over(data, n[0], step, step + 2);
@@ -1660,19 +2737,33 @@ static void Ad_double(char **data, const npy_intp *n, const npy_intp *step, void
 
 /* (3,4)->(6,6) */
 INLINED void Ad_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_mat6x6f_t M;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
+    ksl_mat6x6f_t M;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
     ksl_Adf(&D, &M);
-    store_mat6x6_single(&M, data[1] + i * step[1], core + 2);
+    store_mat6x6_single(&M, p1 + i * step[1], core + 2);
   }
 }
 
 static void Ad_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 24, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    Ad_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 144, 16, 4, 24, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    Ad_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 144, 16, 4, 24, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    Ad_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   Ad_single_over(data, n[0], step, step + 2);
@@ -1682,20 +2773,36 @@ static PyUFuncGenericFunction Ad_loops[] = { Ad_double, Ad_single };
 
 /* (6),(6)->() */
 INLINED void dot_cs_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrew_t c;
+  load_coscrew_double(&c, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrew_t c; ksl_screw_t s; double power;
-    load_coscrew_double(&c, data[0] + i * step[0], core + 0);
-    load_screw_double(&s, data[1] + i * step[1], core + 1);
+    ksl_screw_t s;
+    double power;
+    if (step[0] != 0) {
+      load_coscrew_double(&c, p0 + i * step[0], core + 0);
+    }
+    load_screw_double(&s, p1 + i * step[1], core + 1);
     power = ksl_dot_cs(&c, &s);
-    store_scalar_double(&power, data[2] + i * step[2], core + 2);
+    store_scalar_double(&power, p2 + i * step[2], core + 2);
   }
 }
 
 static void dot_cs_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    dot_cs_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    dot_cs_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    dot_cs_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   dot_cs_double_over(data, n[0], step, step + 3);
@@ -1703,20 +2810,36 @@ static void dot_cs_double(char **data, const npy_intp *n, const npy_intp *step, 
 
 /* (6),(6)->() */
 INLINED void dot_cs_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_coscrewf_t c;
+  load_coscrew_single(&c, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_coscrewf_t c; ksl_screwf_t s; float power;
-    load_coscrew_single(&c, data[0] + i * step[0], core + 0);
-    load_screw_single(&s, data[1] + i * step[1], core + 1);
+    ksl_screwf_t s;
+    float power;
+    if (step[0] != 0) {
+      load_coscrew_single(&c, p0 + i * step[0], core + 0);
+    }
+    load_screw_single(&s, p1 + i * step[1], core + 1);
     power = ksl_dot_csf(&c, &s);
-    store_scalar_single(&power, data[2] + i * step[2], core + 2);
+    store_scalar_single(&power, p2 + i * step[2], core + 2);
   }
 }
 
 static void dot_cs_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    dot_cs_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    dot_cs_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    dot_cs_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   dot_cs_single_over(data, n[0], step, step + 3);
@@ -1726,20 +2849,36 @@ static PyUFuncGenericFunction dot_cs_loops[] = { dot_cs_double, dot_cs_single };
 
 /* (6),(6)->(6) */
 INLINED void cross_ss_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screw_t s1;
+  load_screw_double(&s1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screw_t s1; ksl_screw_t s2; ksl_screw_t so;
-    load_screw_double(&s1, data[0] + i * step[0], core + 0);
-    load_screw_double(&s2, data[1] + i * step[1], core + 1);
+    ksl_screw_t s2;
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_screw_double(&s1, p0 + i * step[0], core + 0);
+    }
+    load_screw_double(&s2, p1 + i * step[1], core + 1);
     ksl_cross_ss(&s1, &s2, &so);
-    store_screw_double(&so, data[2] + i * step[2], core + 2);
+    store_screw_double(&so, p2 + i * step[2], core + 2);
   }
 }
 
 static void cross_ss_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    cross_ss_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    cross_ss_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    cross_ss_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   cross_ss_double_over(data, n[0], step, step + 3);
@@ -1747,20 +2886,36 @@ static void cross_ss_double(char **data, const npy_intp *n, const npy_intp *step
 
 /* (6),(6)->(6) */
 INLINED void cross_ss_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screwf_t s1;
+  load_screw_single(&s1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screwf_t s1; ksl_screwf_t s2; ksl_screwf_t so;
-    load_screw_single(&s1, data[0] + i * step[0], core + 0);
-    load_screw_single(&s2, data[1] + i * step[1], core + 1);
+    ksl_screwf_t s2;
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_screw_single(&s1, p0 + i * step[0], core + 0);
+    }
+    load_screw_single(&s2, p1 + i * step[1], core + 1);
     ksl_cross_ssf(&s1, &s2, &so);
-    store_screw_single(&so, data[2] + i * step[2], core + 2);
+    store_screw_single(&so, p2 + i * step[2], core + 2);
   }
 }
 
 static void cross_ss_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    cross_ss_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    cross_ss_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    cross_ss_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   cross_ss_single_over(data, n[0], step, step + 3);
@@ -1770,20 +2925,36 @@ static PyUFuncGenericFunction cross_ss_loops[] = { cross_ss_double, cross_ss_sin
 
 /* (6),(6)->(6) */
 INLINED void cross_sst_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screw_t s1;
+  load_screw_double(&s1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screw_t s1; ksl_screw_t s2; ksl_screw_t so;
-    load_screw_double(&s1, data[0] + i * step[0], core + 0);
-    load_screw_double(&s2, data[1] + i * step[1], core + 1);
+    ksl_screw_t s2;
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_screw_double(&s1, p0 + i * step[0], core + 0);
+    }
+    load_screw_double(&s2, p1 + i * step[1], core + 1);
     ksl_cross_sst(&s1, &s2, &so);
-    store_screw_double(&so, data[2] + i * step[2], core + 2);
+    store_screw_double(&so, p2 + i * step[2], core + 2);
   }
 }
 
 static void cross_sst_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    cross_sst_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    cross_sst_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    cross_sst_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   cross_sst_double_over(data, n[0], step, step + 3);
@@ -1791,20 +2962,36 @@ static void cross_sst_double(char **data, const npy_intp *n, const npy_intp *ste
 
 /* (6),(6)->(6) */
 INLINED void cross_sst_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screwf_t s1;
+  load_screw_single(&s1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screwf_t s1; ksl_screwf_t s2; ksl_screwf_t so;
-    load_screw_single(&s1, data[0] + i * step[0], core + 0);
-    load_screw_single(&s2, data[1] + i * step[1], core + 1);
+    ksl_screwf_t s2;
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_screw_single(&s1, p0 + i * step[0], core + 0);
+    }
+    load_screw_single(&s2, p1 + i * step[1], core + 1);
     ksl_cross_sstf(&s1, &s2, &so);
-    store_screw_single(&so, data[2] + i * step[2], core + 2);
+    store_screw_single(&so, p2 + i * step[2], core + 2);
   }
 }
 
 static void cross_sst_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    cross_sst_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    cross_sst_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    cross_sst_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   cross_sst_single_over(data, n[0], step, step + 3);
@@ -1814,20 +3001,36 @@ static PyUFuncGenericFunction cross_sst_loops[] = { cross_sst_double, cross_sst_
 
 /* (3,4),(3)->(6) */
 INLINED void hsra_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_vec3_t axis; ksl_screw_t so;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_vec3_double(&axis, data[1] + i * step[1], core + 2);
+    ksl_vec3_t axis;
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&axis, p1 + i * step[1], core + 2);
     ksl_hsra(&D, &axis, &so);
-    store_screw_double(&so, data[2] + i * step[2], core + 3);
+    store_screw_double(&so, p2 + i * step[2], core + 3);
   }
 }
 
 static void hsra_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    hsra_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 24, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsra_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsra_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   hsra_double_over(data, n[0], step, step + 3);
@@ -1835,20 +3038,36 @@ static void hsra_double(char **data, const npy_intp *n, const npy_intp *step, vo
 
 /* (3,4),(3)->(6) */
 INLINED void hsra_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_vec3f_t axis; ksl_screwf_t so;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_vec3_single(&axis, data[1] + i * step[1], core + 2);
+    ksl_vec3f_t axis;
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&axis, p1 + i * step[1], core + 2);
     ksl_hsraf(&D, &axis, &so);
-    store_screw_single(&so, data[2] + i * step[2], core + 3);
+    store_screw_single(&so, p2 + i * step[2], core + 3);
   }
 }
 
 static void hsra_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    hsra_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 12, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsra_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsra_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   hsra_single_over(data, n[0], step, step + 3);
@@ -1858,20 +3077,36 @@ static PyUFuncGenericFunction hsra_loops[] = { hsra_double, hsra_single };
 
 /* (3,4),(3)->(6) */
 INLINED void hsta_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3_t D; ksl_vec3_t axis; ksl_screw_t so;
-    load_SE3_double(&D, data[0] + i * step[0], core + 0);
-    load_vec3_double(&axis, data[1] + i * step[1], core + 2);
+    ksl_vec3_t axis;
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&axis, p1 + i * step[1], core + 2);
     ksl_hsta(&D, &axis, &so);
-    store_screw_double(&so, data[2] + i * step[2], core + 3);
+    store_screw_double(&so, p2 + i * step[2], core + 3);
   }
 }
 
 static void hsta_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 32, 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    hsta_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 96, 24, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsta_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsta_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   hsta_double_over(data, n[0], step, step + 3);
@@ -1879,20 +3114,36 @@ static void hsta_double(char **data, const npy_intp *n, const npy_intp *step, vo
 
 /* (3,4),(3)->(6) */
 INLINED void hsta_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_SE3f_t D; ksl_vec3f_t axis; ksl_screwf_t so;
-    load_SE3_single(&D, data[0] + i * step[0], core + 0);
-    load_vec3_single(&axis, data[1] + i * step[1], core + 2);
+    ksl_vec3f_t axis;
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&axis, p1 + i * step[1], core + 2);
     ksl_hstaf(&D, &axis, &so);
-    store_screw_single(&so, data[2] + i * step[2], core + 3);
+    store_screw_single(&so, p2 + i * step[2], core + 3);
   }
 }
 
 static void hsta_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 16, 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    hsta_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 12, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsta_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsta_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   hsta_single_over(data, n[0], step, step + 3);
@@ -1902,19 +3153,33 @@ static PyUFuncGenericFunction hsta_loops[] = { hsta_double, hsta_single };
 
 /* (6)->(6,6) */
 INLINED void ad_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screw_t s;
+  load_screw_double(&s, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screw_t s; ksl_mat6x6_t M;
-    load_screw_double(&s, data[0] + i * step[0], core + 0);
+    ksl_mat6x6_t M;
+    if (step[0] != 0) {
+      load_screw_double(&s, p0 + i * step[0], core + 0);
+    }
     ksl_ad(&s, &M);
-    store_mat6x6_double(&M, data[1] + i * step[1], core + 1);
+    store_mat6x6_double(&M, p1 + i * step[1], core + 1);
   }
 }
 
 static void ad_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 48, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    ad_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 48, 288, 8, 48, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    ad_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 288, 8, 48, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    ad_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   ad_double_over(data, n[0], step, step + 2);
@@ -1922,19 +3187,33 @@ static void ad_double(char **data, const npy_intp *n, const npy_intp *step, void
 
 /* (6)->(6,6) */
 INLINED void ad_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screwf_t s;
+  load_screw_single(&s, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_screwf_t s; ksl_mat6x6f_t M;
-    load_screw_single(&s, data[0] + i * step[0], core + 0);
+    ksl_mat6x6f_t M;
+    if (step[0] != 0) {
+      load_screw_single(&s, p0 + i * step[0], core + 0);
+    }
     ksl_adf(&s, &M);
-    store_mat6x6_single(&M, data[1] + i * step[1], core + 1);
+    store_mat6x6_single(&M, p1 + i * step[1], core + 1);
   }
 }
 
 static void ad_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 24, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    ad_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 144, 4, 24, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    ad_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 144, 4, 24, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    ad_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   ad_single_over(data, n[0], step, step + 2);
@@ -1942,7 +3221,7 @@ static void ad_single(char **data, const npy_intp *n, const npy_intp *step, void
 
 static PyUFuncGenericFunction ad_loops[] = { ad_double, ad_single };
 
-const coscrew_gufunc coscrew_screw_gufuncs[] = {
+const coscrew_gufunc TABLE(screw)[] = {
   {"screw_copy", "(6)->(6)",
     "so = si.\n"
     "\n"
@@ -2215,3 +3494,7 @@ const coscrew_gufunc coscrew_screw_gufuncs[] = {
    1, 1, ad_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };
+
+#if defined(COSCREW_FOR_AVX2) && defined(__clang__)
+#pragma clang attribute pop
+#endif

@@ -1,24 +1,39 @@
 /* Made by `coscrew generate`; changes are overwritten. */
-/* Gufunc loops of the trig operations. */
+/* Gufunc loops of the trig operations.  NumPy copies overlapping operands before it calls a
+   loop, so the pointers are restrict. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 
 /* ()->(2) */
 INLINED void dc_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  double theta;
+  load_scalar_double(&theta, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    double theta; double dc[2];
-    load_scalar_double(&theta, data[0] + i * step[0], core + 0);
+    double dc[2];
+    if (step[0] != 0) {
+      load_scalar_double(&theta, p0 + i * step[0], core + 0);
+    }
     ksl_dc(theta, dc);
-    store_dc_double(dc, data[1] + i * step[1], core + 0);
+    store_dc_double(dc, p1 + i * step[1], core + 0);
   }
 }
 
 static void dc_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    dc_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 8, 16, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    dc_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 16, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    dc_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   dc_double_over(data, n[0], step, step + 2);
@@ -26,19 +41,33 @@ static void dc_double(char **data, const npy_intp *n, const npy_intp *step, void
 
 /* ()->(2) */
 INLINED void dc_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  float theta;
+  load_scalar_single(&theta, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    float theta; float dc[2];
-    load_scalar_single(&theta, data[0] + i * step[0], core + 0);
+    float dc[2];
+    if (step[0] != 0) {
+      load_scalar_single(&theta, p0 + i * step[0], core + 0);
+    }
     ksl_dcf(theta, dc);
-    store_dc_single(dc, data[1] + i * step[1], core + 0);
+    store_dc_single(dc, p1 + i * step[1], core + 0);
   }
 }
 
 static void dc_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    dc_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 4, 8, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    dc_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    dc_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   dc_single_over(data, n[0], step, step + 2);
@@ -46,7 +75,7 @@ static void dc_single(char **data, const npy_intp *n, const npy_intp *step, void
 
 static PyUFuncGenericFunction dc_loops[] = { dc_double, dc_single };
 
-const coscrew_gufunc coscrew_trig_gufuncs[] = {
+const coscrew_gufunc TABLE(trig)[] = {
   {"dc", "()->(2)",
     "dc = (sin θ, cos θ), θ in rad; accurate as the platform's sin and cos.\n"
     "\n"
@@ -55,3 +84,7 @@ const coscrew_gufunc coscrew_trig_gufuncs[] = {
    1, 1, dc_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };
+
+#if defined(COSCREW_FOR_AVX2) && defined(__clang__)
+#pragma clang attribute pop
+#endif

@@ -1,24 +1,39 @@
 /* Made by `coscrew generate`; changes are overwritten. */
-/* Gufunc loops of the vec3 operations. */
+/* Gufunc loops of the vec3 operations.  NumPy copies overlapping operands before it calls a
+   loop, so the pointers are restrict. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 
 /* (3)->(3) */
 INLINED void vec3_copy_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t vi;
+  load_vec3_double(&vi, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t vi; ksl_vec3_t vo;
-    load_vec3_double(&vi, data[0] + i * step[0], core + 0);
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_vec3_double(&vi, p0 + i * step[0], core + 0);
+    }
     ksl_vec3_copy(&vi, &vo);
-    store_vec3_double(&vo, data[1] + i * step[1], core + 1);
+    store_vec3_double(&vo, p1 + i * step[1], core + 1);
   }
 }
 
 static void vec3_copy_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    vec3_copy_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    vec3_copy_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    vec3_copy_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   vec3_copy_double_over(data, n[0], step, step + 2);
@@ -26,19 +41,33 @@ static void vec3_copy_double(char **data, const npy_intp *n, const npy_intp *ste
 
 /* (3)->(3) */
 INLINED void vec3_copy_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t vi;
+  load_vec3_single(&vi, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t vi; ksl_vec3f_t vo;
-    load_vec3_single(&vi, data[0] + i * step[0], core + 0);
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_vec3_single(&vi, p0 + i * step[0], core + 0);
+    }
     ksl_vec3f_copy(&vi, &vo);
-    store_vec3_single(&vo, data[1] + i * step[1], core + 1);
+    store_vec3_single(&vo, p1 + i * step[1], core + 1);
   }
 }
 
 static void vec3_copy_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    vec3_copy_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    vec3_copy_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    vec3_copy_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   vec3_copy_single_over(data, n[0], step, step + 2);
@@ -48,20 +77,24 @@ static PyUFuncGenericFunction vec3_copy_loops[] = { vec3_copy_double, vec3_copy_
 
 /* (3),()->(3) */
 INLINED void vec3_scale_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t self; double a;
-    load_vec3_double(&self, data[0] + i * step[0], core + 0);
-    load_scalar_double(&a, data[1] + i * step[1], core + 1);
+    ksl_vec3_t self;
+    double a;
+    load_vec3_double(&self, p0 + i * step[0], core + 0);
+    load_scalar_double(&a, p1 + i * step[1], core + 1);
     ksl_vec3_scale(&self, a);
-    store_vec3_double(&self, data[2] + i * step[2], core + 1);
+    store_vec3_double(&self, p2 + i * step[2], core + 1);
   }
 }
 
 static void vec3_scale_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    vec3_scale_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    vec3_scale_double_over(data, n[0], dense_1, dense_1 + 3);
     return;
   }
   vec3_scale_double_over(data, n[0], step, step + 3);
@@ -69,20 +102,24 @@ static void vec3_scale_double(char **data, const npy_intp *n, const npy_intp *st
 
 /* (3),()->(3) */
 INLINED void vec3_scale_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t self; float a;
-    load_vec3_single(&self, data[0] + i * step[0], core + 0);
-    load_scalar_single(&a, data[1] + i * step[1], core + 1);
+    ksl_vec3f_t self;
+    float a;
+    load_vec3_single(&self, p0 + i * step[0], core + 0);
+    load_scalar_single(&a, p1 + i * step[1], core + 1);
     ksl_vec3f_scale(&self, a);
-    store_vec3_single(&self, data[2] + i * step[2], core + 1);
+    store_vec3_single(&self, p2 + i * step[2], core + 1);
   }
 }
 
 static void vec3_scale_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    vec3_scale_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    vec3_scale_single_over(data, n[0], dense_1, dense_1 + 3);
     return;
   }
   vec3_scale_single_over(data, n[0], step, step + 3);
@@ -92,19 +129,33 @@ static PyUFuncGenericFunction vec3_scale_loops[] = { vec3_scale_double, vec3_sca
 
 /* (3)->(3) */
 INLINED void vec3_inverted_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t vi;
+  load_vec3_double(&vi, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t vi; ksl_vec3_t vo;
-    load_vec3_double(&vi, data[0] + i * step[0], core + 0);
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_vec3_double(&vi, p0 + i * step[0], core + 0);
+    }
     ksl_vec3_inverted(&vi, &vo);
-    store_vec3_double(&vo, data[1] + i * step[1], core + 1);
+    store_vec3_double(&vo, p1 + i * step[1], core + 1);
   }
 }
 
 static void vec3_inverted_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    vec3_inverted_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    vec3_inverted_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    vec3_inverted_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   vec3_inverted_double_over(data, n[0], step, step + 2);
@@ -112,19 +163,33 @@ static void vec3_inverted_double(char **data, const npy_intp *n, const npy_intp 
 
 /* (3)->(3) */
 INLINED void vec3_inverted_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t vi;
+  load_vec3_single(&vi, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t vi; ksl_vec3f_t vo;
-    load_vec3_single(&vi, data[0] + i * step[0], core + 0);
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_vec3_single(&vi, p0 + i * step[0], core + 0);
+    }
     ksl_vec3f_inverted(&vi, &vo);
-    store_vec3_single(&vo, data[1] + i * step[1], core + 1);
+    store_vec3_single(&vo, p1 + i * step[1], core + 1);
   }
 }
 
 static void vec3_inverted_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    vec3_inverted_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    vec3_inverted_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    vec3_inverted_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   vec3_inverted_single_over(data, n[0], step, step + 2);
@@ -134,19 +199,21 @@ static PyUFuncGenericFunction vec3_inverted_loops[] = { vec3_inverted_double, ve
 
 /* (3)->(3) */
 INLINED void vec3_invert_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t self;
-    load_vec3_double(&self, data[0] + i * step[0], core + 0);
+    load_vec3_double(&self, p0 + i * step[0], core + 0);
     ksl_vec3_invert(&self);
-    store_vec3_double(&self, data[1] + i * step[1], core + 1);
+    store_vec3_double(&self, p1 + i * step[1], core + 1);
   }
 }
 
 static void vec3_invert_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    vec3_invert_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    vec3_invert_double_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   vec3_invert_double_over(data, n[0], step, step + 2);
@@ -154,19 +221,21 @@ static void vec3_invert_double(char **data, const npy_intp *n, const npy_intp *s
 
 /* (3)->(3) */
 INLINED void vec3_invert_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t self;
-    load_vec3_single(&self, data[0] + i * step[0], core + 0);
+    load_vec3_single(&self, p0 + i * step[0], core + 0);
     ksl_vec3f_invert(&self);
-    store_vec3_single(&self, data[1] + i * step[1], core + 1);
+    store_vec3_single(&self, p1 + i * step[1], core + 1);
   }
 }
 
 static void vec3_invert_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    vec3_invert_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    vec3_invert_single_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   vec3_invert_single_over(data, n[0], step, step + 2);
@@ -176,21 +245,38 @@ static PyUFuncGenericFunction vec3_invert_loops[] = { vec3_invert_double, vec3_i
 
 /* (),(3),(3)->(3) */
 INLINED void axpy_vv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  char *const restrict p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  double a;
+  load_scalar_double(&a, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    double a; ksl_vec3_t x; ksl_vec3_t y;
-    load_scalar_double(&a, data[0] + i * step[0], core + 0);
-    load_vec3_double(&x, data[1] + i * step[1], core + 0);
-    load_vec3_double(&y, data[2] + i * step[2], core + 1);
+    ksl_vec3_t x;
+    ksl_vec3_t y;
+    if (step[0] != 0) {
+      load_scalar_double(&a, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&x, p1 + i * step[1], core + 0);
+    load_vec3_double(&y, p2 + i * step[2], core + 1);
     ksl_axpy_vv(a, &x, &y);
-    store_vec3_double(&y, data[3] + i * step[3], core + 2);
+    store_vec3_double(&y, p3 + i * step[3], core + 2);
   }
 }
 
 static void axpy_vv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 4, dense, sizeof dense) == 0) {
-    axpy_vv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 8, 24, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    axpy_vv_double_over(data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    axpy_vv_double_over(data, n[0], dense_2, dense_2 + 4);
     return;
   }
   axpy_vv_double_over(data, n[0], step, step + 4);
@@ -198,21 +284,38 @@ static void axpy_vv_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (),(3),(3)->(3) */
 INLINED void axpy_vv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  char *const restrict p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  float a;
+  load_scalar_single(&a, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    float a; ksl_vec3f_t x; ksl_vec3f_t y;
-    load_scalar_single(&a, data[0] + i * step[0], core + 0);
-    load_vec3_single(&x, data[1] + i * step[1], core + 0);
-    load_vec3_single(&y, data[2] + i * step[2], core + 1);
+    ksl_vec3f_t x;
+    ksl_vec3f_t y;
+    if (step[0] != 0) {
+      load_scalar_single(&a, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&x, p1 + i * step[1], core + 0);
+    load_vec3_single(&y, p2 + i * step[2], core + 1);
     ksl_axpy_vvf(a, &x, &y);
-    store_vec3_single(&y, data[3] + i * step[3], core + 2);
+    store_vec3_single(&y, p3 + i * step[3], core + 2);
   }
 }
 
 static void axpy_vv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 4, dense, sizeof dense) == 0) {
-    axpy_vv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 4, 12, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    axpy_vv_single_over(data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    axpy_vv_single_over(data, n[0], dense_2, dense_2 + 4);
     return;
   }
   axpy_vv_single_over(data, n[0], step, step + 4);
@@ -222,20 +325,35 @@ static PyUFuncGenericFunction axpy_vv_loops[] = { axpy_vv_double, axpy_vv_single
 
 /* (3),(3)->(3) */
 INLINED void xpy_vv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t x;
+  load_vec3_double(&x, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t x; ksl_vec3_t y;
-    load_vec3_double(&x, data[0] + i * step[0], core + 0);
-    load_vec3_double(&y, data[1] + i * step[1], core + 1);
+    ksl_vec3_t y;
+    if (step[0] != 0) {
+      load_vec3_double(&x, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&y, p1 + i * step[1], core + 1);
     ksl_xpy_vv(&x, &y);
-    store_vec3_double(&y, data[2] + i * step[2], core + 2);
+    store_vec3_double(&y, p2 + i * step[2], core + 2);
   }
 }
 
 static void xpy_vv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    xpy_vv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    xpy_vv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    xpy_vv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   xpy_vv_double_over(data, n[0], step, step + 3);
@@ -243,20 +361,35 @@ static void xpy_vv_double(char **data, const npy_intp *n, const npy_intp *step, 
 
 /* (3),(3)->(3) */
 INLINED void xpy_vv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t x;
+  load_vec3_single(&x, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t x; ksl_vec3f_t y;
-    load_vec3_single(&x, data[0] + i * step[0], core + 0);
-    load_vec3_single(&y, data[1] + i * step[1], core + 1);
+    ksl_vec3f_t y;
+    if (step[0] != 0) {
+      load_vec3_single(&x, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&y, p1 + i * step[1], core + 1);
     ksl_xpy_vvf(&x, &y);
-    store_vec3_single(&y, data[2] + i * step[2], core + 2);
+    store_vec3_single(&y, p2 + i * step[2], core + 2);
   }
 }
 
 static void xpy_vv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    xpy_vv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    xpy_vv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    xpy_vv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   xpy_vv_single_over(data, n[0], step, step + 3);
@@ -266,20 +399,35 @@ static PyUFuncGenericFunction xpy_vv_loops[] = { xpy_vv_double, xpy_vv_single };
 
 /* (3),(3)->(3) */
 INLINED void nxpy_vv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t x;
+  load_vec3_double(&x, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t x; ksl_vec3_t y;
-    load_vec3_double(&x, data[0] + i * step[0], core + 0);
-    load_vec3_double(&y, data[1] + i * step[1], core + 1);
+    ksl_vec3_t y;
+    if (step[0] != 0) {
+      load_vec3_double(&x, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&y, p1 + i * step[1], core + 1);
     ksl_nxpy_vv(&x, &y);
-    store_vec3_double(&y, data[2] + i * step[2], core + 2);
+    store_vec3_double(&y, p2 + i * step[2], core + 2);
   }
 }
 
 static void nxpy_vv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    nxpy_vv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    nxpy_vv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    nxpy_vv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   nxpy_vv_double_over(data, n[0], step, step + 3);
@@ -287,20 +435,35 @@ static void nxpy_vv_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (3),(3)->(3) */
 INLINED void nxpy_vv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t x;
+  load_vec3_single(&x, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t x; ksl_vec3f_t y;
-    load_vec3_single(&x, data[0] + i * step[0], core + 0);
-    load_vec3_single(&y, data[1] + i * step[1], core + 1);
+    ksl_vec3f_t y;
+    if (step[0] != 0) {
+      load_vec3_single(&x, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&y, p1 + i * step[1], core + 1);
     ksl_nxpy_vvf(&x, &y);
-    store_vec3_single(&y, data[2] + i * step[2], core + 2);
+    store_vec3_single(&y, p2 + i * step[2], core + 2);
   }
 }
 
 static void nxpy_vv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    nxpy_vv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    nxpy_vv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    nxpy_vv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   nxpy_vv_single_over(data, n[0], step, step + 3);
@@ -310,20 +473,36 @@ static PyUFuncGenericFunction nxpy_vv_loops[] = { nxpy_vv_double, nxpy_vv_single
 
 /* (),(3)->(3) */
 INLINED void product_av_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  double a;
+  load_scalar_double(&a, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    double a; ksl_vec3_t vi; ksl_vec3_t vo;
-    load_scalar_double(&a, data[0] + i * step[0], core + 0);
-    load_vec3_double(&vi, data[1] + i * step[1], core + 0);
+    ksl_vec3_t vi;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_scalar_double(&a, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&vi, p1 + i * step[1], core + 0);
     ksl_product_av(a, &vi, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 1);
+    store_vec3_double(&vo, p2 + i * step[2], core + 1);
   }
 }
 
 static void product_av_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_av_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 8, 24, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_av_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_av_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_av_double_over(data, n[0], step, step + 3);
@@ -331,20 +510,36 @@ static void product_av_double(char **data, const npy_intp *n, const npy_intp *st
 
 /* (),(3)->(3) */
 INLINED void product_av_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  float a;
+  load_scalar_single(&a, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    float a; ksl_vec3f_t vi; ksl_vec3f_t vo;
-    load_scalar_single(&a, data[0] + i * step[0], core + 0);
-    load_vec3_single(&vi, data[1] + i * step[1], core + 0);
+    ksl_vec3f_t vi;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_scalar_single(&a, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&vi, p1 + i * step[1], core + 0);
     ksl_product_avf(a, &vi, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 1);
+    store_vec3_single(&vo, p2 + i * step[2], core + 1);
   }
 }
 
 static void product_av_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_av_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 4, 12, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_av_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_av_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_av_single_over(data, n[0], step, step + 3);
@@ -354,20 +549,36 @@ static PyUFuncGenericFunction product_av_loops[] = { product_av_double, product_
 
 /* (3),(3)->(3) */
 INLINED void add_vv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v1;
+  load_vec3_double(&v1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t v1; ksl_vec3_t v2; ksl_vec3_t vo;
-    load_vec3_double(&v1, data[0] + i * step[0], core + 0);
-    load_vec3_double(&v2, data[1] + i * step[1], core + 1);
+    ksl_vec3_t v2;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_vec3_double(&v1, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&v2, p1 + i * step[1], core + 1);
     ksl_add_vv(&v1, &v2, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 2);
+    store_vec3_double(&vo, p2 + i * step[2], core + 2);
   }
 }
 
 static void add_vv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_vv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_vv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_vv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vv_double_over(data, n[0], step, step + 3);
@@ -375,20 +586,36 @@ static void add_vv_double(char **data, const npy_intp *n, const npy_intp *step, 
 
 /* (3),(3)->(3) */
 INLINED void add_vv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v1;
+  load_vec3_single(&v1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t v1; ksl_vec3f_t v2; ksl_vec3f_t vo;
-    load_vec3_single(&v1, data[0] + i * step[0], core + 0);
-    load_vec3_single(&v2, data[1] + i * step[1], core + 1);
+    ksl_vec3f_t v2;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_vec3_single(&v1, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&v2, p1 + i * step[1], core + 1);
     ksl_add_vvf(&v1, &v2, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 2);
+    store_vec3_single(&vo, p2 + i * step[2], core + 2);
   }
 }
 
 static void add_vv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_vv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_vv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_vv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vv_single_over(data, n[0], step, step + 3);
@@ -398,20 +625,36 @@ static PyUFuncGenericFunction add_vv_loops[] = { add_vv_double, add_vv_single };
 
 /* (3),(3)->(3) */
 INLINED void subtract_vv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v1;
+  load_vec3_double(&v1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t v1; ksl_vec3_t v2; ksl_vec3_t vo;
-    load_vec3_double(&v1, data[0] + i * step[0], core + 0);
-    load_vec3_double(&v2, data[1] + i * step[1], core + 1);
+    ksl_vec3_t v2;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_vec3_double(&v1, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&v2, p1 + i * step[1], core + 1);
     ksl_subtract_vv(&v1, &v2, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 2);
+    store_vec3_double(&vo, p2 + i * step[2], core + 2);
   }
 }
 
 static void subtract_vv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    subtract_vv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    subtract_vv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    subtract_vv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   subtract_vv_double_over(data, n[0], step, step + 3);
@@ -419,20 +662,36 @@ static void subtract_vv_double(char **data, const npy_intp *n, const npy_intp *s
 
 /* (3),(3)->(3) */
 INLINED void subtract_vv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v1;
+  load_vec3_single(&v1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t v1; ksl_vec3f_t v2; ksl_vec3f_t vo;
-    load_vec3_single(&v1, data[0] + i * step[0], core + 0);
-    load_vec3_single(&v2, data[1] + i * step[1], core + 1);
+    ksl_vec3f_t v2;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_vec3_single(&v1, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&v2, p1 + i * step[1], core + 1);
     ksl_subtract_vvf(&v1, &v2, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 2);
+    store_vec3_single(&vo, p2 + i * step[2], core + 2);
   }
 }
 
 static void subtract_vv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    subtract_vv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    subtract_vv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    subtract_vv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   subtract_vv_single_over(data, n[0], step, step + 3);
@@ -442,20 +701,36 @@ static PyUFuncGenericFunction subtract_vv_loops[] = { subtract_vv_double, subtra
 
 /* (3),()->(3) */
 INLINED void vec3_scaled_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v;
+  load_vec3_double(&v, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t v; double k; ksl_vec3_t vo;
-    load_vec3_double(&v, data[0] + i * step[0], core + 0);
-    load_scalar_double(&k, data[1] + i * step[1], core + 1);
+    double k;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_vec3_double(&v, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&k, p1 + i * step[1], core + 1);
     ksl_vec3_scaled(&v, k, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 1);
+    store_vec3_double(&vo, p2 + i * step[2], core + 1);
   }
 }
 
 static void vec3_scaled_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    vec3_scaled_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    vec3_scaled_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    vec3_scaled_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   vec3_scaled_double_over(data, n[0], step, step + 3);
@@ -463,20 +738,36 @@ static void vec3_scaled_double(char **data, const npy_intp *n, const npy_intp *s
 
 /* (3),()->(3) */
 INLINED void vec3_scaled_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v;
+  load_vec3_single(&v, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t v; float k; ksl_vec3f_t vo;
-    load_vec3_single(&v, data[0] + i * step[0], core + 0);
-    load_scalar_single(&k, data[1] + i * step[1], core + 1);
+    float k;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_vec3_single(&v, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&k, p1 + i * step[1], core + 1);
     ksl_vec3f_scaled(&v, k, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 1);
+    store_vec3_single(&vo, p2 + i * step[2], core + 1);
   }
 }
 
 static void vec3_scaled_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    vec3_scaled_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    vec3_scaled_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    vec3_scaled_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   vec3_scaled_single_over(data, n[0], step, step + 3);
@@ -486,21 +777,26 @@ static PyUFuncGenericFunction vec3_scaled_loops[] = { vec3_scaled_double, vec3_s
 
 /* (3),(3)->(3),(3) */
 INLINED void vec3_swap_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  char *const restrict p3 = data[3];
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t v1; ksl_vec3_t v2;
-    load_vec3_double(&v1, data[0] + i * step[0], core + 0);
-    load_vec3_double(&v2, data[1] + i * step[1], core + 1);
+    ksl_vec3_t v1;
+    ksl_vec3_t v2;
+    load_vec3_double(&v1, p0 + i * step[0], core + 0);
+    load_vec3_double(&v2, p1 + i * step[1], core + 1);
     ksl_vec3_swap(&v1, &v2);
-    store_vec3_double(&v1, data[2] + i * step[2], core + 2);
-    store_vec3_double(&v2, data[3] + i * step[3], core + 3);
+    store_vec3_double(&v1, p2 + i * step[2], core + 2);
+    store_vec3_double(&v2, p3 + i * step[3], core + 3);
   }
 }
 
 static void vec3_swap_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8, 8 };
-  if (memcmp(step + 4, dense, sizeof dense) == 0) {
-    vec3_swap_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 24, 8, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    vec3_swap_double_over(data, n[0], dense_1, dense_1 + 4);
     return;
   }
   vec3_swap_double_over(data, n[0], step, step + 4);
@@ -508,21 +804,26 @@ static void vec3_swap_double(char **data, const npy_intp *n, const npy_intp *ste
 
 /* (3),(3)->(3),(3) */
 INLINED void vec3_swap_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  char *const restrict p3 = data[3];
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t v1; ksl_vec3f_t v2;
-    load_vec3_single(&v1, data[0] + i * step[0], core + 0);
-    load_vec3_single(&v2, data[1] + i * step[1], core + 1);
+    ksl_vec3f_t v1;
+    ksl_vec3f_t v2;
+    load_vec3_single(&v1, p0 + i * step[0], core + 0);
+    load_vec3_single(&v2, p1 + i * step[1], core + 1);
     ksl_vec3f_swap(&v1, &v2);
-    store_vec3_single(&v1, data[2] + i * step[2], core + 2);
-    store_vec3_single(&v2, data[3] + i * step[3], core + 3);
+    store_vec3_single(&v1, p2 + i * step[2], core + 2);
+    store_vec3_single(&v2, p3 + i * step[3], core + 3);
   }
 }
 
 static void vec3_swap_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4, 4 };
-  if (memcmp(step + 4, dense, sizeof dense) == 0) {
-    vec3_swap_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 12, 12, 12, 4, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    vec3_swap_single_over(data, n[0], dense_1, dense_1 + 4);
     return;
   }
   vec3_swap_single_over(data, n[0], step, step + 4);
@@ -532,19 +833,33 @@ static PyUFuncGenericFunction vec3_swap_loops[] = { vec3_swap_double, vec3_swap_
 
 /* (3)->() */
 INLINED void vec3_l2norm_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v;
+  load_vec3_double(&v, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t v; double norm;
-    load_vec3_double(&v, data[0] + i * step[0], core + 0);
+    double norm;
+    if (step[0] != 0) {
+      load_vec3_double(&v, p0 + i * step[0], core + 0);
+    }
     norm = ksl_vec3_l2norm(&v);
-    store_scalar_double(&norm, data[1] + i * step[1], core + 1);
+    store_scalar_double(&norm, p1 + i * step[1], core + 1);
   }
 }
 
 static void vec3_l2norm_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    vec3_l2norm_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    vec3_l2norm_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    vec3_l2norm_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   vec3_l2norm_double_over(data, n[0], step, step + 2);
@@ -552,19 +867,33 @@ static void vec3_l2norm_double(char **data, const npy_intp *n, const npy_intp *s
 
 /* (3)->() */
 INLINED void vec3_l2norm_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v;
+  load_vec3_single(&v, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t v; float norm;
-    load_vec3_single(&v, data[0] + i * step[0], core + 0);
+    float norm;
+    if (step[0] != 0) {
+      load_vec3_single(&v, p0 + i * step[0], core + 0);
+    }
     norm = ksl_vec3f_l2norm(&v);
-    store_scalar_single(&norm, data[1] + i * step[1], core + 1);
+    store_scalar_single(&norm, p1 + i * step[1], core + 1);
   }
 }
 
 static void vec3_l2norm_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    vec3_l2norm_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    vec3_l2norm_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    vec3_l2norm_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   vec3_l2norm_single_over(data, n[0], step, step + 2);
@@ -574,19 +903,21 @@ static PyUFuncGenericFunction vec3_l2norm_loops[] = { vec3_l2norm_double, vec3_l
 
 /* (3)->(3) */
 INLINED void vec3_normalize_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t self;
-    load_vec3_double(&self, data[0] + i * step[0], core + 0);
+    load_vec3_double(&self, p0 + i * step[0], core + 0);
     ksl_vec3_normalize(&self);
-    store_vec3_double(&self, data[1] + i * step[1], core + 1);
+    store_vec3_double(&self, p1 + i * step[1], core + 1);
   }
 }
 
 static void vec3_normalize_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    vec3_normalize_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    vec3_normalize_double_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   vec3_normalize_double_over(data, n[0], step, step + 2);
@@ -594,19 +925,21 @@ static void vec3_normalize_double(char **data, const npy_intp *n, const npy_intp
 
 /* (3)->(3) */
 INLINED void vec3_normalize_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t self;
-    load_vec3_single(&self, data[0] + i * step[0], core + 0);
+    load_vec3_single(&self, p0 + i * step[0], core + 0);
     ksl_vec3f_normalize(&self);
-    store_vec3_single(&self, data[1] + i * step[1], core + 1);
+    store_vec3_single(&self, p1 + i * step[1], core + 1);
   }
 }
 
 static void vec3_normalize_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    vec3_normalize_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    vec3_normalize_single_over(data, n[0], dense_1, dense_1 + 2);
     return;
   }
   vec3_normalize_single_over(data, n[0], step, step + 2);
@@ -616,19 +949,33 @@ static PyUFuncGenericFunction vec3_normalize_loops[] = { vec3_normalize_double, 
 
 /* (3)->(3) */
 INLINED void vec3_normalized_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v;
+  load_vec3_double(&v, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t v; ksl_vec3_t vo;
-    load_vec3_double(&v, data[0] + i * step[0], core + 0);
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_vec3_double(&v, p0 + i * step[0], core + 0);
+    }
     ksl_vec3_normalized(&v, &vo);
-    store_vec3_double(&vo, data[1] + i * step[1], core + 1);
+    store_vec3_double(&vo, p1 + i * step[1], core + 1);
   }
 }
 
 static void vec3_normalized_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    vec3_normalized_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    vec3_normalized_double_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    vec3_normalized_double_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   vec3_normalized_double_over(data, n[0], step, step + 2);
@@ -636,19 +983,33 @@ static void vec3_normalized_double(char **data, const npy_intp *n, const npy_int
 
 /* (3)->(3) */
 INLINED void vec3_normalized_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v;
+  load_vec3_single(&v, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t v; ksl_vec3f_t vo;
-    load_vec3_single(&v, data[0] + i * step[0], core + 0);
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_vec3_single(&v, p0 + i * step[0], core + 0);
+    }
     ksl_vec3f_normalized(&v, &vo);
-    store_vec3_single(&vo, data[1] + i * step[1], core + 1);
+    store_vec3_single(&vo, p1 + i * step[1], core + 1);
   }
 }
 
 static void vec3_normalized_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 2, dense, sizeof dense) == 0) {
-    vec3_normalized_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    vec3_normalized_single_over(data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    vec3_normalized_single_over(data, n[0], dense_2, dense_2 + 2);
     return;
   }
   vec3_normalized_single_over(data, n[0], step, step + 2);
@@ -658,20 +1019,36 @@ static PyUFuncGenericFunction vec3_normalized_loops[] = { vec3_normalized_double
 
 /* (3),(3)->() */
 INLINED void dot_vv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v1;
+  load_vec3_double(&v1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t v1; ksl_vec3_t v2; double dot;
-    load_vec3_double(&v1, data[0] + i * step[0], core + 0);
-    load_vec3_double(&v2, data[1] + i * step[1], core + 1);
+    ksl_vec3_t v2;
+    double dot;
+    if (step[0] != 0) {
+      load_vec3_double(&v1, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&v2, p1 + i * step[1], core + 1);
     dot = ksl_dot_vv(&v1, &v2);
-    store_scalar_double(&dot, data[2] + i * step[2], core + 2);
+    store_scalar_double(&dot, p2 + i * step[2], core + 2);
   }
 }
 
 static void dot_vv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    dot_vv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    dot_vv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    dot_vv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   dot_vv_double_over(data, n[0], step, step + 3);
@@ -679,20 +1056,36 @@ static void dot_vv_double(char **data, const npy_intp *n, const npy_intp *step, 
 
 /* (3),(3)->() */
 INLINED void dot_vv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v1;
+  load_vec3_single(&v1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t v1; ksl_vec3f_t v2; float dot;
-    load_vec3_single(&v1, data[0] + i * step[0], core + 0);
-    load_vec3_single(&v2, data[1] + i * step[1], core + 1);
+    ksl_vec3f_t v2;
+    float dot;
+    if (step[0] != 0) {
+      load_vec3_single(&v1, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&v2, p1 + i * step[1], core + 1);
     dot = ksl_dot_vvf(&v1, &v2);
-    store_scalar_single(&dot, data[2] + i * step[2], core + 2);
+    store_scalar_single(&dot, p2 + i * step[2], core + 2);
   }
 }
 
 static void dot_vv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    dot_vv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    dot_vv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    dot_vv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   dot_vv_single_over(data, n[0], step, step + 3);
@@ -702,20 +1095,36 @@ static PyUFuncGenericFunction dot_vv_loops[] = { dot_vv_double, dot_vv_single };
 
 /* (),(3)->(3) */
 INLINED void product_avinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  double k;
+  load_scalar_double(&k, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    double k; ksl_vec3_t v; ksl_vec3_t vo;
-    load_scalar_double(&k, data[0] + i * step[0], core + 0);
-    load_vec3_double(&v, data[1] + i * step[1], core + 0);
+    ksl_vec3_t v;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_scalar_double(&k, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&v, p1 + i * step[1], core + 0);
     ksl_product_avinv(k, &v, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 1);
+    store_vec3_double(&vo, p2 + i * step[2], core + 1);
   }
 }
 
 static void product_avinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_avinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 8, 24, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_avinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_avinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_avinv_double_over(data, n[0], step, step + 3);
@@ -723,20 +1132,36 @@ static void product_avinv_double(char **data, const npy_intp *n, const npy_intp 
 
 /* (),(3)->(3) */
 INLINED void product_avinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  float k;
+  load_scalar_single(&k, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    float k; ksl_vec3f_t v; ksl_vec3f_t vo;
-    load_scalar_single(&k, data[0] + i * step[0], core + 0);
-    load_vec3_single(&v, data[1] + i * step[1], core + 0);
+    ksl_vec3f_t v;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_scalar_single(&k, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&v, p1 + i * step[1], core + 0);
     ksl_product_avinvf(k, &v, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 1);
+    store_vec3_single(&vo, p2 + i * step[2], core + 1);
   }
 }
 
 static void product_avinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_avinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 4, 12, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_avinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_avinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_avinv_single_over(data, n[0], step, step + 3);
@@ -746,20 +1171,36 @@ static PyUFuncGenericFunction product_avinv_loops[] = { product_avinv_double, pr
 
 /* (),(3)->(3) */
 INLINED void product_ainvv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  double k;
+  load_scalar_double(&k, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    double k; ksl_vec3_t v; ksl_vec3_t vo;
-    load_scalar_double(&k, data[0] + i * step[0], core + 0);
-    load_vec3_double(&v, data[1] + i * step[1], core + 0);
+    ksl_vec3_t v;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_scalar_double(&k, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&v, p1 + i * step[1], core + 0);
     ksl_product_ainvv(k, &v, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 1);
+    store_vec3_double(&vo, p2 + i * step[2], core + 1);
   }
 }
 
 static void product_ainvv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ainvv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 8, 24, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ainvv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ainvv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ainvv_double_over(data, n[0], step, step + 3);
@@ -767,20 +1208,36 @@ static void product_ainvv_double(char **data, const npy_intp *n, const npy_intp 
 
 /* (),(3)->(3) */
 INLINED void product_ainvv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  float k;
+  load_scalar_single(&k, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    float k; ksl_vec3f_t v; ksl_vec3f_t vo;
-    load_scalar_single(&k, data[0] + i * step[0], core + 0);
-    load_vec3_single(&v, data[1] + i * step[1], core + 0);
+    ksl_vec3f_t v;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_scalar_single(&k, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&v, p1 + i * step[1], core + 0);
     ksl_product_ainvvf(k, &v, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 1);
+    store_vec3_single(&vo, p2 + i * step[2], core + 1);
   }
 }
 
 static void product_ainvv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    product_ainvv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 4, 12, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    product_ainvv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    product_ainvv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ainvv_single_over(data, n[0], step, step + 3);
@@ -790,20 +1247,36 @@ static PyUFuncGenericFunction product_ainvv_loops[] = { product_ainvv_double, pr
 
 /* (3),(3)->(3) */
 INLINED void cross_vv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v1;
+  load_vec3_double(&v1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t v1; ksl_vec3_t v2; ksl_vec3_t vo;
-    load_vec3_double(&v1, data[0] + i * step[0], core + 0);
-    load_vec3_double(&v2, data[1] + i * step[1], core + 1);
+    ksl_vec3_t v2;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_vec3_double(&v1, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&v2, p1 + i * step[1], core + 1);
     ksl_cross_vv(&v1, &v2, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 2);
+    store_vec3_double(&vo, p2 + i * step[2], core + 2);
   }
 }
 
 static void cross_vv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    cross_vv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    cross_vv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    cross_vv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   cross_vv_double_over(data, n[0], step, step + 3);
@@ -811,20 +1284,36 @@ static void cross_vv_double(char **data, const npy_intp *n, const npy_intp *step
 
 /* (3),(3)->(3) */
 INLINED void cross_vv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v1;
+  load_vec3_single(&v1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t v1; ksl_vec3f_t v2; ksl_vec3f_t vo;
-    load_vec3_single(&v1, data[0] + i * step[0], core + 0);
-    load_vec3_single(&v2, data[1] + i * step[1], core + 1);
+    ksl_vec3f_t v2;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_vec3_single(&v1, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&v2, p1 + i * step[1], core + 1);
     ksl_cross_vvf(&v1, &v2, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 2);
+    store_vec3_single(&vo, p2 + i * step[2], core + 2);
   }
 }
 
 static void cross_vv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    cross_vv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    cross_vv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    cross_vv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   cross_vv_single_over(data, n[0], step, step + 3);
@@ -834,20 +1323,36 @@ static PyUFuncGenericFunction cross_vv_loops[] = { cross_vv_double, cross_vv_sin
 
 /* (3),(3)->(3) */
 INLINED void cross_vvinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v1;
+  load_vec3_double(&v1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t v1; ksl_vec3_t v2; ksl_vec3_t vo;
-    load_vec3_double(&v1, data[0] + i * step[0], core + 0);
-    load_vec3_double(&v2, data[1] + i * step[1], core + 1);
+    ksl_vec3_t v2;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_vec3_double(&v1, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&v2, p1 + i * step[1], core + 1);
     ksl_cross_vvinv(&v1, &v2, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 2);
+    store_vec3_double(&vo, p2 + i * step[2], core + 2);
   }
 }
 
 static void cross_vvinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    cross_vvinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    cross_vvinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    cross_vvinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   cross_vvinv_double_over(data, n[0], step, step + 3);
@@ -855,20 +1360,36 @@ static void cross_vvinv_double(char **data, const npy_intp *n, const npy_intp *s
 
 /* (3),(3)->(3) */
 INLINED void cross_vvinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v1;
+  load_vec3_single(&v1, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t v1; ksl_vec3f_t v2; ksl_vec3f_t vo;
-    load_vec3_single(&v1, data[0] + i * step[0], core + 0);
-    load_vec3_single(&v2, data[1] + i * step[1], core + 1);
+    ksl_vec3f_t v2;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_vec3_single(&v1, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&v2, p1 + i * step[1], core + 1);
     ksl_cross_vvinvf(&v1, &v2, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 2);
+    store_vec3_single(&vo, p2 + i * step[2], core + 2);
   }
 }
 
 static void cross_vvinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    cross_vvinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    cross_vvinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    cross_vvinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   cross_vvinv_single_over(data, n[0], step, step + 3);
@@ -878,20 +1399,36 @@ static PyUFuncGenericFunction cross_vvinv_loops[] = { cross_vvinv_double, cross_
 
 /* (3),()->(3) */
 INLINED void add_vvx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v;
+  load_vec3_double(&v, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t v; double k; ksl_vec3_t vo;
-    load_vec3_double(&v, data[0] + i * step[0], core + 0);
-    load_scalar_double(&k, data[1] + i * step[1], core + 1);
+    double k;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_vec3_double(&v, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&k, p1 + i * step[1], core + 1);
     ksl_add_vvx(&v, k, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 1);
+    store_vec3_double(&vo, p2 + i * step[2], core + 1);
   }
 }
 
 static void add_vvx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_vvx_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_vvx_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_vvx_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvx_double_over(data, n[0], step, step + 3);
@@ -899,20 +1436,36 @@ static void add_vvx_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (3),()->(3) */
 INLINED void add_vvx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v;
+  load_vec3_single(&v, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t v; float k; ksl_vec3f_t vo;
-    load_vec3_single(&v, data[0] + i * step[0], core + 0);
-    load_scalar_single(&k, data[1] + i * step[1], core + 1);
+    float k;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_vec3_single(&v, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&k, p1 + i * step[1], core + 1);
     ksl_add_vvxf(&v, k, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 1);
+    store_vec3_single(&vo, p2 + i * step[2], core + 1);
   }
 }
 
 static void add_vvx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_vvx_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_vvx_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_vvx_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvx_single_over(data, n[0], step, step + 3);
@@ -922,20 +1475,36 @@ static PyUFuncGenericFunction add_vvx_loops[] = { add_vvx_double, add_vvx_single
 
 /* (3),()->(3) */
 INLINED void add_vvxinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v;
+  load_vec3_double(&v, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t v; double k; ksl_vec3_t vo;
-    load_vec3_double(&v, data[0] + i * step[0], core + 0);
-    load_scalar_double(&k, data[1] + i * step[1], core + 1);
+    double k;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_vec3_double(&v, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&k, p1 + i * step[1], core + 1);
     ksl_add_vvxinv(&v, k, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 1);
+    store_vec3_double(&vo, p2 + i * step[2], core + 1);
   }
 }
 
 static void add_vvxinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_vvxinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_vvxinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_vvxinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvxinv_double_over(data, n[0], step, step + 3);
@@ -943,20 +1512,36 @@ static void add_vvxinv_double(char **data, const npy_intp *n, const npy_intp *st
 
 /* (3),()->(3) */
 INLINED void add_vvxinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v;
+  load_vec3_single(&v, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t v; float k; ksl_vec3f_t vo;
-    load_vec3_single(&v, data[0] + i * step[0], core + 0);
-    load_scalar_single(&k, data[1] + i * step[1], core + 1);
+    float k;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_vec3_single(&v, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&k, p1 + i * step[1], core + 1);
     ksl_add_vvxinvf(&v, k, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 1);
+    store_vec3_single(&vo, p2 + i * step[2], core + 1);
   }
 }
 
 static void add_vvxinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_vvxinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_vvxinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_vvxinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvxinv_single_over(data, n[0], step, step + 3);
@@ -966,20 +1551,36 @@ static PyUFuncGenericFunction add_vvxinv_loops[] = { add_vvxinv_double, add_vvxi
 
 /* (3),()->(3) */
 INLINED void add_vvy_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v;
+  load_vec3_double(&v, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t v; double k; ksl_vec3_t vo;
-    load_vec3_double(&v, data[0] + i * step[0], core + 0);
-    load_scalar_double(&k, data[1] + i * step[1], core + 1);
+    double k;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_vec3_double(&v, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&k, p1 + i * step[1], core + 1);
     ksl_add_vvy(&v, k, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 1);
+    store_vec3_double(&vo, p2 + i * step[2], core + 1);
   }
 }
 
 static void add_vvy_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_vvy_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_vvy_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_vvy_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvy_double_over(data, n[0], step, step + 3);
@@ -987,20 +1588,36 @@ static void add_vvy_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (3),()->(3) */
 INLINED void add_vvy_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v;
+  load_vec3_single(&v, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t v; float k; ksl_vec3f_t vo;
-    load_vec3_single(&v, data[0] + i * step[0], core + 0);
-    load_scalar_single(&k, data[1] + i * step[1], core + 1);
+    float k;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_vec3_single(&v, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&k, p1 + i * step[1], core + 1);
     ksl_add_vvyf(&v, k, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 1);
+    store_vec3_single(&vo, p2 + i * step[2], core + 1);
   }
 }
 
 static void add_vvy_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_vvy_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_vvy_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_vvy_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvy_single_over(data, n[0], step, step + 3);
@@ -1010,20 +1627,36 @@ static PyUFuncGenericFunction add_vvy_loops[] = { add_vvy_double, add_vvy_single
 
 /* (3),()->(3) */
 INLINED void add_vvyinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v;
+  load_vec3_double(&v, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t v; double k; ksl_vec3_t vo;
-    load_vec3_double(&v, data[0] + i * step[0], core + 0);
-    load_scalar_double(&k, data[1] + i * step[1], core + 1);
+    double k;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_vec3_double(&v, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&k, p1 + i * step[1], core + 1);
     ksl_add_vvyinv(&v, k, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 1);
+    store_vec3_double(&vo, p2 + i * step[2], core + 1);
   }
 }
 
 static void add_vvyinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_vvyinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_vvyinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_vvyinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvyinv_double_over(data, n[0], step, step + 3);
@@ -1031,20 +1664,36 @@ static void add_vvyinv_double(char **data, const npy_intp *n, const npy_intp *st
 
 /* (3),()->(3) */
 INLINED void add_vvyinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v;
+  load_vec3_single(&v, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t v; float k; ksl_vec3f_t vo;
-    load_vec3_single(&v, data[0] + i * step[0], core + 0);
-    load_scalar_single(&k, data[1] + i * step[1], core + 1);
+    float k;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_vec3_single(&v, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&k, p1 + i * step[1], core + 1);
     ksl_add_vvyinvf(&v, k, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 1);
+    store_vec3_single(&vo, p2 + i * step[2], core + 1);
   }
 }
 
 static void add_vvyinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_vvyinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_vvyinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_vvyinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvyinv_single_over(data, n[0], step, step + 3);
@@ -1054,20 +1703,36 @@ static PyUFuncGenericFunction add_vvyinv_loops[] = { add_vvyinv_double, add_vvyi
 
 /* (3),()->(3) */
 INLINED void add_vvz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v;
+  load_vec3_double(&v, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t v; double k; ksl_vec3_t vo;
-    load_vec3_double(&v, data[0] + i * step[0], core + 0);
-    load_scalar_double(&k, data[1] + i * step[1], core + 1);
+    double k;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_vec3_double(&v, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&k, p1 + i * step[1], core + 1);
     ksl_add_vvz(&v, k, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 1);
+    store_vec3_double(&vo, p2 + i * step[2], core + 1);
   }
 }
 
 static void add_vvz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_vvz_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_vvz_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_vvz_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvz_double_over(data, n[0], step, step + 3);
@@ -1075,20 +1740,36 @@ static void add_vvz_double(char **data, const npy_intp *n, const npy_intp *step,
 
 /* (3),()->(3) */
 INLINED void add_vvz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v;
+  load_vec3_single(&v, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t v; float k; ksl_vec3f_t vo;
-    load_vec3_single(&v, data[0] + i * step[0], core + 0);
-    load_scalar_single(&k, data[1] + i * step[1], core + 1);
+    float k;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_vec3_single(&v, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&k, p1 + i * step[1], core + 1);
     ksl_add_vvzf(&v, k, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 1);
+    store_vec3_single(&vo, p2 + i * step[2], core + 1);
   }
 }
 
 static void add_vvz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_vvz_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_vvz_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_vvz_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvz_single_over(data, n[0], step, step + 3);
@@ -1098,20 +1779,36 @@ static PyUFuncGenericFunction add_vvz_loops[] = { add_vvz_double, add_vvz_single
 
 /* (3),()->(3) */
 INLINED void add_vvzinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v;
+  load_vec3_double(&v, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t v; double k; ksl_vec3_t vo;
-    load_vec3_double(&v, data[0] + i * step[0], core + 0);
-    load_scalar_double(&k, data[1] + i * step[1], core + 1);
+    double k;
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_vec3_double(&v, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&k, p1 + i * step[1], core + 1);
     ksl_add_vvzinv(&v, k, &vo);
-    store_vec3_double(&vo, data[2] + i * step[2], core + 1);
+    store_vec3_double(&vo, p2 + i * step[2], core + 1);
   }
 }
 
 static void add_vvzinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 8, 8 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_vvzinv_double_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_vvzinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_vvzinv_double_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvzinv_double_over(data, n[0], step, step + 3);
@@ -1119,20 +1816,36 @@ static void add_vvzinv_double(char **data, const npy_intp *n, const npy_intp *st
 
 /* (3),()->(3) */
 INLINED void add_vvzinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const restrict p0 = data[0];
+  char *const restrict p1 = data[1];
+  char *const restrict p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v;
+  load_vec3_single(&v, p0, core + 0);
   for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t v; float k; ksl_vec3f_t vo;
-    load_vec3_single(&v, data[0] + i * step[0], core + 0);
-    load_scalar_single(&k, data[1] + i * step[1], core + 1);
+    float k;
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_vec3_single(&v, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&k, p1 + i * step[1], core + 1);
     ksl_add_vvzinvf(&v, k, &vo);
-    store_vec3_single(&vo, data[2] + i * step[2], core + 1);
+    store_vec3_single(&vo, p2 + i * step[2], core + 1);
   }
 }
 
 static void add_vvzinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense[] = { 4, 4 };
-  if (memcmp(step + 3, dense, sizeof dense) == 0) {
-    add_vvzinv_single_over(data, n[0], step, dense);
+  static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    add_vvzinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    add_vvzinv_single_over(data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvzinv_single_over(data, n[0], step, step + 3);
@@ -1140,7 +1853,7 @@ static void add_vvzinv_single(char **data, const npy_intp *n, const npy_intp *st
 
 static PyUFuncGenericFunction add_vvzinv_loops[] = { add_vvzinv_double, add_vvzinv_single };
 
-const coscrew_gufunc coscrew_vec3_gufuncs[] = {
+const coscrew_gufunc TABLE(vec3)[] = {
   {"vec3_copy", "(3)->(3)",
     "vo = vi.\n"
     "\n"
@@ -1299,3 +2012,7 @@ const coscrew_gufunc coscrew_vec3_gufuncs[] = {
    2, 1, add_vvzinv_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };
+
+#if defined(COSCREW_FOR_AVX2) && defined(__clang__)
+#pragma clang attribute pop
+#endif

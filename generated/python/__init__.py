@@ -12,7 +12,7 @@ from pathlib import Path
 
 from coscrew import c, double, single
 
-_PROVENANCE = "fbb369b1e4d191c8"
+_PROVENANCE = "b99fa66fdbe24281"
 
 
 def _is_compiled() -> bool:
