@@ -34,3 +34,27 @@ $(VENV)/built: $(SOURCES) codegen/build.py pyproject.toml
 	@$(PYTHON) -c "import coscrew, sys; coscrew.COMPILED or print('no working C compiler: coscrew \
 	runs in pure NumPy (install gcc or clang and the headers of Python to compile it)', file=sys.stderr)"
 	touch $@
+
+# The main job: static joint torques of a Panda arm with a payload, in C and Python.
+example: build
+	@mkdir -p build
+	@if $(CC) -std=c11 -O2 -ffp-contract=off -I generated/c/include examples/static_torques.c \
+	    -o build/static_torques -lm; then \
+	  $(PYTHON) examples/static_torques.py build/static_torques; \
+	else \
+	  echo "no working C compiler ($(CC)): the C half of the example is left out" >&2; \
+	  $(PYTHON) examples/static_torques.py; \
+	fi
+
+$(VENV)/test-ready: $(VENV)/ready
+	$(PIP) install --no-build-isolation --editable ".[test]"
+	touch $@
+
+test: $(VENV)/test-ready build
+	$(PYTHON) -m pytest
+
+bench: $(VENV)/test-ready build
+	$(PYTHON) -m tests.benchmarks
+
+clean:
+	rm -rf $(VENV) build *.egg-info

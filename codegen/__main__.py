@@ -6,7 +6,8 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from coscrew_codegen.emit import EmitError, differences, stale_files, write
+from coscrew_codegen.documentation import README, documentation
+from coscrew_codegen.emit import EmitError, differences, read, stale_files, write
 from coscrew_codegen.layout import Programs, generated_files, program_of
 from coscrew_codegen.operations import FAMILIES
 from coscrew_codegen.selection import LANGUAGES, Selection, SelectionError, select
@@ -46,8 +47,12 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _generate(selection: Selection, folder: Path, check: bool) -> int:
-    files = generated_files(selection, _programs(selection))
-    stale = stale_files(files, folder) if selection == Selection() else ()
+    programs = _programs(selection)
+    files = generated_files(selection, programs)
+    stale: tuple[str, ...] = ()
+    if selection == Selection():
+        stale = stale_files(files, folder)
+        files |= documentation(read(folder, README), programs)
     if not check:
         changed = write(files, folder, stale)
         print(f"{folder}: {len(files)} files, {len(changed)} changed")

@@ -2,8 +2,10 @@
 
 import contextlib
 import difflib
+import errno
 import os
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
 from coscrew_codegen.layout import Files
@@ -16,10 +18,10 @@ class EmitError(OSError):
 
 
 def read(folder: Path, path: str) -> str | None:
-    """The text on disk, or None if there is none."""
+    """The text on disk, or None if there is none to read."""
     try:
         return (folder / path).read_bytes().decode("utf-8", errors="replace")
-    except (FileNotFoundError, NotADirectoryError):
+    except OSError:
         return None
 
 
@@ -51,34 +53,44 @@ def write(files: Files, folder: Path, stale: tuple[str, ...] = ()) -> list[str]:
     """Write the files that differ and remove the stale ones; returns the paths changed.
 
     Everything is written to temporary files first and renamed only when all are complete, so that
-    an error or an interrupt before that leaves every old file whole.  Raises EmitError.
+    an error or an interrupt leaves every old file whole.  Raises EmitError.
     """
     changed = [path for path, text in sorted(files.items()) if read(folder, path) != text]
     waiting: dict[Path, Path] = {}
     try:
-        try:
+        with _refusing(folder, "nothing was changed"):
             for path in changed:
                 waiting[folder / path] = _write_temporary(folder / path, files[path])
+        with _refusing(folder, "files not yet renamed are as they were; run it again"):
             for target, temporary in waiting.items():
                 os.replace(temporary, target)
             for path in stale:
                 (folder / path).unlink()
-        finally:
-            for temporary in waiting.values():
-                with contextlib.suppress(FileNotFoundError):
-                    temporary.unlink()
+    finally:
+        for temporary in waiting.values():
+            temporary.unlink(missing_ok=True)
+    return [*changed, *stale]
+
+
+@contextlib.contextmanager
+def _refusing(folder: Path, consequence: str) -> Iterator[None]:
+    try:
+        yield
     except OSError as error:
         raise EmitError(f"cannot write {error.filename or folder}: {error.strerror}; "
-                        "nothing was changed") from error
-    return [*changed, *stale]
+                        f"{consequence}") from error
 
 
 def _write_temporary(target: Path, text: str) -> Path:
     if target.is_dir():
-        raise IsADirectoryError(21, "is a folder", str(target))
+        raise IsADirectoryError(errno.EISDIR, "it is a folder", str(target))
     target.parent.mkdir(parents=True, exist_ok=True)
     descriptor, name = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
-    with os.fdopen(descriptor, "w", encoding="utf-8", newline="\n") as file:
-        file.write(text)
-    os.chmod(name, 0o644)
+    try:
+        with os.fdopen(descriptor, "w", encoding="utf-8", newline="\n") as file:
+            file.write(text)
+        os.chmod(name, 0o644)
+    except BaseException:
+        os.unlink(name)
+        raise
     return Path(name)

@@ -97,7 +97,8 @@ def _types_header(selection: Selection) -> str:
               "meaning": f"{c_storage.meaning(quantity)}; {precision.name} precision.",
               "views": c_storage.views(quantity, precision)}
              for quantity in c_storage.TYPES for precision in selection.precisions]
-    return render("c/ksl_types.h", banner=selection.banner, types=types)
+    return render("c/ksl_types.h", banner=selection.banner, types=types,
+                  precisions=[precision.name for precision in selection.precisions])
 
 
 def _included(family: str, families: tuple[str, ...]) -> tuple[str, ...]:
@@ -125,6 +126,8 @@ def _extension(selection: Selection, programs: Programs) -> dict[str, str]:
     sources = {"_gufunc.h": render("gufunc/_gufunc.h", banner=selection.banner, accesses=accesses,
                                    families=selection.families,
                                    amalgamation="../c/coscrew.h")}
+    dtypes = [_NUMPY_C_NAMES[precision.name][1] for precision in selection.precisions]
+    sources["promoter.c"] = render("gufunc/promoter.c", banner=selection.banner, dtypes=dtypes)
     for family in selection.families:
         gufuncs = [gufunc.gufunc(op, selection.precisions,
                                  numpy.docstring_of(op, programs[op.name]))
@@ -137,11 +140,10 @@ def _extension(selection: Selection, programs: Programs) -> dict[str, str]:
 
 
 def _extension_module(selection: Selection, provenance: str) -> str:
-    names = [_NUMPY_C_NAMES[precision.name] for precision in selection.precisions]
     most = max(len(op.inputs) + len(op.outputs) for op in selection.operations)
     return render("gufunc/module.c", banner=selection.banner, families=selection.families,
                   most_arguments=most, provenance=provenance,
-                  types=[number for number, _ in names], dtypes=[dtype for _, dtype in names])
+                  types=[_NUMPY_C_NAMES[precision.name][0] for precision in selection.precisions])
 
 
 # the Python package
@@ -161,7 +163,7 @@ def _package(selection: Selection, programs: Programs, extension: bool,
         return render("python/operations.pyi", stubs=stubs, top=top, **shared)
 
     package = {name: render(f"python/{name}", **shared)
-               for name in ("__init__.py", "_dispatch.py", "_kernel.py")}
+               for name in ("__init__.py", "_dispatch.py", "_arrays.py", "_kernel.py")}
     package["__init__.pyi"] = stub_file("np.floating", top=True)
     package["py.typed"] = ""
     for precision in selection.precisions:

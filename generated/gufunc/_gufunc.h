@@ -47,6 +47,8 @@ typedef struct {
   PyUFuncGenericFunction *loops;
 } coscrew_gufunc;
 
+int coscrew_add_promoter(PyObject *ufunc);
+
 extern const coscrew_gufunc coscrew_vec3_gufuncs[], coscrew_vec3_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_mat3x3_gufuncs[], coscrew_mat3x3_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_SE3_gufuncs[], coscrew_SE3_gufuncs_avx2[];

@@ -3,26 +3,12 @@
 #include "_gufunc.h"
 
 static const coscrew_gufunc *const baseline[] = {
-  coscrew_vec3_gufuncs,
-  coscrew_mat3x3_gufuncs,
-  coscrew_SE3_gufuncs,
-  coscrew_mat6x6_gufuncs,
-  coscrew_matrix_gufuncs,
-  coscrew_trig_gufuncs,
-  coscrew_screw_gufuncs,
-  coscrew_coscrew_gufuncs,
+  coscrew_vec3_gufuncs, coscrew_mat3x3_gufuncs, coscrew_SE3_gufuncs, coscrew_mat6x6_gufuncs, coscrew_matrix_gufuncs, coscrew_trig_gufuncs, coscrew_screw_gufuncs, coscrew_coscrew_gufuncs, 
 };
 
 #if COSCREW_HAS_AVX2
 static const coscrew_gufunc *const avx2[] = {
-  coscrew_vec3_gufuncs_avx2,
-  coscrew_mat3x3_gufuncs_avx2,
-  coscrew_SE3_gufuncs_avx2,
-  coscrew_mat6x6_gufuncs_avx2,
-  coscrew_matrix_gufuncs_avx2,
-  coscrew_trig_gufuncs_avx2,
-  coscrew_screw_gufuncs_avx2,
-  coscrew_coscrew_gufuncs_avx2,
+  coscrew_vec3_gufuncs_avx2, coscrew_mat3x3_gufuncs_avx2, coscrew_SE3_gufuncs_avx2, coscrew_mat6x6_gufuncs_avx2, coscrew_matrix_gufuncs_avx2, coscrew_trig_gufuncs_avx2, coscrew_screw_gufuncs_avx2, coscrew_coscrew_gufuncs_avx2, 
 };
 #endif
 
@@ -52,50 +38,12 @@ static void fill_types(void) {
   }
 }
 
-/* float32 stays float32, also beside Python's int and float; every other mixture becomes float64. */
-static int promote(PyObject *ufunc, PyArray_DTypeMeta *const given[],
-    PyArray_DTypeMeta *const signature[], PyArray_DTypeMeta *chosen[]) {
-  const int inputs = ((PyUFuncObject *)ufunc)->nin, arguments = ((PyUFuncObject *)ufunc)->nargs;
-  int single = 0, other = 0;
-  for (int k = 0; k < inputs; k++) {
-    const int python_number = given[k] == &PyArray_PyLongDType || given[k] == &PyArray_PyFloatDType;
-    single += given[k] == &PyArray_FloatDType;
-    other += given[k] != &PyArray_FloatDType && !python_number;
-  }
-  PyArray_DTypeMeta *common = single && !other ? &PyArray_FloatDType : &PyArray_DoubleDType;
-  for (int k = 0; k < arguments; k++) {
-    common = signature[k] != NULL ? signature[k] : common;
-  }
-  for (int k = 0; k < arguments; k++) {
-    Py_INCREF(common);
-    chosen[k] = common;
-  }
-  return 0;
-}
-
-static int add_promoter(PyObject *ufunc) {
-  const int arguments = ((PyUFuncObject *)ufunc)->nargs;
-  PyObject *dtypes = PyTuple_New(arguments);
-  PyObject *capsule = PyCapsule_New((void *)&promote, "numpy._ufunc_promoter", NULL);
-  int status = -1;
-  if (dtypes != NULL && capsule != NULL) {
-    for (Py_ssize_t k = 0; k < arguments; k++) {
-      Py_INCREF(&PyArrayDescr_Type);
-      PyTuple_SET_ITEM(dtypes, k, (PyObject *)&PyArrayDescr_Type);
-    }
-    status = PyUFunc_AddPromoter(ufunc, dtypes, capsule);
-  }
-  Py_XDECREF(dtypes);
-  Py_XDECREF(capsule);
-  return status;
-}
-
 static int add_gufuncs(PyObject *module, const coscrew_gufunc *g) {
   for (; g->name != NULL; g++) {
     PyObject *ufunc = PyUFunc_FromFuncAndDataAndSignature(
         g->loops, no_data, types[g->inputs + g->outputs], LOOPS, g->inputs, g->outputs, PyUFunc_None,
         g->name, g->doc, 0, g->signature);
-    if (ufunc == NULL || add_promoter(ufunc) < 0 || PyModule_AddObject(module, g->name, ufunc) < 0) {
+    if (ufunc == NULL || coscrew_add_promoter(ufunc) < 0 || PyModule_AddObject(module, g->name, ufunc) < 0) {
       Py_XDECREF(ufunc);
       return -1;
     }
@@ -122,7 +70,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "b99fa66fdbe24281") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "ee1a7008a862ab89") < 0) {
     Py_DECREF(module);
     return NULL;
   }

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from coscrew import c, double, single
 
-_PROVENANCE = "b99fa66fdbe24281"
+_PROVENANCE = "ee1a7008a862ab89"
 
 
 def _is_compiled() -> bool:

@@ -1,0 +1,37 @@
+"""The table of operations for people, kept in the README between two marks."""
+
+from collections.abc import Mapping
+
+from coscrew_codegen.operations import FAMILIES, OPERATIONS, family_title
+from coscrew_codegen.program import Program, counts_in_words
+
+README = "../README.md"  # seen from the output folder
+BEGIN, END = "<!-- operations: begin -->", "<!-- operations: end -->"
+
+
+def documentation(readme: str | None, programs: Mapping[str, Program]) -> dict[str, str]:
+    """The README with its table renewed, if there is one and it has the marks."""
+    if readme is None or BEGIN not in readme or END not in readme:
+        return {}
+    before, _, rest = readme.partition(BEGIN)
+    after = rest.partition(END)[2]
+    return {README: f"{before}{BEGIN}\n{operations_table(programs)}{END}{after}"}
+
+
+def operations_table(programs: Mapping[str, Program]) -> str:
+    """Markdown: one foldable table per family, one row per operation."""
+    return "\n".join(_family_table(family, programs) for family in FAMILIES)
+
+
+def _family_table(family: str, programs: Mapping[str, Program]) -> str:
+    operations = [op for op in OPERATIONS if op.family == family]
+    rows = [f"| `{op.name}` | {_escaped(op.statement)} | `{op.signature}` | "
+            f"{counts_in_words(programs[op.name])} |" for op in operations]
+    return "\n".join((
+        f"<details><summary><b><code>{family}.h</code></b>: {len(operations)} operations. "
+        f"{family_title(family)}</summary>", "",
+        "| name | computes | shapes | cost |", "|---|---|---|---|", *rows, "", "</details>", ""))
+
+
+def _escaped(text: str) -> str:
+    return text.replace("|", "\\|").replace("[", "\\[").replace("*", "\\*")

@@ -1,0 +1,1 @@
+"""What was emitted, held against its definition."""

@@ -1,0 +1,191 @@
+"""`coscrew generate`: selections, --check, refusals, whole files, the same bytes everywhere."""
+
+import ast
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.operations import FAMILIES
+
+ROOT = Path(__file__).parents[1]
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    return {p.relative_to(folder).as_posix(): p.read_bytes()
+            for p in sorted(folder.rglob("*")) if p.is_file()}
+
+
+def committed() -> dict[str, bytes]:
+    """What git would hold of generated/: everything but compiled files."""
+    return {path: data for path, data in contents(ROOT / "generated").items()
+            if not path.endswith((".so", ".pyc", ".pyd"))}
+
+
+def run(*arguments: str, cwd: Path = ROOT, **environment: str) -> subprocess.CompletedProcess:
+    return subprocess.run([sys.executable, "-m", "coscrew_codegen", *arguments], cwd=cwd, text=True,
+                          capture_output=True, env={**os.environ, **environment})
+
+
+@pytest.fixture(scope="module")
+def copy(tmp_path_factory) -> Path:
+    """Everything, generated anew into an empty folder."""
+    folder = tmp_path_factory.mktemp("everything") / "generated"
+    assert main(["generate", "--output", str(folder)]) == 0
+    return folder
+
+
+def test_regenerating_from_nothing_restores_what_is_committed(copy):
+    assert contents(copy) == committed()
+
+
+@pytest.mark.parametrize("environment", [
+    {"PYTHONHASHSEED": "1", "LC_ALL": "C"},
+    {"PYTHONHASHSEED": "4242", "LC_ALL": "tr_TR.UTF-8", "LANG": "tr_TR.UTF-8", "TZ": "Asia/Tokyo",
+     "PYTHONUTF8": "0"},
+], ids=("seed 1, C", "seed 4242, Turkish"))
+def test_the_bytes_do_not_depend_on_hash_seed_or_locale(environment, tmp_path, copy):
+    done = run("generate", "--output", str(tmp_path), **environment)
+    assert done.returncode == 0, done.stderr
+    assert contents(tmp_path) == contents(copy)
+
+
+def test_check_passes_on_the_committed_files():
+    done = run("generate", "--check")
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_check_shows_each_difference_and_the_command_that_mends_it(copy, tmp_path, capsys):
+    folder = tmp_path / "changed"
+    shutil.copytree(copy, folder)
+    header = folder / "c/include/ksl/coscrew.h"
+    header.write_text(header.read_text().replace(" - co_3b", " + co_3b"))
+    (folder / "c/include/ksl/vec3.h").unlink()
+    (folder / "c/include/ksl/old.h").write_text("/* Made by `coscrew generate`; … */\n")
+    (folder / "c/include/ksl/users.h").write_text("/* not ours */\n")
+    before = contents(folder)
+    assert main(["generate", "--check", "--output", str(folder)]) == 1
+    captured = capsys.readouterr()
+    assert "+  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1" in captured.out
+    assert "--- /dev/null\n+++ c/include/ksl/vec3.h" in captured.out
+    assert "--- c/include/ksl/old.h" in captured.out and "users.h" not in captured.out
+    assert f"3 files are out of date; run `coscrew generate --output {folder}`" in captured.err
+    assert contents(folder) == before
+    assert main(["generate", "--output", str(folder)]) == 0
+    (folder / "c/include/ksl/users.h").unlink()
+    assert contents(folder) == contents(copy)
+
+
+def test_one_family_in_one_precision_and_language(tmp_path):
+    assert main(["generate", "--family", "coscrew", "--precision", "single", "--language", "c",
+                 "--output", str(tmp_path)]) == 0
+    made = contents(tmp_path)
+    assert sorted(made) == ["c/coscrew.h", "c/include/ksl/coscrew.h", "c/include/ksl/ksl.h",
+                            "c/include/ksl/ksl_types.h"]
+    for text in made.values():
+        assert b"ksl_product_CoAdcf(" in text or b"_t;" in text or b'#include "coscrew.h"' in text
+        assert b"double" not in text.replace(b"double precision", b"")
+        assert text.startswith(
+            b"/* Made by `coscrew generate --family coscrew --precision single --language c`;")
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize("precision", ("double", "single"))
+def test_a_part_of_the_python_package_stands_alone(family, precision, tmp_path):
+    assert main(["generate", "--family", family, "--precision", precision, "--language", "python",
+                 "--output", str(tmp_path)]) == 0
+    (tmp_path / "python").rename(tmp_path / "coscrew")
+    program = ("import coscrew, sys; from pathlib import Path; "
+               "assert Path(coscrew.__file__).parent == Path('coscrew').resolve(); "
+               "assert not coscrew.COMPILED; print(*coscrew.__all__)")
+    done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, text=True,
+                          capture_output=True, env={**os.environ, "PYTHONPATH": str(tmp_path)})
+    assert done.returncode == 0, done.stderr
+    assert precision in done.stdout.split()
+
+
+@pytest.mark.parametrize(("arguments", "near"), [
+    (["--family", "coskrew"], "did you mean 'coscrew'"),
+    (["--family", "screw", "vec4"], "did you mean 'vec3'"),
+    (["--precision", "float"], "did you mean"),
+    (["--precision", "doubel"], "did you mean 'double'"),
+    (["--language", "pyton"], "did you mean 'python'"),
+])
+def test_unknown_names_get_the_nearest_valid_one(arguments, near, tmp_path, capsys):
+    assert main(["generate", *arguments, "--output", str(tmp_path / "new")]) == 2
+    assert near in capsys.readouterr().err
+    assert not (tmp_path / "new").exists()
+
+
+def test_an_unwritable_output_is_one_clear_error(tmp_path, capsys):
+    (tmp_path / "file").write_text("not a folder\n")
+    assert main(["generate", "--family", "trig", "--output", str(tmp_path / "file")]) == 2
+    assert "coscrew: cannot write" in capsys.readouterr().err
+    assert contents(tmp_path) == {"file": b"not a folder\n"}
+
+
+def test_a_run_that_cannot_finish_leaves_the_old_files_whole(tmp_path, capsys, monkeypatch):
+    options = ["generate", "--family", "trig", "--output", str(tmp_path)]
+    assert main(options) == 0
+    (tmp_path / "c/include/ksl/trig.h").write_text("old\n")
+    (tmp_path / "python/py.typed").unlink()
+    (tmp_path / "python/py.typed").mkdir()  # in the way, and last in line
+    before = contents(tmp_path)
+    assert main(options) == 2
+    assert "py.typed: it is a folder; nothing was changed" in capsys.readouterr().err
+    assert contents(tmp_path) == before
+
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    (tmp_path / "python/py.typed").rmdir()
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "chmod", interrupted)
+        assert main(options) == 130
+    assert contents(tmp_path) == before
+
+
+def test_imports_run_one_way():
+    """algebra < quantity < operations < kernel < passes < program < tiers < targets < emit."""
+    order = ["algebra", "quantity", "operations", "kernel", "passes", "program", "tiers", "targets",
+             "selection", "render", "layout", "documentation", "emit", "__main__"]
+    package = ROOT / "codegen"
+    allowed_elsewhere = {"build"}  # runs inside setuptools, on its own
+
+    def layer(path: Path) -> str:
+        return path.relative_to(package).parts[0].removesuffix(".py")
+
+    seen = set()
+    for path in sorted(package.rglob("*.py")):
+        here = layer(path)
+        if here in allowed_elsewhere or here == "__init__":
+            continue
+        seen.add(here)
+        for node in ast.walk(ast.parse(path.read_text())):
+            modules = ([alias.name for alias in node.names] if isinstance(node, ast.Import)
+                       else [node.module] if isinstance(node, ast.ImportFrom) else [])
+            for module in modules:
+                name, _, rest = module.partition(".")
+                assert name != "coscrew", f"{path.name} imports the generated package"
+                if name == "coscrew_codegen":
+                    assert order.index(rest.split(".")[0]) <= order.index(here), f"{path}: {module}"
+                if name == "sympy":
+                    assert order.index(here) < order.index("program") or here == "tiers", path
+    assert seen == set(order)
+
+
+def test_templates_hold_shapes_only():
+    for path in (ROOT / "templates").rglob("*.jinja"):
+        assert len(path.read_text().splitlines()) <= 80, path.name
+
+
+def test_pyproject_compiles_every_family():
+    import tomllib
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())
+    (extension,) = project["tool"]["setuptools"]["ext-modules"]
+    expected = {f"generated/gufunc/{p.name}" for p in (ROOT / "generated/gufunc").glob("*.c")}
+    assert set(extension["sources"]) == expected

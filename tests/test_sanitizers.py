@@ -1,0 +1,49 @@
+"""Every function of the headers stays inside its objects, and may be given aliased arguments."""
+
+import os
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from coscrew_codegen.targets.precision import PRECISIONS, Precision
+from tests import c_calls
+from tests.c_harness import C11, COMPILERS, EXACT, INCLUDE, run
+
+SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-O1", "-g1")
+DEFINED = re.compile(r"^static inline [^(]*?\*?(ksl_\w+)\(", re.MULTILINE)
+
+
+def _links(compiler: str) -> bool:
+    """Whether the compiler's sanitizers are installed; a build server must have them."""
+    if os.environ.get("CI"):
+        return True
+    command = (compiler, *SANITIZERS, "-x", "c", "-", "-o", os.devnull)
+    return not subprocess.run(command, input="int main(void) { return 0; }", text=True,
+                              capture_output=True).returncode
+
+
+# Optimised without sanitizers as well: there a compiler acts on what it assumes of aliases.
+BUILDS = (*((name, SANITIZERS) for name in COMPILERS if _links(name)),
+          *((name, ("-O2",)) for name in COMPILERS))
+
+
+@pytest.mark.parametrize("compiler, flags", BUILDS,
+                         ids=lambda x: x if isinstance(x, str) else x[0].strip("-"))
+@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+def test_aliased_arguments_give_the_same_bits(precision: Precision, compiler: str,
+                                              flags: tuple[str, ...], tmp_path: Path):
+    """The sanitizers stop at the first access outside an object and at undefined behaviour."""
+    source, binary = tmp_path / "calls.c", tmp_path / "calls"
+    source.write_text(c_calls.program(precision))
+    run((compiler, *C11, *flags, EXACT, "-I", INCLUDE, source, "-o", binary, "-lm"))
+    assert run([binary]) == ""
+
+
+def test_every_function_is_called():
+    defined = {name for header in sorted((INCLUDE / "ksl").glob("*.h"))
+               for name in DEFINED.findall(header.read_text(encoding="utf-8"))}
+    text = "".join(map(c_calls.program, PRECISIONS))
+    called = set(re.findall(r"\b(ksl_\w+)\(", text))
+    assert defined and defined <= called, sorted(defined - called)

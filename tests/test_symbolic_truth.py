@@ -1,0 +1,300 @@
+"""What each emitted function computes, in C and in Python, is identically its operation's truth."""
+
+import ast
+import inspect
+import re
+import textwrap
+from collections.abc import Callable, Iterator
+from functools import cache
+from types import FunctionType
+
+import coscrew
+import pytest
+import sympy as sp
+from coscrew_codegen.operations import FAMILIES, NORM_THRESHOLD, OPERATIONS, Operation
+from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, SINGLE, Precision
+
+from tests.c_reader import FAMILIES as HEADERS
+from tests.c_reader import Header, Place, Value, functions_in, header, sign_flips
+
+THRESHOLDS = {DOUBLE: sp.Rational(1, 10**9), SINGLE: sp.Rational(1, 10**6)}
+FOR_ROTATIONS = ("product_Adinvs", "product_CoAdinvc")  # use R R^T = I; the others hold for any R
+SHAPES = {"vec3": (3,), "mat3x3": (3, 3), "SE3": (3, 4), "screw": (6,), "coscrew": (6,),
+          "mat6x6": (6, 6)}  # of the C types, row by row
+
+each_operation = pytest.mark.parametrize("operation", OPERATIONS, ids=lambda op: op.name)
+each_precision = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+each_type = pytest.mark.parametrize("kind", SHAPES)
+
+
+@cache
+def truth(operation: Operation) -> tuple[sp.Expr, ...]:
+    return operation.truth()
+
+
+def c_name(name: str, precision: Precision) -> str:
+    """Single names put an f behind the type they start with (ksl_screwf_copy), else last."""
+    head, *tail = name.split("_", 1)
+    return f"ksl_{'_'.join([head + precision.suffix, *tail])}" if head in SHAPES \
+        else f"ksl_{name}{precision.suffix}"
+
+
+def difference(found: tuple[sp.Expr, ...], operation: Operation) -> sp.Expr | None:
+    """By how much the first wrong component is wrong, under any conditions; None if none is."""
+    wanted = truth(operation)
+    assert len(found) == len(wanted)
+    reduce = on_rotations if operation.name in FOR_ROTATIONS else sp.expand
+    differences = (reduce(branch[i] - branch[i + len(wanted)])
+                   for branch in branches(sp.Tuple(*found, *wanted)) for i in range(len(wanted)))
+    return next((d for d in differences if d != 0), None)
+
+
+def on_rotations(expression: sp.Expr) -> sp.Expr:
+    """The polynomial in D = [R | t], reduced on the unit quaternions (w; x, y, z) of R."""
+    w, x, y, z = q = sp.symbols("w x y z")
+    R = ((1 - 2 * (y*y + z*z), 2 * (x*y - w*z), 2 * (x*z + w*y)),
+         (2 * (x*y + w*z), 1 - 2 * (x*x + z*z), 2 * (y*z - w*x)),
+         (2 * (x*z - w*y), 2 * (y*z + w*x), 1 - 2 * (x*x + y*y)))
+    entries = {sp.Symbol(f"D_{i}{j}"): R[i][j] for i in range(3) for j in range(3)}
+    return sp.rem(sp.expand(expression.xreplace(entries)), sum(n**2 for n in q) - 1, w)
+
+
+def branches(expressions: sp.Tuple) -> Iterator[sp.Tuple]:
+    """The expressions for every assignment of true and false to their conditions."""
+    relations = [r for r in expressions.atoms(sp.core.relational.Relational)
+                 if not r.has(sp.Piecewise)]
+    if not relations:
+        assert not expressions.has(sp.Piecewise)
+        yield expressions
+        return
+    first = min(relations, key=sp.default_sort_key)
+    for value in (sp.true, sp.false):
+        yield from branches(expressions.xreplace({first: value}))
+
+
+def named(expressions: list[sp.Expr], precision: Precision) -> tuple[sp.Expr, ...]:
+    """With the threshold of this precision, and no other number, under its name."""
+    names = {THRESHOLDS[precision]: NORM_THRESHOLD}
+    return tuple(sp.sympify(x).xreplace(names) for x in expressions)
+
+
+# C
+
+
+def run_c(functions: Header, operation: Operation, precision: Precision,
+          shared: dict[str, str] | None = None) -> tuple[sp.Expr, ...]:
+    """Every component of every output; `shared` says which output is which input's object."""
+    name, shared = c_name(operation.name, precision), shared or {}
+    types = functions.parameters(name)
+    memory: dict[str, Value] = {n: Place.new(kind) for n, kind in types.items()}
+    for argument in operation.inputs:
+        if not argument.quantity.shape:
+            memory[argument.name] = argument.value
+        elif argument.name not in shared:
+            for symbol, i in zip(argument.symbols, places(argument.quantity.shape), strict=True):
+                memory[argument.name].entry(*i).write(symbol)
+    memory |= {output: memory[source] for output, source in shared.items()}
+    value = functions.call(name, *(memory[n] for n in types))
+    results = [memory[a.name] if value is None else value for a in operation.outputs]
+    return named([x.entry(*index).read() if isinstance(x, Place) else x
+                  for x, a in zip(results, operation.outputs, strict=True)
+                  for index in places(a.quantity.shape)], precision)
+
+
+def places(shape: tuple[int, ...]) -> list[tuple[int, ...]]:
+    """(i), or (row, column), of every component, row by row."""
+    indices: list[tuple[int, ...]] = [()]
+    for length in shape:
+        indices = [(*before, i) for before in indices for i in range(length)]
+    return indices
+
+
+@each_operation
+@each_precision
+def test_c_function_is_its_truth(operation, precision):
+    assert difference(run_c(header(), operation, precision), operation) is None
+
+
+@each_operation
+def test_c_output_may_be_an_input(operation):
+    apart = run_c(header(), operation, DOUBLE)
+    for output in operation.outputs:
+        for source in operation.inputs:
+            if source.quantity == output.quantity and source.name != output.name:
+                together = run_c(header(), operation, DOUBLE, {output.name: source.name})
+                same = dict(zip(output.symbols, source.symbols, strict=True))
+                assert together == tuple(x.xreplace(same) for x in apart)
+
+
+@each_operation
+@each_precision
+def test_c_parameters_are_inputs_then_outputs(operation, precision):
+    name, outputs = c_name(operation.name, precision), {a.name for a in operation.outputs}
+    names = list(dict.fromkeys(a.name for a in (*operation.inputs, *operation.outputs)))
+    parameters = list(header().parameters(name))
+    assert parameters == (list(operation.order) or [n for n in names if n in parameters])
+    pointers = {a.name for a in operation.inputs if a.quantity.shape and not operation.by_value}
+    assert header().constant_parameters(name) == pointers - outputs
+
+
+with_sums = pytest.mark.parametrize("operation", [
+    op for op in OPERATIONS if any(sign_flips(header().texts[c_name(op.name, DOUBLE)]))],
+    ids=lambda op: op.name)
+
+
+@with_sums
+def test_c_comparison_notices_any_flipped_sign(operation):
+    name = c_name(operation.name, DOUBLE)
+    for text in sign_flips(header().texts[name]):
+        wrong = header().with_text(name, text)
+        assert difference(run_c(wrong, operation, DOUBLE), operation) is not None
+
+
+@pytest.mark.parametrize("wrong", [("1e-06f", "1e-06"), ("fabsf(", "fabs("), ("float", "double")])
+def test_c_reader_refuses_double_in_single_precision(wrong):
+    text = header().texts["ksl_screwf_norm"].replace(*wrong, 1)
+    with pytest.raises(TypeError, match="mixes double and float"):
+        header().with_text("ksl_screwf_norm", text).parameters("ksl_screwf_norm")
+
+
+def test_c_comparison_notices_another_threshold():
+    operation = next(op for op in OPERATIONS if op.name == "coscrew_norm")
+    text = header().texts["ksl_coscrew_norm"].replace("1e-09", "1e-08", 1)
+    wrong = header().with_text("ksl_coscrew_norm", text)
+    assert difference(run_c(wrong, operation, DOUBLE), operation) is not None
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_c_header_holds_its_family_and_no_more(family):
+    wanted = {c_name(op.name, p) for op in OPERATIONS if op.family == family for p in PRECISIONS}
+    for p in PRECISIONS:
+        stem = f"ksl_{family}{p.suffix}"
+        wanted |= {f"{stem}_alloc"} if family in SHAPES else set()
+        wanted |= {stem} if family in set(SHAPES) - {"mat6x6"} else set()
+        wanted |= {f"{stem}_cmo"} if family in ("mat3x3", "SE3") else set()
+        wanted |= {f"{stem}_identity"} if family == "SE3" else set()
+        wanted |= {f"{stem}_get", f"{stem}_set"} if len(SHAPES.get(family, ())) == 2 else set()
+    assert set(functions_in(family)) == wanted
+
+
+def test_every_family_has_a_header():
+    assert set(HEADERS) == set(FAMILIES)
+
+
+# C functions that only move numbers
+
+
+@pytest.mark.parametrize("kind, by_columns", [
+    ("vec3", False), ("screw", False), ("coscrew", False), ("mat3x3", False), ("mat3x3", True),
+    ("SE3", False), ("SE3", True)])
+@each_precision
+def test_constructor_puts_entries_where_their_names_say(kind, by_columns, precision):
+    name = f"ksl_{kind}{precision.suffix}{'_cmo' if by_columns else ''}"
+    order = sorted(places(SHAPES[kind]), key=lambda i: i[::-1] if by_columns else i)
+    names = list("xyz") if kind == "vec3" else ["m" + "".join(map(str, i)) for i in order]
+    assert list(header().parameters(name)) == names
+    value = header().call(name, *sp.symbols(names))
+    for parameter, index in zip(names, order, strict=True):
+        assert value.member(parameter).read() == value.entry(*index).read() == sp.Symbol(parameter)
+
+
+@each_precision
+def test_identity_displacement(precision):
+    value = header().call(f"ksl_SE3{precision.suffix}_identity")
+    for i, j in places((3, 4)):
+        assert value.entry(i, j).read() == int(i == j)
+
+
+@pytest.mark.parametrize("kind", ["mat3x3", "SE3", "mat6x6"])
+@each_precision
+def test_get_and_set_reach_every_entry_and_nothing_else(kind, precision):
+    stem, (rows, columns) = f"ksl_{kind}{precision.suffix}", SHAPES[kind]
+    value = Place.new(header().types[f"{stem}_t"])
+    for row, column in places((rows + 2, columns + 2)):
+        header().call(f"{stem}_set", value, row - 1, column - 1, sp.Symbol(f"x{row}{column}"))
+    for row, column in places((rows + 2, columns + 2)):
+        inside = 1 <= row <= rows and 1 <= column <= columns
+        wanted = sp.Symbol(f"x{row}{column}") if inside else sp.nan
+        assert header().call(f"{stem}_get", value, row - 1, column - 1) == wanted
+        assert not inside or value.entry(row - 1, column - 1).read() == wanted
+
+
+@each_precision
+def test_views_of_a_displacement_are_the_same_cells(precision):
+    D = header().call(f"ksl_SE3{precision.suffix}", *(10 * i + j for i, j in places((3, 4))))
+    assert D.member("m13") == D.member("t").member("y") == D.member("v3").member("y")
+    assert [D.member("as_array").element(n).read() for n in (0, 1, 3, 11)] == [0, 10, 1, 23]
+    assert D.member("R").member("m21").read() == 21 == D.member("v").element(1).entry(2).read()
+
+
+# Python
+
+
+class Symbolic:
+    """A SymPy expression on which == and < make conditions, as they do on arrays."""
+
+    def __init__(self, value: "Symbolic | sp.Expr | float"):
+        self.expression = value.expression if isinstance(value, Symbolic) else \
+            sp.Rational(str(value)) if isinstance(value, float) else sp.sympify(value)
+
+
+def _lifted(function: Callable[..., sp.Basic]) -> Callable[..., Symbolic]:
+    return lambda *values: Symbolic(function(*(Symbolic(x).expression for x in values)))
+
+
+for _name, _function in {
+        "add": lambda a, b: a + b, "sub": lambda a, b: a - b, "mul": lambda a, b: a * b,
+        "truediv": lambda a, b: a / b}.items():
+    setattr(Symbolic, f"__{_name}__", _lifted(_function))
+    setattr(Symbolic, f"__r{_name}__", _lifted(lambda a, b, f=_function: f(b, a)))
+Symbolic.__neg__, Symbolic.__eq__ = _lifted(lambda a: -a), _lifted(sp.Eq)
+Symbolic.__lt__ = _lifted(lambda a, b: a < b)
+
+SYMPY = {"absolute": _lifted(sp.Abs), "sqrt": _lifted(sp.sqrt), "sin": _lifted(sp.sin),
+         "cos": _lifted(sp.cos),
+         "where": _lifted(lambda test, x, y: sp.Piecewise((x, test), (y, True)))}
+
+
+def twin(operation: Operation, precision: Precision) -> FunctionType:
+    """The emitted Python function under its decorator, computing on SymPy expressions."""
+    function = getattr(getattr(coscrew, precision.name), operation.name).__wrapped__
+    return FunctionType(function.__code__, function.__globals__ | SYMPY, operation.name)
+
+
+def run_python(function: FunctionType, operation: Operation,
+               precision: Precision) -> tuple[sp.Expr, ...]:
+    """Every component of every output."""
+    arguments = [tuple(map(Symbolic, a.symbols)) if a.quantity.shape else Symbolic(a.value)
+                 for a in operation.inputs]
+    found = function(*arguments)
+    found = found if isinstance(found, tuple) else (found,)
+    return named([Symbolic(x).expression for x in found], precision)
+
+
+@each_operation
+@each_precision
+def test_python_kernel_is_its_truth(operation, precision):
+    found = run_python(twin(operation, precision), operation, precision)
+    assert difference(found, operation) is None
+
+
+@with_sums
+def test_python_comparison_notices_any_flipped_sign(operation):
+    function = twin(operation, DOUBLE)
+    source = inspect.getsource(getattr(coscrew.double, operation.name).__wrapped__)
+    tree = ast.parse(textwrap.dedent(source)).body[0]
+    tree.decorator_list, tree.body = [], tree.body[1:]  # without its docstring
+    flipped = list(sign_flips(ast.unparse(tree)))
+    assert flipped
+    for text in flipped:
+        scope = dict(function.__globals__)
+        exec(text, scope)
+        found = run_python(scope[operation.name], operation, DOUBLE)
+        assert difference(found, operation) is not None
+
+
+@each_precision
+def test_python_module_holds_the_table_and_no_more(precision):
+    module = getattr(coscrew, precision.name)
+    functions = {name for name, value in vars(module).items() if isinstance(value, FunctionType)}
+    assert functions == {op.name for op in OPERATIONS} | {"SE3", "screw", "coscrew"}
