@@ -3,7 +3,7 @@
 PYTHON3 ?= python3
 VENV    := .venv
 PYTHON  := $(VENV)/bin/python
-PIP     := $(PYTHON) -m pip --quiet --disable-pip-version-check
+PIP     := PYTHONWARNINGS=ignore $(PYTHON) -m pip --quiet --disable-pip-version-check
 SOURCES := $(wildcard generated/gufunc/*.c generated/gufunc/*.h) generated/c/coscrew.h
 
 .PHONY: all generate check build example test bench clean

@@ -4,9 +4,9 @@
   h_i = hsrz(D_i)                                      screw of the joint's axis
   c_k = CoAd(D_k r_k) (-(m_k g; 0))                    coscrew that supports the weight of link k
 
-all at the base's origin, where coscrews add.  τ_i is what motor i must supply to hold still, in N m.
-Joint 1 is vertical, so τ_1 = 0.  The same program in C is examples/static_torques.c, statement by
-statement; to compare the two, from the folder above:
+all at the base's origin, where coscrews add.  τ_i, in N m, is what motor i must supply to hold
+still; joint 1 is vertical, so τ_1 = 0.  The same program in C is examples/static_torques.c; to
+compare the two, from the folder above:
 
   cc -std=c11 -O2 -ffp-contract=off -I generated/c/include examples/static_torques.c \
      -o static_torques -lm
@@ -15,12 +15,12 @@ statement; to compare the two, from the folder above:
 Geometry: modified Denavit-Hartenberg parameters published by Franka.  Masses and centres of mass:
 C. Gaz et al., "Dynamic Identification of the Franka Emika Panda Robot With Retrieval of Feasible
 Parameters Using Penalty-Based Optimization", IEEE RA-L 2019, in the digits of Franka's robot
-description.  The two differ in the height of link 1's centre, on which no torque depends.
+description.  Sources differ on the height of link 1's centre; no torque depends on it.
 """
 
 import argparse
 import subprocess
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -102,7 +102,7 @@ def torques_in_c(program: Path) -> tuple[Array, Array]:
     return double, single.astype(np.float32)
 
 
-def table(columns: dict[str, Array], form: str) -> str:
+def table(columns: Mapping[str, Array], form: str) -> str:
     """One line per joint, one column per entry, each number formatted by `form`."""
     width = 2 + max(len(name) for name in columns)
     width = max(width, *(2 + len(format(x, form)) for values in columns.values() for x in values))
@@ -114,11 +114,11 @@ def table(columns: dict[str, Array], form: str) -> str:
 
 def main() -> None:
     """Prints the torques in Python, and beside them those of the C program if it is given."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description="Static joint torques of a Panda with a payload.")
     parser.add_argument("program", type=Path, nargs="?", help="compiled examples/static_torques.c")
     program = parser.parse_args().program
     if program and not program.is_file():
-        parser.error(f"program: there is no file {program}; compile examples/static_torques.c first")
+        parser.error(f"program: no file {program}; compile examples/static_torques.c first")
 
     double = static_torques(np.array(POSTURE, np.float64))
     single = static_torques(np.array(POSTURE, np.float32))

@@ -141,7 +141,7 @@ def _places(whole: Quantity, part: Quantity) -> tuple[str, ...]:
 
 def _shared(operation: Operation, precision: Precision, whole: Argument,
             parts: dict[Argument, str]) -> list[str]:
-    """`whole` and, inside it, `parts`: once as objects of their own, once as one object `shared`."""
+    """`whole` and, inside it, `parts`: once as objects of their own, once as one, `shared`."""
     arguments = distinct(operation)
     alone = {a.name: a.name for a in arguments}
     shared = alone | {whole.name: "shared"} | {a.name: f"shared{at}" for a, at in parts.items()}
@@ -160,8 +160,8 @@ def _shared(operation: Operation, precision: Precision, whole: Argument,
 
 
 def _objects(arguments: tuple[Argument, ...], precision: Precision) -> list[str]:
-    return [f"{c_type(a.quantity, precision)} {a.name}{_size(a)}; fill(&{a.name}, {a.quantity.size});"
-            for a in arguments]
+    return [f"{c_type(a.quantity, precision)} {a.name}{_size(a)}; "
+            f"fill(&{a.name}, {a.quantity.size});" for a in arguments]
 
 
 def _size(argument: Argument) -> str:
@@ -178,9 +178,9 @@ def _storage(precision: Precision) -> Iterator[tuple[str, list[str]]]:
         by_rows = [column * rows + row for row, column in quantity.indices]
         array = "as_array" if columns > 1 else "at"
         if quantity != MAT6X6:
-            yield f"{stem}_constructed", _constructed(stem, stem, by_rows, array)
+            yield f"{stem}_by_rows", _constructed(stem, stem, by_rows, array)
         if quantity in (MAT3X3, SE3):
-            yield f"{stem}_cmo_constructed", _constructed(stem, f"{stem}_cmo", sorted(by_rows), array)
+            yield f"{stem}_by_columns", _constructed(stem, f"{stem}_cmo", sorted(by_rows), array)
         if quantity == SE3:
             yield f"{stem}_identity_is_one", [
                 f"const {stem}_t x = {stem}_identity();",

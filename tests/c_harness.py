@@ -26,7 +26,7 @@ INCLUDE = C_FOLDER / "include"
 
 
 def _installed(*names: str) -> tuple[str, ...]:
-    """Those that are here; on a build server, and where there is none, all: `run` says what lacks."""
+    """Those that are here; all on a build server, where `run` says what is missing."""
     found = tuple(name for name in names if os.environ.get("CI") or shutil.which(name))
     return found or names[:1]
 
@@ -35,7 +35,8 @@ COMPILERS = _installed("gcc", "clang")
 CXX_COMPILERS = _installed("g++", "clang++")
 C11 = ("-std=c11",)
 CXX17 = ("-x", "c++", "-std=c++17")
-STRICT = ("-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Wshadow", "-pedantic", "-Werror")
+STRICT = ("-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Wshadow", "-pedantic",
+          "-Werror")
 EXACT = "-ffp-contract=off"
 DIALECTS = (*((name, C11) for name in COMPILERS), *((name, CXX17) for name in CXX_COMPILERS))
 """(compiler, flags of its language)"""

@@ -9,6 +9,7 @@ from fractions import Fraction
 from itertools import permutations
 from math import prod
 from random import Random
+from types import ModuleType
 
 import mpmath
 import numpy as np
@@ -182,7 +183,8 @@ FORMULAS: dict[str, Callable[..., Matrix | Fraction | tuple[Matrix, ...]]] = {
     "reciprocal_product": lambda c, x: c @ joined(x[3:], x[:3]),
 }
 
-IRRATIONAL = (  # what rounds even on rationals
+# Operations that leave the rationals, or round on them.
+IRRATIONAL = (
     "vec3_l2norm", "vec3_normalize", "vec3_normalized", "screw_norm", "screw_normalize",
     "screw_normalized", "coscrew_norm", "coscrew_normalize", "coscrew_normalized", "dc",
     "product_ainvv")
@@ -272,3 +274,24 @@ class Sample:
                 "mat3x3": self.rotation, "SE3": self.displacement,
                 "mat6x6": lambda: self.vector(36).reshape(6, 6)
                 }.get(kind, lambda: self.vector(6))()
+
+
+class Exact:
+    """The kernels as emitted for one precision, on Fractions; the 0.0 and 1.0 they return, too."""
+
+    def __init__(self, kernels: ModuleType):
+        self._kernels = kernels
+
+    def __getattr__(self, name: str) -> Callable[..., Matrix | Fraction | tuple[Matrix, ...]]:
+        kernel = getattr(self._kernels, name)
+        return lambda *values: _without_floats(kernel(*values))
+
+
+def _without_floats(
+        x: Matrix | Fraction | tuple[Matrix, ...]) -> Matrix | Fraction | tuple[Matrix, ...]:
+    if isinstance(x, tuple):
+        return tuple(map(_without_floats, x))
+    array = np.array(x, dtype=object)
+    for place, component in np.ndenumerate(array):
+        array[place] = Fraction(component) if isinstance(component, float) else component
+    return array[()]

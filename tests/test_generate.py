@@ -150,8 +150,9 @@ def test_a_run_that_cannot_finish_leaves_the_old_files_whole(tmp_path, capsys, m
 
 
 def test_imports_run_one_way():
-    """algebra < quantity < operations < kernel < passes < program < tiers < targets < emit."""
-    order = ["algebra", "quantity", "operations", "kernel", "passes", "program", "tiers", "targets",
+    """algebra < quantity < operations < kernel < passes < program < tiers < bounds < targets < emit."""
+    order = ["algebra", "quantity", "operations", "kernel", "passes", "program", "tiers", "bounds",
+             "targets",
              "selection", "render", "layout", "documentation", "emit", "__main__"]
     package = ROOT / "codegen"
     allowed_elsewhere = {"build"}  # runs inside setuptools, on its own

@@ -1,8 +1,7 @@
-"""The headers compile anywhere: in any order, as C11 and C++17, without a warning; single is single."""
+"""The headers compile in any order, as C11 and C++17, without a warning; single is single."""
 
 import platform
 import re
-import shutil
 import subprocess
 import sys
 from itertools import permutations
@@ -10,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.c_harness import (C11, C_FOLDER, COMPILERS, DIALECTS, EXACT, INCLUDE, STRICT, run)
+from tests.c_harness import C11, C_FOLDER, COMPILERS, DIALECTS, EXACT, INCLUDE, STRICT, run
 
 KSL = INCLUDE / "ksl"
 HEADERS = tuple(sorted(path.stem for path in KSL.glob("*.h")))
@@ -36,15 +35,16 @@ ON_ROTATED_BODY = """\
 /* A body turned by a quarter about z and shifted by (1, 2, 3). */
 int main(void) {
   ksl_SE3f_t D = {{{0, 1, 0, -1, 0, 0, 0, 0, 1, 1, 2, 3}}};
-  const ksl_coscrewf_t c = ksl_coscrewf(1, 2, 3, 4, 5, 6), moved = ksl_coscrewf(-2, 1, 3, -2, -5, 11);
+  const ksl_coscrewf_t c = ksl_coscrewf(1, 2, 3, 4, 5, 6);
+  const ksl_coscrewf_t moved = ksl_coscrewf(-2, 1, 3, -2, -5, 11);
   ksl_coscrewf_t co;
   ksl_product_CoAdcf(&D, &c, &co);
   return memcmp(&co, &moved, sizeof co) != 0;
 }
 """
 
-dialects = pytest.mark.parametrize("compiler, language", DIALECTS, ids=lambda x: str(x[-1]) if
-                                   isinstance(x, tuple) else x)
+dialects = pytest.mark.parametrize("compiler, language", DIALECTS,
+                                   ids=[f"{name} {flags[-1]}" for name, flags in DIALECTS])
 compilers = pytest.mark.parametrize("compiler", COMPILERS)
 
 
@@ -91,17 +91,19 @@ def test_amalgamation_goes_alone_and_beside_the_headers(order, compiler, languag
 
 
 @dialects
-def test_two_translation_units_link(compiler, language, tmp_path):
+@pytest.mark.parametrize("header", ["headers", "amalgamation"])
+def test_two_translation_units_link(header, compiler, language, tmp_path):
     turn = "void turn(const ksl_SE3_t *D, ksl_coscrew_t *c)"
-    one = _source(tmp_path, "one", _included("headers"), f"{turn};", f"{turn} {{",
+    one = _source(tmp_path, "one", _included(header), f"{turn};", f"{turn} {{",
                   "  ksl_product_CoAdc(D, c, c);", "}")
-    two = _source(tmp_path, "two", _included("amalgamation"), f"{turn};", "int main(void) {",
+    two = _source(tmp_path, "two", _included(header), f"{turn};", "int main(void) {",
                   "  const ksl_SE3_t D = ksl_SE3(0, -1, 0, 1, 1, 0, 0, 2, 0, 0, 1, 3);",
                   "  const ksl_coscrew_t moved = ksl_coscrew(-2, 1, 3, -2, -5, 11);",
                   "  ksl_coscrew_t c = ksl_coscrew(1, 2, 3, 4, 5, 6);", "  turn(&D, &c);",
                   "  ksl_subtract_cc(&c, &moved, &c);", "  return ksl_coscrew_norm(&c) > 0;", "}")
-    run((compiler, *language, *STRICT, EXACT, "-I", INCLUDE, one, two, "-o", tmp_path / "main", "-lm"))
-    run([tmp_path / "main"])
+    main = tmp_path / "main"
+    run((compiler, *language, *STRICT, EXACT, "-I", INCLUDE, one, two, "-o", main, "-lm"))
+    run([main])
 
 
 @compilers
@@ -134,8 +136,8 @@ def _object(compiler: str, include: Path, folder: Path) -> Path:
 
 
 def _double_instructions(binary: Path) -> list[str]:
-    lines = (line.split() for line in run(("objdump", "-d", "--no-show-raw-insn", binary)).splitlines())
-    return [" ".join(words[1:]) for words in lines
+    disassembly = run(("objdump", "-d", "--no-show-raw-insn", binary))
+    return [" ".join(words[1:]) for words in map(str.split, disassembly.splitlines())
             if len(words) > 1 and DOUBLE_INSTRUCTION.fullmatch(words[1])]
 
 
@@ -148,7 +150,7 @@ def test_single_precision_executes_no_double_arithmetic(compiler, single_only, t
         assert not _double_instructions(binary)
 
 
-@pytest.mark.parametrize("compiler", [name for name in COMPILERS if shutil.which(name)])
+@compilers
 def test_double_arithmetic_would_be_noticed(compiler, tmp_path):
     """The headers of both precisions do hold what the single-precision ones must not."""
     binary = _object(compiler, INCLUDE, tmp_path)

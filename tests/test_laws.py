@@ -1,9 +1,7 @@
 """The laws of spatial algebra, exactly: the emitted kernels of either precision, on rationals."""
 
 import re
-from collections.abc import Callable
 from fractions import Fraction
-from types import ModuleType
 
 import coscrew
 import mpmath
@@ -12,7 +10,8 @@ import pytest
 from coscrew_codegen.operations import OPERATIONS
 
 from tests import exact
-from tests.exact import FORMULAS, IRRATIONAL, JOINTS, Matrix, Sample, array, displacement, eye
+from tests.exact import (FORMULAS, IRRATIONAL, JOINTS, Exact, Matrix, Sample, array, displacement,
+                         eye)
 
 TABLE = {op.name: op for op in OPERATIONS}
 INVERTED = tuple(name for name in TABLE if name + "inv" in TABLE)
@@ -23,26 +22,6 @@ NEGATED = tuple(name for name in INVERTED if name not in UNDONE)  # these in a v
 each_group = pytest.mark.parametrize("group", ["t", "r", ""])
 each_space = pytest.mark.parametrize("Ad, x", [("Ad", "s"), ("CoAd", "c")])
 each_joint = pytest.mark.parametrize("joint", range(6), ids=JOINTS)
-
-
-class Exact:
-    """The kernels as emitted for one precision, on Fractions; the 0.0 and 1.0 they return, too."""
-
-    def __init__(self, kernels: ModuleType):
-        self._kernels = kernels
-
-    def __getattr__(self, name: str) -> Callable[..., Matrix | Fraction | tuple[Matrix, ...]]:
-        kernel = getattr(self._kernels, name)
-        return lambda *values: _without_floats(kernel(*values))
-
-
-def _without_floats(x: Matrix | Fraction | tuple[Matrix, ...]):
-    if isinstance(x, tuple):
-        return tuple(map(_without_floats, x))
-    array = np.array(x, dtype=object)
-    for place, component in np.ndenumerate(array):
-        array[place] = Fraction(component) if isinstance(component, float) else component
-    return array[()]
 
 
 @pytest.fixture(params=[coscrew.double, coscrew.single], ids=["double", "single"])
@@ -99,11 +78,12 @@ def test_inverse_of_a_linear_quantity_is_its_negative(k, sample, name):
     assert same(getattr(k, name + "inv")(*values), -getattr(k, name)(*values))
 
 
-@pytest.mark.parametrize("name", ["product_drv", "product_dv", "product_dd", "product_drdr",
-                                  *(f"product_{Ad}{g}{x}" for Ad, x in (("Ad", "s"), ("CoAd", "c"))
-                                    for g in ("t", "r", ""))])
-def test_inverse_transform_undoes(k, sample, name):
-    inverse = re.sub(r"((?:CoAd|Ad)[tr]?|_dr?)", r"\1inv", name, count=1)
+@pytest.mark.parametrize("name, inverse", [
+    ("product_drv", "product_drinvv"), ("product_dv", "product_dinvv"),
+    ("product_dd", "product_dinvd"), ("product_drdr", "product_drinvdr"),
+    *((f"product_{Ad}{group}{x}", f"product_{Ad}{group}inv{x}")
+      for Ad, x in (("Ad", "s"), ("CoAd", "c")) for group in ("t", "r", ""))])
+def test_inverse_transform_undoes(k, sample, name, inverse):
     transform, x = arguments(name, sample)
     assert same(getattr(k, inverse)(transform, getattr(k, name)(transform, x)), x)
     assert same(getattr(k, name)(transform, getattr(k, inverse)(transform, x)), x)
@@ -200,7 +180,6 @@ def test_derivative_operator_is_the_derivative(k, sample, operator, derivative):
         error = np.abs((ahead - behind) / (2 * h) @ inverse - A).max()
         rounding = 100 * mpmath.eps / h * np.abs(ahead).max() * np.abs(inverse).max()
         assert error <= h**2 * np.abs(A).sum(axis=1).max()**3 / 6 + rounding
-        assert error < 1e-20 * np.abs(A).max()  # the bound means something
 
 
 # joints

@@ -78,7 +78,8 @@ def mismatch(operation: Operation, inputs: Arrays, got: Arrays, want: Arrays) ->
             given = "".join(f"  {a.name} = {_hex(x[row])}\n"
                             for a, x in zip(operation.inputs, inputs, strict=True))
             return (f"{operation.name}: {len(places)} components of {output.name} differ, first "
-                    f"{component} of row {row}\n{given}  got  {_hex(g[row])}\n  want {_hex(w[row])}")
+                    f"{component} of row {row}\n{given}"
+                    f"  got  {_hex(g[row])}\n  want {_hex(w[row])}")
     return ""
 
 
@@ -98,8 +99,9 @@ def _outputs(module: ModuleType, operation: Operation, inputs: Arrays, order: st
     return outputs if isinstance(outputs, tuple) else (outputs,)
 
 
-implementations = pytest.mark.parametrize(
-    "implementation", ["gufunc", "gufunc, strided", *(" ".join((name, *flags)) for name, flags in BUILDS)])
+IMPLEMENTATIONS = ("gufunc", "gufunc, strided",
+                   *(" ".join((name, *flags)) for name, flags in BUILDS))
+implementations = pytest.mark.parametrize("implementation", IMPLEMENTATIONS)
 precisions = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 
 

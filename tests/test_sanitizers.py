@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -17,8 +18,8 @@ DEFINED = re.compile(r"^static inline [^(]*?\*?(ksl_\w+)\(", re.MULTILINE)
 
 def _links(compiler: str) -> bool:
     """Whether the compiler's sanitizers are installed; a build server must have them."""
-    if os.environ.get("CI"):
-        return True
+    if os.environ.get("CI") or shutil.which(compiler) is None:
+        return True  # so that the test says what is missing
     command = (compiler, *SANITIZERS, "-x", "c", "-", "-o", os.devnull)
     return not subprocess.run(command, input="int main(void) { return 0; }", text=True,
                               capture_output=True).returncode

@@ -2,10 +2,11 @@
 
 import ast
 import inspect
-import re
+import operator
 import textwrap
 from collections.abc import Callable, Iterator
 from functools import cache
+from itertools import product
 from types import FunctionType
 
 import coscrew
@@ -13,6 +14,7 @@ import pytest
 import sympy as sp
 from coscrew_codegen.operations import FAMILIES, NORM_THRESHOLD, OPERATIONS, Operation
 from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, SINGLE, Precision
+from sympy.core.relational import Relational
 
 from tests.c_reader import FAMILIES as HEADERS
 from tests.c_reader import Header, Place, Value, functions_in, header, sign_flips
@@ -24,7 +26,6 @@ SHAPES = {"vec3": (3,), "mat3x3": (3, 3), "SE3": (3, 4), "screw": (6,), "coscrew
 
 each_operation = pytest.mark.parametrize("operation", OPERATIONS, ids=lambda op: op.name)
 each_precision = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
-each_type = pytest.mark.parametrize("kind", SHAPES)
 
 
 @cache
@@ -61,8 +62,7 @@ def on_rotations(expression: sp.Expr) -> sp.Expr:
 
 def branches(expressions: sp.Tuple) -> Iterator[sp.Tuple]:
     """The expressions for every assignment of true and false to their conditions."""
-    relations = [r for r in expressions.atoms(sp.core.relational.Relational)
-                 if not r.has(sp.Piecewise)]
+    relations = [r for r in expressions.atoms(Relational) if not r.has(sp.Piecewise)]
     if not relations:
         assert not expressions.has(sp.Piecewise)
         yield expressions
@@ -103,10 +103,7 @@ def run_c(functions: Header, operation: Operation, precision: Precision,
 
 def places(shape: tuple[int, ...]) -> list[tuple[int, ...]]:
     """(i), or (row, column), of every component, row by row."""
-    indices: list[tuple[int, ...]] = [()]
-    for length in shape:
-        indices = [(*before, i) for before in indices for i in range(length)]
-    return indices
+    return list(product(*map(range, shape)))
 
 
 @each_operation
@@ -230,6 +227,14 @@ def test_views_of_a_displacement_are_the_same_cells(precision):
 # Python
 
 
+def _lifted(function: Callable[..., sp.Basic]) -> Callable[..., "Symbolic"]:
+    return lambda *values: Symbolic(function(*(Symbolic(x).expression for x in values)))
+
+
+def _swapped(function: Callable[..., sp.Basic]) -> Callable[..., "Symbolic"]:
+    return _lifted(lambda a, b: function(b, a))
+
+
 class Symbolic:
     """A SymPy expression on which == and < make conditions, as they do on arrays."""
 
@@ -237,18 +242,12 @@ class Symbolic:
         self.expression = value.expression if isinstance(value, Symbolic) else \
             sp.Rational(str(value)) if isinstance(value, float) else sp.sympify(value)
 
+    __add__, __radd__ = _lifted(operator.add), _swapped(operator.add)
+    __sub__, __rsub__ = _lifted(operator.sub), _swapped(operator.sub)
+    __mul__, __rmul__ = _lifted(operator.mul), _swapped(operator.mul)
+    __truediv__, __rtruediv__ = _lifted(operator.truediv), _swapped(operator.truediv)
+    __neg__, __lt__, __eq__ = _lifted(operator.neg), _lifted(operator.lt), _lifted(sp.Eq)
 
-def _lifted(function: Callable[..., sp.Basic]) -> Callable[..., Symbolic]:
-    return lambda *values: Symbolic(function(*(Symbolic(x).expression for x in values)))
-
-
-for _name, _function in {
-        "add": lambda a, b: a + b, "sub": lambda a, b: a - b, "mul": lambda a, b: a * b,
-        "truediv": lambda a, b: a / b}.items():
-    setattr(Symbolic, f"__{_name}__", _lifted(_function))
-    setattr(Symbolic, f"__r{_name}__", _lifted(lambda a, b, f=_function: f(b, a)))
-Symbolic.__neg__, Symbolic.__eq__ = _lifted(lambda a: -a), _lifted(sp.Eq)
-Symbolic.__lt__ = _lifted(lambda a, b: a < b)
 
 SYMPY = {"absolute": _lifted(sp.Abs), "sqrt": _lifted(sp.sqrt), "sin": _lifted(sp.sin),
          "cos": _lifted(sp.cos),

@@ -7,6 +7,7 @@ within expressions can fuse a product into a sum.  Results are stored last: outp
 import textwrap
 from dataclasses import dataclass
 
+from coscrew_codegen import bounds
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import (Constant, Input, Instruction, Op, Operand, Program,
                                      by_component, counts_in_words)
@@ -124,7 +125,8 @@ class _Writer:
     def _comment(self) -> str:
         return comment_of([f"{self.operation.statement}.",
                            f"{in_words(parameters(self.operation))}.",
-                           f"{counts_in_words(self.program).capitalize()}."])
+                           f"{counts_in_words(self.program).capitalize()}.",
+                           bounds.in_words(self.program)])
 
     def _parameter(self, argument: Argument) -> str:
         kind = c_type(argument.quantity, self.precision)

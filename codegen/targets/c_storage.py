@@ -4,7 +4,7 @@ They exist in C alone: Python has arrays.
 """
 
 from coscrew_codegen.quantity import (COSCREW, MAT3X3, MAT6X6, SCREW, SE3, VEC3, Quantity)
-from coscrew_codegen.targets.c import CFunction, comment_of, member, type_name
+from coscrew_codegen.targets.c import WIDTH, CFunction, comment_of, listed, member, type_name
 from coscrew_codegen.targets.precision import Precision
 
 _FIELDS = {
@@ -84,13 +84,11 @@ def _constructor(quantity: Quantity, precision: Precision, name: str,
         order = sorted(order, key=lambda i: quantity.indices[i][::-1])
     fields = [member(quantity, i).lstrip(".") for i in order]
     declared = [f"const {precision.c_type} {field}" for field in fields]
-    rows = len(fields) // 3 if len(fields) > 6 else len(fields)
-    wrapped = ",\n    ".join(", ".join(declared[i:i + rows]) for i in range(0, len(fields), rows))
     words = "column by column" if by_columns else "row by row" if quantity.shape[1:] else "in order"
     body = [f"  {kind} value;", *(f"  value.{field} = {field};" for field in fields),
             "  return value;"]
     return CFunction(name, comment_of([f"A {quantity.name} from its entries, {words}."]),
-                     f"{kind} {name}({wrapped})", "\n".join(body))
+                     listed(f"{kind} {name}(", declared, ")", WIDTH - 16), "\n".join(body))
 
 
 def _identity(precision: Precision, stem: str) -> CFunction:

@@ -7,6 +7,7 @@ expressions; parentheses keep the Program's order.
 from collections import Counter
 from dataclasses import dataclass
 
+from coscrew_codegen import bounds
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import (Constant, Input, Instruction, Op, Operand, Program, Ref,
                                      counts_in_words)
@@ -66,8 +67,9 @@ def stub(operation: Operation, program: Program, scalar: str) -> Stub:
 def docstring_of(operation: Operation, program: Program) -> str:
     """Equation, shapes, units, cost: the docstring of the operation in Python."""
     arguments = tuple({a.name: a for a in (*operation.inputs, *operation.outputs)}.values())
-    return (f"{operation.statement}.\n\n{operation.signature}.  {in_words(arguments)}.\n"
-            f"{counts_in_words(program).capitalize()}.")
+    return "\n".join((f"{operation.statement}.", "",
+                      f"{operation.signature}.  {in_words(arguments)}.",
+                      f"{counts_in_words(program).capitalize()}.  {bounds.in_words(program)}".rstrip()))
 
 
 def imported(programs: tuple[Program, ...]) -> str:

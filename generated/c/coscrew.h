@@ -9,7 +9,10 @@
 
    All functions: pointers must point to valid objects; an output may be the same object as an input;
    nothing else is read or written.  Every operation is rounded once, in the order written, so that
-   results are the same bits everywhere: compile with -ffp-contract=off. */
+   results are the same bits everywhere: compile with -ffp-contract=off.
+
+   Error bounds are derived from that order, to first order in u: u = 2^-53 in double and 2^-24 in
+   single precision, x is the exact value of a component. */
 #ifndef KSL_TYPES_H
 #define KSL_TYPES_H
 
@@ -158,7 +161,8 @@ static inline ksl_vec3_t ksl_vec3(const double x, const double y, const double z
 
 /* vo = vi.
    vi, vo: vector.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_vec3_copy(const ksl_vec3_t *vi, ksl_vec3_t *vo) {
   const double vi_x = vi->x;
   const double vi_y = vi->y;
@@ -170,7 +174,8 @@ static inline void ksl_vec3_copy(const ksl_vec3_t *vi, ksl_vec3_t *vo) {
 
 /* self = a self.
    self: vector; a: number.
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_vec3_scale(ksl_vec3_t *self, const double a) {
   const double self_0_new = self->x * a;
   const double self_1_new = self->y * a;
@@ -182,7 +187,8 @@ static inline void ksl_vec3_scale(ksl_vec3_t *self, const double a) {
 
 /* vo = -vi.
    vi, vo: vector.
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_vec3_inverted(const ksl_vec3_t *vi, ksl_vec3_t *vo) {
   const double vo_0 = -vi->x;
   const double vo_1 = -vi->y;
@@ -194,7 +200,8 @@ static inline void ksl_vec3_inverted(const ksl_vec3_t *vi, ksl_vec3_t *vo) {
 
 /* self = -self.
    self: vector.
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_vec3_invert(ksl_vec3_t *self) {
   const double self_0_new = -self->x;
   const double self_1_new = -self->y;
@@ -206,7 +213,9 @@ static inline void ksl_vec3_invert(ksl_vec3_t *self) {
 
 /* y = a x + y.
    a: number; x, y: vector.
-   3 mul, 3 add. */
+   3 mul, 3 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_axpy_vv(const double a, const ksl_vec3_t *x, ksl_vec3_t *y) {
   const double y_0_new_a = a * x->x, y_0_new = y_0_new_a + y->x;
   const double y_1_new_a = a * x->y, y_1_new = y_1_new_a + y->y;
@@ -218,7 +227,8 @@ static inline void ksl_axpy_vv(const double a, const ksl_vec3_t *x, ksl_vec3_t *
 
 /* y = x + y.
    x, y: vector.
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_xpy_vv(const ksl_vec3_t *x, ksl_vec3_t *y) {
   const double y_0_new = x->x + y->x;
   const double y_1_new = x->y + y->y;
@@ -230,7 +240,8 @@ static inline void ksl_xpy_vv(const ksl_vec3_t *x, ksl_vec3_t *y) {
 
 /* y = -x + y.
    x, y: vector.
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_nxpy_vv(const ksl_vec3_t *x, ksl_vec3_t *y) {
   const double y_0_new = y->x - x->x;
   const double y_1_new = y->y - x->y;
@@ -242,7 +253,8 @@ static inline void ksl_nxpy_vv(const ksl_vec3_t *x, ksl_vec3_t *y) {
 
 /* vo = a vi.
    a: number; vi, vo: vector.
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_av(const double a, const ksl_vec3_t *vi, ksl_vec3_t *vo) {
   const double vo_0 = a * vi->x;
   const double vo_1 = a * vi->y;
@@ -254,7 +266,8 @@ static inline void ksl_product_av(const double a, const ksl_vec3_t *vi, ksl_vec3
 
 /* vo = v1 + v2.
    v1, v2, vo: vector.
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
   const double vo_0 = v1->x + v2->x;
   const double vo_1 = v1->y + v2->y;
@@ -266,7 +279,8 @@ static inline void ksl_add_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_ve
 
 /* vo = v1 - v2.
    v1, v2, vo: vector.
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_subtract_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
   const double vo_0 = v1->x - v2->x;
   const double vo_1 = v1->y - v2->y;
@@ -278,7 +292,8 @@ static inline void ksl_subtract_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, k
 
 /* vo = k v.
    v, vo: vector; k: number.
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_vec3_scaled(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_0 = v->x * k;
   const double vo_1 = v->y * k;
@@ -290,7 +305,8 @@ static inline void ksl_vec3_scaled(const ksl_vec3_t *v, const double k, ksl_vec3
 
 /* v1, v2 = v2, v1.
    v1, v2: vector.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_vec3_swap(ksl_vec3_t *v1, ksl_vec3_t *v2) {
   const double v2_x = v2->x;
   const double v2_y = v2->y;
@@ -347,7 +363,9 @@ static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
 
 /* v1·v2.
    v1, v2: vector.
-   3 mul, 2 add. */
+   3 mul, 2 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline double ksl_dot_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double dot_a = v1->x * v2->x, dot_b = v1->y * v2->y, dot_c = dot_a + dot_b,
       dot_d = v1->z * v2->z, dot = dot_c + dot_d;
@@ -356,7 +374,8 @@ static inline double ksl_dot_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
 
 /* vo = k (-v).
    k: number; v, vo: vector.
-   3 mul, 3 neg. */
+   3 mul, 3 neg.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_avinv(const double k, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double vo_0a = k * v->x, vo_0 = -vo_0a;
   const double vo_1a = k * v->y, vo_1 = -vo_1a;
@@ -381,7 +400,9 @@ static inline void ksl_product_ainvv(const double k, const ksl_vec3_t *v, ksl_ve
 
 /* vo = v1 × v2; exactly zero for v1 = v2.
    v1, v2, vo: vector.
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_cross_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
   const double vo_0a = v1->y * v2->z, vo_0b = v1->z * v2->y, vo_0 = vo_0a - vo_0b;
   const double vo_1a = v1->z * v2->x, vo_1b = v1->x * v2->z, vo_1 = vo_1a - vo_1b;
@@ -393,7 +414,9 @@ static inline void ksl_cross_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_
 
 /* vo = v1 × (-v2).
    v1, v2, vo: vector.
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_cross_vvinv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
   const double vo_0a = v1->z * v2->y, vo_0b = v1->y * v2->z, vo_0 = vo_0a - vo_0b;
   const double vo_1a = v1->x * v2->z, vo_1b = v1->z * v2->x, vo_1 = vo_1a - vo_1b;
@@ -405,7 +428,8 @@ static inline void ksl_cross_vvinv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, k
 
 /* vo = v + k e_x.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvx(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_0 = v->x + k;
   const double v_y = v->y;
@@ -417,7 +441,8 @@ static inline void ksl_add_vvx(const ksl_vec3_t *v, const double k, ksl_vec3_t *
 
 /* vo = v - k e_x.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvxinv(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_0 = v->x - k;
   const double v_y = v->y;
@@ -429,7 +454,8 @@ static inline void ksl_add_vvxinv(const ksl_vec3_t *v, const double k, ksl_vec3_
 
 /* vo = v + k e_y.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvy(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_1 = v->y + k;
   const double v_x = v->x;
@@ -441,7 +467,8 @@ static inline void ksl_add_vvy(const ksl_vec3_t *v, const double k, ksl_vec3_t *
 
 /* vo = v - k e_y.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvyinv(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_1 = v->y - k;
   const double v_x = v->x;
@@ -453,7 +480,8 @@ static inline void ksl_add_vvyinv(const ksl_vec3_t *v, const double k, ksl_vec3_
 
 /* vo = v + k e_z.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvz(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_2 = v->z + k;
   const double v_x = v->x;
@@ -465,7 +493,8 @@ static inline void ksl_add_vvz(const ksl_vec3_t *v, const double k, ksl_vec3_t *
 
 /* vo = v - k e_z.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvzinv(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_2 = v->z - k;
   const double v_x = v->x;
@@ -486,7 +515,8 @@ static inline ksl_vec3f_t ksl_vec3f(const float x, const float y, const float z)
 
 /* vo = vi.
    vi, vo: vector.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_vec3f_copy(const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
   const float vi_x = vi->x;
   const float vi_y = vi->y;
@@ -498,7 +528,8 @@ static inline void ksl_vec3f_copy(const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
 
 /* self = a self.
    self: vector; a: number.
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_vec3f_scale(ksl_vec3f_t *self, const float a) {
   const float self_0_new = self->x * a;
   const float self_1_new = self->y * a;
@@ -510,7 +541,8 @@ static inline void ksl_vec3f_scale(ksl_vec3f_t *self, const float a) {
 
 /* vo = -vi.
    vi, vo: vector.
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_vec3f_inverted(const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
   const float vo_0 = -vi->x;
   const float vo_1 = -vi->y;
@@ -522,7 +554,8 @@ static inline void ksl_vec3f_inverted(const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
 
 /* self = -self.
    self: vector.
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_vec3f_invert(ksl_vec3f_t *self) {
   const float self_0_new = -self->x;
   const float self_1_new = -self->y;
@@ -534,7 +567,9 @@ static inline void ksl_vec3f_invert(ksl_vec3f_t *self) {
 
 /* y = a x + y.
    a: number; x, y: vector.
-   3 mul, 3 add. */
+   3 mul, 3 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_axpy_vvf(const float a, const ksl_vec3f_t *x, ksl_vec3f_t *y) {
   const float y_0_new_a = a * x->x, y_0_new = y_0_new_a + y->x;
   const float y_1_new_a = a * x->y, y_1_new = y_1_new_a + y->y;
@@ -546,7 +581,8 @@ static inline void ksl_axpy_vvf(const float a, const ksl_vec3f_t *x, ksl_vec3f_t
 
 /* y = x + y.
    x, y: vector.
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_xpy_vvf(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
   const float y_0_new = x->x + y->x;
   const float y_1_new = x->y + y->y;
@@ -558,7 +594,8 @@ static inline void ksl_xpy_vvf(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
 
 /* y = -x + y.
    x, y: vector.
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_nxpy_vvf(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
   const float y_0_new = y->x - x->x;
   const float y_1_new = y->y - x->y;
@@ -570,7 +607,8 @@ static inline void ksl_nxpy_vvf(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
 
 /* vo = a vi.
    a: number; vi, vo: vector.
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_avf(const float a, const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
   const float vo_0 = a * vi->x;
   const float vo_1 = a * vi->y;
@@ -582,7 +620,8 @@ static inline void ksl_product_avf(const float a, const ksl_vec3f_t *vi, ksl_vec
 
 /* vo = v1 + v2.
    v1, v2, vo: vector.
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
   const float vo_0 = v1->x + v2->x;
   const float vo_1 = v1->y + v2->y;
@@ -594,7 +633,8 @@ static inline void ksl_add_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl
 
 /* vo = v1 - v2.
    v1, v2, vo: vector.
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_subtract_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
   const float vo_0 = v1->x - v2->x;
   const float vo_1 = v1->y - v2->y;
@@ -606,7 +646,8 @@ static inline void ksl_subtract_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2
 
 /* vo = k v.
    v, vo: vector; k: number.
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_vec3f_scaled(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_0 = v->x * k;
   const float vo_1 = v->y * k;
@@ -618,7 +659,8 @@ static inline void ksl_vec3f_scaled(const ksl_vec3f_t *v, const float k, ksl_vec
 
 /* v1, v2 = v2, v1.
    v1, v2: vector.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_vec3f_swap(ksl_vec3f_t *v1, ksl_vec3f_t *v2) {
   const float v2_x = v2->x;
   const float v2_y = v2->y;
@@ -675,7 +717,9 @@ static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
 
 /* v1·v2.
    v1, v2: vector.
-   3 mul, 2 add. */
+   3 mul, 2 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline float ksl_dot_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
   const float dot_a = v1->x * v2->x, dot_b = v1->y * v2->y, dot_c = dot_a + dot_b,
       dot_d = v1->z * v2->z, dot = dot_c + dot_d;
@@ -684,7 +728,8 @@ static inline float ksl_dot_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
 
 /* vo = k (-v).
    k: number; v, vo: vector.
-   3 mul, 3 neg. */
+   3 mul, 3 neg.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_avinvf(const float k, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float vo_0a = k * v->x, vo_0 = -vo_0a;
   const float vo_1a = k * v->y, vo_1 = -vo_1a;
@@ -709,7 +754,9 @@ static inline void ksl_product_ainvvf(const float k, const ksl_vec3f_t *v, ksl_v
 
 /* vo = v1 × v2; exactly zero for v1 = v2.
    v1, v2, vo: vector.
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_cross_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
   const float vo_0a = v1->y * v2->z, vo_0b = v1->z * v2->y, vo_0 = vo_0a - vo_0b;
   const float vo_1a = v1->z * v2->x, vo_1b = v1->x * v2->z, vo_1 = vo_1a - vo_1b;
@@ -721,7 +768,9 @@ static inline void ksl_cross_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, k
 
 /* vo = v1 × (-v2).
    v1, v2, vo: vector.
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_cross_vvinvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
   const float vo_0a = v1->z * v2->y, vo_0b = v1->y * v2->z, vo_0 = vo_0a - vo_0b;
   const float vo_1a = v1->x * v2->z, vo_1b = v1->z * v2->x, vo_1 = vo_1a - vo_1b;
@@ -733,7 +782,8 @@ static inline void ksl_cross_vvinvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2
 
 /* vo = v + k e_x.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvxf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_0 = v->x + k;
   const float v_y = v->y;
@@ -745,7 +795,8 @@ static inline void ksl_add_vvxf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t
 
 /* vo = v - k e_x.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvxinvf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_0 = v->x - k;
   const float v_y = v->y;
@@ -757,7 +808,8 @@ static inline void ksl_add_vvxinvf(const ksl_vec3f_t *v, const float k, ksl_vec3
 
 /* vo = v + k e_y.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvyf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_1 = v->y + k;
   const float v_x = v->x;
@@ -769,7 +821,8 @@ static inline void ksl_add_vvyf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t
 
 /* vo = v - k e_y.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvyinvf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_1 = v->y - k;
   const float v_x = v->x;
@@ -781,7 +834,8 @@ static inline void ksl_add_vvyinvf(const ksl_vec3f_t *v, const float k, ksl_vec3
 
 /* vo = v + k e_z.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvzf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_2 = v->z + k;
   const float v_x = v->x;
@@ -793,7 +847,8 @@ static inline void ksl_add_vvzf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t
 
 /* vo = v - k e_z.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvzinvf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_2 = v->z - k;
   const float v_x = v->x;
@@ -829,8 +884,8 @@ static inline ksl_vec3f_t *ksl_vec3f_alloc(int n) {
 
 /* A mat3x3 from its entries, row by row. */
 static inline ksl_mat3x3_t ksl_mat3x3(const double m00, const double m01, const double m02,
-    const double m10, const double m11, const double m12,
-    const double m20, const double m21, const double m22) {
+    const double m10, const double m11, const double m12, const double m20,
+    const double m21, const double m22) {
   ksl_mat3x3_t value;
   value.m00 = m00;
   value.m01 = m01;
@@ -846,8 +901,8 @@ static inline ksl_mat3x3_t ksl_mat3x3(const double m00, const double m01, const 
 
 /* A mat3x3 from its entries, column by column. */
 static inline ksl_mat3x3_t ksl_mat3x3_cmo(const double m00, const double m10, const double m20,
-    const double m01, const double m11, const double m21,
-    const double m02, const double m12, const double m22) {
+    const double m01, const double m11, const double m21, const double m02,
+    const double m12, const double m22) {
   ksl_mat3x3_t value;
   value.m00 = m00;
   value.m10 = m10;
@@ -877,7 +932,8 @@ static inline void ksl_mat3x3_set(ksl_mat3x3_t *R, const int row, const int colu
 
 /* Ro = R.
    R, Ro: rotation or other 3×3 matrix.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat3x3_copy(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double R_m00 = R->m00;
   const double R_m01 = R->m01;
@@ -901,7 +957,8 @@ static inline void ksl_mat3x3_copy(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
 
 /* self = I.
    self: rotation or other 3×3 matrix.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat3x3_setIdentity(ksl_mat3x3_t *self) {
   self->m00 = 1.0;
   self->m01 = 0.0;
@@ -916,7 +973,8 @@ static inline void ksl_mat3x3_setIdentity(ksl_mat3x3_t *self) {
 
 /* R = [x y z], the columns.
    R: rotation or other 3×3 matrix; x, y, z: vector.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat3x3_setFromVectors(ksl_mat3x3_t *R, const ksl_vec3_t *x,
     const ksl_vec3_t *y, const ksl_vec3_t *z) {
   const double x_x = x->x;
@@ -941,7 +999,8 @@ static inline void ksl_mat3x3_setFromVectors(ksl_mat3x3_t *R, const ksl_vec3_t *
 
 /* Ro = v~, the matrix with v~ y = v × y.
    v: vector; Ro: rotation or other 3×3 matrix.
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_skew(const ksl_vec3_t *v, ksl_mat3x3_t *Ro) {
   const double Ro_01 = -v->z;
   const double Ro_12 = -v->x;
@@ -962,7 +1021,8 @@ static inline void ksl_skew(const ksl_vec3_t *v, ksl_mat3x3_t *Ro) {
 
 /* self = self^T, the inverse of a rotation.
    self: rotation or other 3×3 matrix.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat3x3_transpose(ksl_mat3x3_t *self) {
   const double self_m10 = self->m10;
   const double self_m20 = self->m20;
@@ -980,7 +1040,8 @@ static inline void ksl_mat3x3_transpose(ksl_mat3x3_t *self) {
 
 /* Ro = R^T, the inverse of a rotation.
    R, Ro: rotation or other 3×3 matrix.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat3x3_transposed(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double R_m00 = R->m00;
   const double R_m10 = R->m10;
@@ -1004,7 +1065,9 @@ static inline void ksl_mat3x3_transposed(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
 
 /* det R.
    R: rotation or other 3×3 matrix.
-   9 mul, 5 add. */
+   9 mul, 5 add.
+   Error <= u |x| + 4 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline double ksl_mat3x3_determinant(const ksl_mat3x3_t *R) {
   const double n_0a = R->m11 * R->m22, n_0b = R->m12 * R->m21, n_0 = n_0a - n_0b;
   const double n_1a = R->m02 * R->m21, n_1b = R->m01 * R->m22, n_1 = n_1a - n_1b;
@@ -1016,8 +1079,8 @@ static inline double ksl_mat3x3_determinant(const ksl_mat3x3_t *R) {
 
 /* A mat3x3 from its entries, row by row. */
 static inline ksl_mat3x3f_t ksl_mat3x3f(const float m00, const float m01, const float m02,
-    const float m10, const float m11, const float m12,
-    const float m20, const float m21, const float m22) {
+    const float m10, const float m11, const float m12, const float m20,
+    const float m21, const float m22) {
   ksl_mat3x3f_t value;
   value.m00 = m00;
   value.m01 = m01;
@@ -1033,8 +1096,8 @@ static inline ksl_mat3x3f_t ksl_mat3x3f(const float m00, const float m01, const 
 
 /* A mat3x3 from its entries, column by column. */
 static inline ksl_mat3x3f_t ksl_mat3x3f_cmo(const float m00, const float m10, const float m20,
-    const float m01, const float m11, const float m21,
-    const float m02, const float m12, const float m22) {
+    const float m01, const float m11, const float m21, const float m02,
+    const float m12, const float m22) {
   ksl_mat3x3f_t value;
   value.m00 = m00;
   value.m10 = m10;
@@ -1064,7 +1127,8 @@ static inline void ksl_mat3x3f_set(ksl_mat3x3f_t *R, const int row, const int co
 
 /* Ro = R.
    R, Ro: rotation or other 3×3 matrix.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat3x3f_copy(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const float R_m00 = R->m00;
   const float R_m01 = R->m01;
@@ -1088,7 +1152,8 @@ static inline void ksl_mat3x3f_copy(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
 
 /* self = I.
    self: rotation or other 3×3 matrix.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat3x3f_setIdentity(ksl_mat3x3f_t *self) {
   self->m00 = 1.0f;
   self->m01 = 0.0f;
@@ -1103,7 +1168,8 @@ static inline void ksl_mat3x3f_setIdentity(ksl_mat3x3f_t *self) {
 
 /* R = [x y z], the columns.
    R: rotation or other 3×3 matrix; x, y, z: vector.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat3x3f_setFromVectors(ksl_mat3x3f_t *R, const ksl_vec3f_t *x,
     const ksl_vec3f_t *y, const ksl_vec3f_t *z) {
   const float x_x = x->x;
@@ -1128,7 +1194,8 @@ static inline void ksl_mat3x3f_setFromVectors(ksl_mat3x3f_t *R, const ksl_vec3f_
 
 /* Ro = v~, the matrix with v~ y = v × y.
    v: vector; Ro: rotation or other 3×3 matrix.
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_skewf(const ksl_vec3f_t *v, ksl_mat3x3f_t *Ro) {
   const float Ro_01 = -v->z;
   const float Ro_12 = -v->x;
@@ -1149,7 +1216,8 @@ static inline void ksl_skewf(const ksl_vec3f_t *v, ksl_mat3x3f_t *Ro) {
 
 /* self = self^T, the inverse of a rotation.
    self: rotation or other 3×3 matrix.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat3x3f_transpose(ksl_mat3x3f_t *self) {
   const float self_m10 = self->m10;
   const float self_m20 = self->m20;
@@ -1167,7 +1235,8 @@ static inline void ksl_mat3x3f_transpose(ksl_mat3x3f_t *self) {
 
 /* Ro = R^T, the inverse of a rotation.
    R, Ro: rotation or other 3×3 matrix.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat3x3f_transposed(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
@@ -1191,7 +1260,9 @@ static inline void ksl_mat3x3f_transposed(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
 
 /* det R.
    R: rotation or other 3×3 matrix.
-   9 mul, 5 add. */
+   9 mul, 5 add.
+   Error <= u |x| + 4 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline float ksl_mat3x3f_determinant(const ksl_mat3x3f_t *R) {
   const float n_0a = R->m11 * R->m22, n_0b = R->m12 * R->m21, n_0 = n_0a - n_0b;
   const float n_1a = R->m02 * R->m21, n_1b = R->m01 * R->m22, n_1 = n_1a - n_1b;
@@ -1226,9 +1297,10 @@ static inline ksl_mat3x3f_t *ksl_mat3x3f_alloc(int n) {
 
 
 /* A SE3 from its entries, row by row. */
-static inline ksl_SE3_t ksl_SE3(const double m00, const double m01, const double m02, const double m03,
-    const double m10, const double m11, const double m12, const double m13,
-    const double m20, const double m21, const double m22, const double m23) {
+static inline ksl_SE3_t ksl_SE3(const double m00, const double m01, const double m02,
+    const double m03, const double m10, const double m11, const double m12,
+    const double m13, const double m20, const double m21, const double m22,
+    const double m23) {
   ksl_SE3_t value;
   value.m00 = m00;
   value.m01 = m01;
@@ -1246,9 +1318,10 @@ static inline ksl_SE3_t ksl_SE3(const double m00, const double m01, const double
 }
 
 /* A SE3 from its entries, column by column. */
-static inline ksl_SE3_t ksl_SE3_cmo(const double m00, const double m10, const double m20, const double m01,
-    const double m11, const double m21, const double m02, const double m12,
-    const double m22, const double m03, const double m13, const double m23) {
+static inline ksl_SE3_t ksl_SE3_cmo(const double m00, const double m10, const double m20,
+    const double m01, const double m11, const double m21, const double m02,
+    const double m12, const double m22, const double m03, const double m13,
+    const double m23) {
   ksl_SE3_t value;
   value.m00 = m00;
   value.m10 = m10;
@@ -1286,7 +1359,8 @@ static inline void ksl_SE3_set(ksl_SE3_t *D, const int row, const int column,
 
 /* D = [R | t].
    R: rotation or other 3×3 matrix; t: vector.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline ksl_SE3_t ksl_SE3_fromRt(const ksl_mat3x3_t R, const ksl_vec3_t t) {
   ksl_SE3_t D;
   D.m00 = R.m00;
@@ -1306,7 +1380,8 @@ static inline ksl_SE3_t ksl_SE3_fromRt(const ksl_mat3x3_t R, const ksl_vec3_t t)
 
 /* Do = D.
    D, Do: displacement [R | t], R rotation, t in m.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_SE3_copy(const ksl_SE3_t *D, ksl_SE3_t *Do) {
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
@@ -1336,7 +1411,8 @@ static inline void ksl_SE3_copy(const ksl_SE3_t *D, ksl_SE3_t *Do) {
 
 /* self = [I | 0].
    self: displacement [R | t], R rotation, t in m.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_SE3_setIdentity(ksl_SE3_t *self) {
   self->m00 = 1.0;
   self->m01 = 0.0;
@@ -1354,7 +1430,8 @@ static inline void ksl_SE3_setIdentity(ksl_SE3_t *self) {
 
 /* t of D = [R | t].
    D: displacement [R | t], R rotation, t in m; t: vector.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_SE3_getTranslation(const ksl_SE3_t *D, ksl_vec3_t *t) {
   const double D_m03 = D->m03;
   const double D_m13 = D->m13;
@@ -1366,7 +1443,8 @@ static inline void ksl_SE3_getTranslation(const ksl_SE3_t *D, ksl_vec3_t *t) {
 
 /* R of D = [R | t].
    D: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_SE3_getRotation(const ksl_SE3_t *D, ksl_mat3x3_t *R) {
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
@@ -1390,7 +1468,9 @@ static inline void ksl_SE3_getRotation(const ksl_SE3_t *D, ksl_mat3x3_t *R) {
 
 /* self = self^-1 = [R^T | -R^T t].
    self: displacement [R | t], R rotation, t in m.
-   9 mul, 6 add, 3 neg. */
+   9 mul, 6 add, 3 neg.
+   Error <= u |x| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_SE3_invert(ksl_SE3_t *self) {
   const double self_03_new_a = self->m00 * self->m03, self_03_new_b = self->m10 * self->m13,
       self_03_new_c = self_03_new_a + self_03_new_b, self_03_new_d = self->m20 * self->m23,
@@ -1420,7 +1500,9 @@ static inline void ksl_SE3_invert(ksl_SE3_t *self) {
 
 /* Do = D^-1 = [R^T | -R^T t].
    D, Do: displacement [R | t], R rotation, t in m.
-   9 mul, 6 add, 3 neg. */
+   9 mul, 6 add, 3 neg.
+   Error <= u |x| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_SE3_inverted(const ksl_SE3_t *D, ksl_SE3_t *Do) {
   const double Do_03a = D->m00 * D->m03, Do_03b = D->m10 * D->m13, Do_03c = Do_03a + Do_03b,
       Do_03d = D->m20 * D->m23, Do_03e = Do_03c + Do_03d, Do_03 = -Do_03e;
@@ -1452,9 +1534,10 @@ static inline void ksl_SE3_inverted(const ksl_SE3_t *D, ksl_SE3_t *Do) {
 }
 
 /* A SE3 from its entries, row by row. */
-static inline ksl_SE3f_t ksl_SE3f(const float m00, const float m01, const float m02, const float m03,
-    const float m10, const float m11, const float m12, const float m13,
-    const float m20, const float m21, const float m22, const float m23) {
+static inline ksl_SE3f_t ksl_SE3f(const float m00, const float m01, const float m02,
+    const float m03, const float m10, const float m11, const float m12,
+    const float m13, const float m20, const float m21, const float m22,
+    const float m23) {
   ksl_SE3f_t value;
   value.m00 = m00;
   value.m01 = m01;
@@ -1472,9 +1555,10 @@ static inline ksl_SE3f_t ksl_SE3f(const float m00, const float m01, const float 
 }
 
 /* A SE3 from its entries, column by column. */
-static inline ksl_SE3f_t ksl_SE3f_cmo(const float m00, const float m10, const float m20, const float m01,
-    const float m11, const float m21, const float m02, const float m12,
-    const float m22, const float m03, const float m13, const float m23) {
+static inline ksl_SE3f_t ksl_SE3f_cmo(const float m00, const float m10, const float m20,
+    const float m01, const float m11, const float m21, const float m02,
+    const float m12, const float m22, const float m03, const float m13,
+    const float m23) {
   ksl_SE3f_t value;
   value.m00 = m00;
   value.m10 = m10;
@@ -1512,7 +1596,8 @@ static inline void ksl_SE3f_set(ksl_SE3f_t *D, const int row, const int column,
 
 /* D = [R | t].
    R: rotation or other 3×3 matrix; t: vector.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline ksl_SE3f_t ksl_SE3f_fromRt(const ksl_mat3x3f_t R, const ksl_vec3f_t t) {
   ksl_SE3f_t D;
   D.m00 = R.m00;
@@ -1532,7 +1617,8 @@ static inline ksl_SE3f_t ksl_SE3f_fromRt(const ksl_mat3x3f_t R, const ksl_vec3f_
 
 /* Do = D.
    D, Do: displacement [R | t], R rotation, t in m.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_SE3f_copy(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
@@ -1562,7 +1648,8 @@ static inline void ksl_SE3f_copy(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
 
 /* self = [I | 0].
    self: displacement [R | t], R rotation, t in m.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_SE3f_setIdentity(ksl_SE3f_t *self) {
   self->m00 = 1.0f;
   self->m01 = 0.0f;
@@ -1580,7 +1667,8 @@ static inline void ksl_SE3f_setIdentity(ksl_SE3f_t *self) {
 
 /* t of D = [R | t].
    D: displacement [R | t], R rotation, t in m; t: vector.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_SE3f_getTranslation(const ksl_SE3f_t *D, ksl_vec3f_t *t) {
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
@@ -1592,7 +1680,8 @@ static inline void ksl_SE3f_getTranslation(const ksl_SE3f_t *D, ksl_vec3f_t *t) 
 
 /* R of D = [R | t].
    D: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_SE3f_getRotation(const ksl_SE3f_t *D, ksl_mat3x3f_t *R) {
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
@@ -1616,7 +1705,9 @@ static inline void ksl_SE3f_getRotation(const ksl_SE3f_t *D, ksl_mat3x3f_t *R) {
 
 /* self = self^-1 = [R^T | -R^T t].
    self: displacement [R | t], R rotation, t in m.
-   9 mul, 6 add, 3 neg. */
+   9 mul, 6 add, 3 neg.
+   Error <= u |x| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_SE3f_invert(ksl_SE3f_t *self) {
   const float self_03_new_a = self->m00 * self->m03, self_03_new_b = self->m10 * self->m13,
       self_03_new_c = self_03_new_a + self_03_new_b, self_03_new_d = self->m20 * self->m23,
@@ -1646,7 +1737,9 @@ static inline void ksl_SE3f_invert(ksl_SE3f_t *self) {
 
 /* Do = D^-1 = [R^T | -R^T t].
    D, Do: displacement [R | t], R rotation, t in m.
-   9 mul, 6 add, 3 neg. */
+   9 mul, 6 add, 3 neg.
+   Error <= u |x| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_SE3f_inverted(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
   const float Do_03a = D->m00 * D->m03, Do_03b = D->m10 * D->m13, Do_03c = Do_03a + Do_03b,
       Do_03d = D->m20 * D->m23, Do_03e = Do_03c + Do_03d, Do_03 = -Do_03e;
@@ -1717,7 +1810,8 @@ static inline void ksl_mat6x6_set(ksl_mat6x6_t *M, const int row, const int colu
 
 /* Mo = M.
    M, Mo: 6×6 operator.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat6x6_copy(const ksl_mat6x6_t *M, ksl_mat6x6_t *Mo) {
   const double M_at_00 = M->at[0][0];
   const double M_at_10 = M->at[1][0];
@@ -1795,7 +1889,8 @@ static inline void ksl_mat6x6_copy(const ksl_mat6x6_t *M, ksl_mat6x6_t *Mo) {
 
 /* self = I.
    self: 6×6 operator.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat6x6_setIdentity(ksl_mat6x6_t *self) {
   self->at[0][0] = 1.0;
   self->at[1][0] = 0.0;
@@ -1837,7 +1932,8 @@ static inline void ksl_mat6x6_setIdentity(ksl_mat6x6_t *self) {
 
 /* Mo = M^T.
    M, Mo: 6×6 operator.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat6x6_transposed(const ksl_mat6x6_t *M, ksl_mat6x6_t *Mo) {
   const double M_at_00 = M->at[0][0];
   const double M_at_01 = M->at[0][1];
@@ -1929,7 +2025,8 @@ static inline void ksl_mat6x6f_set(ksl_mat6x6f_t *M, const int row, const int co
 
 /* Mo = M.
    M, Mo: 6×6 operator.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat6x6f_copy(const ksl_mat6x6f_t *M, ksl_mat6x6f_t *Mo) {
   const float M_at_00 = M->at[0][0];
   const float M_at_10 = M->at[1][0];
@@ -2007,7 +2104,8 @@ static inline void ksl_mat6x6f_copy(const ksl_mat6x6f_t *M, ksl_mat6x6f_t *Mo) {
 
 /* self = I.
    self: 6×6 operator.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat6x6f_setIdentity(ksl_mat6x6f_t *self) {
   self->at[0][0] = 1.0f;
   self->at[1][0] = 0.0f;
@@ -2049,7 +2147,8 @@ static inline void ksl_mat6x6f_setIdentity(ksl_mat6x6f_t *self) {
 
 /* Mo = M^T.
    M, Mo: 6×6 operator.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat6x6f_transposed(const ksl_mat6x6f_t *M, ksl_mat6x6f_t *Mo) {
   const float M_at_00 = M->at[0][0];
   const float M_at_01 = M->at[0][1];
@@ -2151,7 +2250,9 @@ static inline ksl_mat6x6f_t *ksl_mat6x6f_alloc(int n) {
 
 /* vo = R v.
    R: rotation or other 3×3 matrix; v, vo: vector.
-   9 mul, 6 add. */
+   9 mul, 6 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
       vo_0d = R->m02 * v->z, vo_0 = vo_0c + vo_0d;
@@ -2166,7 +2267,9 @@ static inline void ksl_product_drv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, k
 
 /* vo = R (-v).
    R: rotation or other 3×3 matrix; v, vo: vector.
-   9 mul, 6 add, 3 neg. */
+   9 mul, 6 add, 3 neg.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drvinv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
       vo_0d = R->m02 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
@@ -2181,7 +2284,9 @@ static inline void ksl_product_drvinv(const ksl_mat3x3_t *R, const ksl_vec3_t *v
 
 /* vo = R^T v.
    R: rotation or other 3×3 matrix; v, vo: vector.
-   9 mul, 6 add. */
+   9 mul, 6 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drinvv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
       vo_0d = R->m20 * v->z, vo_0 = vo_0c + vo_0d;
@@ -2196,7 +2301,9 @@ static inline void ksl_product_drinvv(const ksl_mat3x3_t *R, const ksl_vec3_t *v
 
 /* vo = R^T (-v).
    R: rotation or other 3×3 matrix; v, vo: vector.
-   9 mul, 6 add, 3 neg. */
+   9 mul, 6 add, 3 neg.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drinvvinv(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
   const double vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
@@ -2212,7 +2319,9 @@ static inline void ksl_product_drinvvinv(const ksl_mat3x3_t *R, const ksl_vec3_t
 
 /* vo = R v + t.
    D: displacement [R | t], R rotation, t in m; v, vo: vector.
-   9 mul, 9 add. */
+   9 mul, 9 add.
+   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_dv(const ksl_SE3_t *D, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double vo_0a = D->m00 * v->x, vo_0b = D->m01 * v->y, vo_0c = vo_0a + vo_0b,
       vo_0d = D->m02 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = vo_0e + D->m03;
@@ -2227,7 +2336,9 @@ static inline void ksl_product_dv(const ksl_SE3_t *D, const ksl_vec3_t *v, ksl_v
 
 /* vo = R^T (v - t).
    D: displacement [R | t], R rotation, t in m; v, vo: vector.
-   9 mul, 9 add. */
+   9 mul, 9 add.
+   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_dinvv(const ksl_SE3_t *D, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double p_0 = v->x - D->m03;
   const double p_1 = v->y - D->m13;
@@ -2245,7 +2356,9 @@ static inline void ksl_product_dinvv(const ksl_SE3_t *D, const ksl_vec3_t *v, ks
 
 /* Ro = R1 R2.
    R1, R2, Ro: rotation or other 3×3 matrix.
-   27 mul, 18 add. */
+   27 mul, 18 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
   const double Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
@@ -2279,7 +2392,9 @@ static inline void ksl_product_drdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *
 
 /* Ro = R1 R2^T.
    R1, R2, Ro: rotation or other 3×3 matrix.
-   27 mul, 18 add. */
+   27 mul, 18 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drdrinv(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
   const double Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m01, Ro_00c = Ro_00a + Ro_00b,
@@ -2313,7 +2428,9 @@ static inline void ksl_product_drdrinv(const ksl_mat3x3_t *R1, const ksl_mat3x3_
 
 /* Ro = R1^T R2.
    R1, R2, Ro: rotation or other 3×3 matrix.
-   27 mul, 18 add. */
+   27 mul, 18 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drinvdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
   const double Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m10 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
@@ -2347,7 +2464,9 @@ static inline void ksl_product_drinvdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_
 
 /* Do = D1 D2 = [R1 R2 | R1 t2 + t1].
    D1, D2, Do: displacement [R | t], R rotation, t in m.
-   36 mul, 27 add. */
+   36 mul, 27 add.
+   Error <= u |x| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_dd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
   const double Do_00a = D1->m00 * D2->m00, Do_00b = D1->m01 * D2->m10, Do_00c = Do_00a + Do_00b,
       Do_00d = D1->m02 * D2->m20, Do_00 = Do_00c + Do_00d;
@@ -2389,7 +2508,9 @@ static inline void ksl_product_dd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_
 
 /* Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T.
    D1, D2, Do: displacement [R | t], R rotation, t in m.
-   36 mul, 27 add. */
+   36 mul, 27 add.
+   Error <= u |x| + (R: 2, t: 6) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddinv(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
   const double R_0a = D1->m00 * D2->m00, R_0b = D1->m01 * D2->m01, R_0c = R_0a + R_0b,
       R_0d = D1->m02 * D2->m02, R_0 = R_0c + R_0d;
@@ -2431,7 +2552,9 @@ static inline void ksl_product_ddinv(const ksl_SE3_t *D1, const ksl_SE3_t *D2, k
 
 /* Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)].
    D1, D2, Do: displacement [R | t], R rotation, t in m.
-   36 mul, 27 add. */
+   36 mul, 27 add.
+   Error <= u |x| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_dinvd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
   const double p_0 = D2->m03 - D1->m03;
   const double p_1 = D2->m13 - D1->m13;
@@ -2476,7 +2599,9 @@ static inline void ksl_product_dinvd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, k
 
 /* Do = D [R | 0].
    D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
-   27 mul, 18 add. */
+   27 mul, 18 add.
+   Error <= u |x| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddr(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ksl_SE3_t *Do) {
   const double Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m10, Do_00c = Do_00a + Do_00b,
       Do_00d = D->m02 * R->m20, Do_00 = Do_00c + Do_00d;
@@ -2515,7 +2640,9 @@ static inline void ksl_product_ddr(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ks
 
 /* Do = D [R^T | 0].
    D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
-   27 mul, 18 add. */
+   27 mul, 18 add.
+   Error <= u |x| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddrinv(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ksl_SE3_t *Do) {
   const double Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m01, Do_00c = Do_00a + Do_00b,
       Do_00d = D->m02 * R->m02, Do_00 = Do_00c + Do_00d;
@@ -2554,7 +2681,9 @@ static inline void ksl_product_ddrinv(const ksl_SE3_t *D, const ksl_mat3x3_t *R,
 
 /* Do = D [I | t].
    D, Do: displacement [R | t], R rotation, t in m; t: vector.
-   9 mul, 9 add. */
+   9 mul, 9 add.
+   Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddt(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
   const double Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
       Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D->m03;
@@ -2587,7 +2716,9 @@ static inline void ksl_product_ddt(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_
 
 /* Do = D [I | -t].
    D, Do: displacement [R | t], R rotation, t in m; t: vector.
-   9 mul, 9 add. */
+   9 mul, 9 add.
+   Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddtinv(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
   const double Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
       Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = D->m03 - Do_03e;
@@ -2620,7 +2751,9 @@ static inline void ksl_product_ddtinv(const ksl_SE3_t *D, const ksl_vec3_t *t, k
 
 /* Do = D^-1 [I | t] = [R^T | R^T (t - t_D)].
    D, Do: displacement [R | t], R rotation, t in m; t: vector.
-   9 mul, 9 add. */
+   9 mul, 9 add.
+   Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_dinvdt(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
   const double p_0 = t->x - D->m03;
   const double p_1 = t->y - D->m13;
@@ -2656,7 +2789,8 @@ static inline void ksl_product_dinvdt(const ksl_SE3_t *D, const ksl_vec3_t *t, k
 
 /* vo = R (k e_x).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_drvtx(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
   const double vo_0 = R->m00 * k;
   const double vo_1 = R->m10 * k;
@@ -2668,7 +2802,9 @@ static inline void ksl_product_drvtx(const ksl_mat3x3_t *R, const double k, ksl_
 
 /* Ro = R R_x(θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drdrx(const ksl_mat3x3_t *R, const double dc[2], ksl_mat3x3_t *Ro) {
   const double Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a + Ro_01b;
   const double Ro_02a = R->m02 * dc[1], Ro_02b = R->m01 * dc[0], Ro_02 = Ro_02a - Ro_02b;
@@ -2692,7 +2828,9 @@ static inline void ksl_product_drdrx(const ksl_mat3x3_t *R, const double dc[2], 
 
 /* Do = D [R_x(θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddrx(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
   const double Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a + Do_01b;
   const double Do_02a = D->m02 * dc[1], Do_02b = D->m01 * dc[0], Do_02 = Do_02a - Do_02b;
@@ -2722,7 +2860,9 @@ static inline void ksl_product_ddrx(const ksl_SE3_t *D, const double dc[2], ksl_
 
 /* Do = D [I | k e_x].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
-   3 mul, 3 add. */
+   3 mul, 3 add.
+   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddtx(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
   const double Do_03a = D->m00 * k, Do_03 = Do_03a + D->m03;
   const double Do_13a = D->m10 * k, Do_13 = Do_13a + D->m13;
@@ -2752,7 +2892,8 @@ static inline void ksl_product_ddtx(const ksl_SE3_t *D, const double k, ksl_SE3_
 
 /* vo = R (-k e_x).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
-   3 mul, 3 neg. */
+   3 mul, 3 neg.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_drvtxinv(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
   const double vo_0a = R->m00 * k, vo_0 = -vo_0a;
   const double vo_1a = R->m10 * k, vo_1 = -vo_1a;
@@ -2764,7 +2905,9 @@ static inline void ksl_product_drvtxinv(const ksl_mat3x3_t *R, const double k, k
 
 /* Ro = R R_x(-θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drdrxinv(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
   const double Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a - Ro_01b;
@@ -2789,7 +2932,9 @@ static inline void ksl_product_drdrxinv(const ksl_mat3x3_t *R, const double dc[2
 
 /* Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddrxinv(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
   const double Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a - Do_01b;
   const double Do_02a = D->m01 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
@@ -2819,7 +2964,9 @@ static inline void ksl_product_ddrxinv(const ksl_SE3_t *D, const double dc[2], k
 
 /* Do = D [I | -k e_x].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
-   3 mul, 3 add. */
+   3 mul, 3 add.
+   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddtxinv(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
   const double Do_03a = D->m00 * k, Do_03 = D->m03 - Do_03a;
   const double Do_13a = D->m10 * k, Do_13 = D->m13 - Do_13a;
@@ -2849,7 +2996,8 @@ static inline void ksl_product_ddtxinv(const ksl_SE3_t *D, const double k, ksl_S
 
 /* vo = R (k e_y).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_drvty(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
   const double vo_0 = R->m01 * k;
   const double vo_1 = R->m11 * k;
@@ -2861,7 +3009,9 @@ static inline void ksl_product_drvty(const ksl_mat3x3_t *R, const double k, ksl_
 
 /* Ro = R R_y(θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drdry(const ksl_mat3x3_t *R, const double dc[2], ksl_mat3x3_t *Ro) {
   const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a - Ro_00b;
   const double Ro_02a = R->m00 * dc[0], Ro_02b = R->m02 * dc[1], Ro_02 = Ro_02a + Ro_02b;
@@ -2885,7 +3035,9 @@ static inline void ksl_product_drdry(const ksl_mat3x3_t *R, const double dc[2], 
 
 /* Do = D [R_y(θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddry(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
   const double Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a - Do_00b;
   const double Do_02a = D->m00 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
@@ -2915,7 +3067,9 @@ static inline void ksl_product_ddry(const ksl_SE3_t *D, const double dc[2], ksl_
 
 /* Do = D [I | k e_y].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
-   3 mul, 3 add. */
+   3 mul, 3 add.
+   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddty(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
   const double Do_03a = D->m01 * k, Do_03 = Do_03a + D->m03;
   const double Do_13a = D->m11 * k, Do_13 = Do_13a + D->m13;
@@ -2945,7 +3099,8 @@ static inline void ksl_product_ddty(const ksl_SE3_t *D, const double k, ksl_SE3_
 
 /* vo = R (-k e_y).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
-   3 mul, 3 neg. */
+   3 mul, 3 neg.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_drvtyinv(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
   const double vo_0a = R->m01 * k, vo_0 = -vo_0a;
   const double vo_1a = R->m11 * k, vo_1 = -vo_1a;
@@ -2957,7 +3112,9 @@ static inline void ksl_product_drvtyinv(const ksl_mat3x3_t *R, const double k, k
 
 /* Ro = R R_y(-θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drdryinv(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
   const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a + Ro_00b;
@@ -2982,7 +3139,9 @@ static inline void ksl_product_drdryinv(const ksl_mat3x3_t *R, const double dc[2
 
 /* Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddryinv(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
   const double Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a + Do_00b;
   const double Do_02a = D->m02 * dc[1], Do_02b = D->m00 * dc[0], Do_02 = Do_02a - Do_02b;
@@ -3012,7 +3171,9 @@ static inline void ksl_product_ddryinv(const ksl_SE3_t *D, const double dc[2], k
 
 /* Do = D [I | -k e_y].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
-   3 mul, 3 add. */
+   3 mul, 3 add.
+   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddtyinv(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
   const double Do_03a = D->m01 * k, Do_03 = D->m03 - Do_03a;
   const double Do_13a = D->m11 * k, Do_13 = D->m13 - Do_13a;
@@ -3042,7 +3203,8 @@ static inline void ksl_product_ddtyinv(const ksl_SE3_t *D, const double k, ksl_S
 
 /* vo = R (k e_z).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_drvtz(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
   const double vo_0 = R->m02 * k;
   const double vo_1 = R->m12 * k;
@@ -3054,7 +3216,9 @@ static inline void ksl_product_drvtz(const ksl_mat3x3_t *R, const double k, ksl_
 
 /* Ro = R R_z(θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drdrz(const ksl_mat3x3_t *R, const double dc[2], ksl_mat3x3_t *Ro) {
   const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a + Ro_00b;
   const double Ro_01a = R->m01 * dc[1], Ro_01b = R->m00 * dc[0], Ro_01 = Ro_01a - Ro_01b;
@@ -3078,7 +3242,9 @@ static inline void ksl_product_drdrz(const ksl_mat3x3_t *R, const double dc[2], 
 
 /* Do = D [R_z(θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddrz(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
   const double Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a + Do_00b;
   const double Do_01a = D->m01 * dc[1], Do_01b = D->m00 * dc[0], Do_01 = Do_01a - Do_01b;
@@ -3108,7 +3274,9 @@ static inline void ksl_product_ddrz(const ksl_SE3_t *D, const double dc[2], ksl_
 
 /* Do = D [I | k e_z].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
-   3 mul, 3 add. */
+   3 mul, 3 add.
+   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddtz(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
   const double Do_03a = D->m02 * k, Do_03 = Do_03a + D->m03;
   const double Do_13a = D->m12 * k, Do_13 = Do_13a + D->m13;
@@ -3138,7 +3306,8 @@ static inline void ksl_product_ddtz(const ksl_SE3_t *D, const double k, ksl_SE3_
 
 /* vo = R (-k e_z).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
-   3 mul, 3 neg. */
+   3 mul, 3 neg.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_drvtzinv(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
   const double vo_0a = R->m02 * k, vo_0 = -vo_0a;
   const double vo_1a = R->m12 * k, vo_1 = -vo_1a;
@@ -3150,7 +3319,9 @@ static inline void ksl_product_drvtzinv(const ksl_mat3x3_t *R, const double k, k
 
 /* Ro = R R_z(-θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drdrzinv(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
   const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a - Ro_00b;
@@ -3175,7 +3346,9 @@ static inline void ksl_product_drdrzinv(const ksl_mat3x3_t *R, const double dc[2
 
 /* Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddrzinv(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
   const double Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a - Do_00b;
   const double Do_01a = D->m00 * dc[0], Do_01b = D->m01 * dc[1], Do_01 = Do_01a + Do_01b;
@@ -3205,7 +3378,9 @@ static inline void ksl_product_ddrzinv(const ksl_SE3_t *D, const double dc[2], k
 
 /* Do = D [I | -k e_z].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
-   3 mul, 3 add. */
+   3 mul, 3 add.
+   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddtzinv(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
   const double Do_03a = D->m02 * k, Do_03 = D->m03 - Do_03a;
   const double Do_13a = D->m12 * k, Do_13 = D->m13 - Do_13a;
@@ -3235,7 +3410,9 @@ static inline void ksl_product_ddtzinv(const ksl_SE3_t *D, const double k, ksl_S
 
 /* vo = R v.
    R: rotation or other 3×3 matrix; v, vo: vector.
-   9 mul, 6 add. */
+   9 mul, 6 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
       vo_0d = R->m02 * v->z, vo_0 = vo_0c + vo_0d;
@@ -3250,7 +3427,9 @@ static inline void ksl_product_drvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v
 
 /* vo = R (-v).
    R: rotation or other 3×3 matrix; v, vo: vector.
-   9 mul, 6 add, 3 neg. */
+   9 mul, 6 add, 3 neg.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drvinvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const float vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
@@ -3266,7 +3445,9 @@ static inline void ksl_product_drvinvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t
 
 /* vo = R^T v.
    R: rotation or other 3×3 matrix; v, vo: vector.
-   9 mul, 6 add. */
+   9 mul, 6 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drinvvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const float vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
@@ -3282,7 +3463,9 @@ static inline void ksl_product_drinvvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t
 
 /* vo = R^T (-v).
    R: rotation or other 3×3 matrix; v, vo: vector.
-   9 mul, 6 add, 3 neg. */
+   9 mul, 6 add, 3 neg.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drinvvinvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const float vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
@@ -3298,7 +3481,9 @@ static inline void ksl_product_drinvvinvf(const ksl_mat3x3f_t *R, const ksl_vec3
 
 /* vo = R v + t.
    D: displacement [R | t], R rotation, t in m; v, vo: vector.
-   9 mul, 9 add. */
+   9 mul, 9 add.
+   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_dvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float vo_0a = D->m00 * v->x, vo_0b = D->m01 * v->y, vo_0c = vo_0a + vo_0b,
       vo_0d = D->m02 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = vo_0e + D->m03;
@@ -3313,7 +3498,9 @@ static inline void ksl_product_dvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v, ks
 
 /* vo = R^T (v - t).
    D: displacement [R | t], R rotation, t in m; v, vo: vector.
-   9 mul, 9 add. */
+   9 mul, 9 add.
+   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_dinvvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float p_0 = v->x - D->m03;
   const float p_1 = v->y - D->m13;
@@ -3331,7 +3518,9 @@ static inline void ksl_product_dinvvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v,
 
 /* Ro = R1 R2.
    R1, R2, Ro: rotation or other 3×3 matrix.
-   27 mul, 18 add. */
+   27 mul, 18 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
   const float Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
@@ -3365,7 +3554,9 @@ static inline void ksl_product_drdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_
 
 /* Ro = R1 R2^T.
    R1, R2, Ro: rotation or other 3×3 matrix.
-   27 mul, 18 add. */
+   27 mul, 18 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drdrinvf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
   const float Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m01, Ro_00c = Ro_00a + Ro_00b,
@@ -3399,7 +3590,9 @@ static inline void ksl_product_drdrinvf(const ksl_mat3x3f_t *R1, const ksl_mat3x
 
 /* Ro = R1^T R2.
    R1, R2, Ro: rotation or other 3×3 matrix.
-   27 mul, 18 add. */
+   27 mul, 18 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drinvdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
   const float Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m10 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
@@ -3433,7 +3626,9 @@ static inline void ksl_product_drinvdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x
 
 /* Do = D1 D2 = [R1 R2 | R1 t2 + t1].
    D1, D2, Do: displacement [R | t], R rotation, t in m.
-   36 mul, 27 add. */
+   36 mul, 27 add.
+   Error <= u |x| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, ksl_SE3f_t *Do) {
   const float Do_00a = D1->m00 * D2->m00, Do_00b = D1->m01 * D2->m10, Do_00c = Do_00a + Do_00b,
       Do_00d = D1->m02 * D2->m20, Do_00 = Do_00c + Do_00d;
@@ -3475,7 +3670,9 @@ static inline void ksl_product_ddf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, k
 
 /* Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T.
    D1, D2, Do: displacement [R | t], R rotation, t in m.
-   36 mul, 27 add. */
+   36 mul, 27 add.
+   Error <= u |x| + (R: 2, t: 6) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddinvf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, ksl_SE3f_t *Do) {
   const float R_0a = D1->m00 * D2->m00, R_0b = D1->m01 * D2->m01, R_0c = R_0a + R_0b,
       R_0d = D1->m02 * D2->m02, R_0 = R_0c + R_0d;
@@ -3517,7 +3714,9 @@ static inline void ksl_product_ddinvf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2
 
 /* Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)].
    D1, D2, Do: displacement [R | t], R rotation, t in m.
-   36 mul, 27 add. */
+   36 mul, 27 add.
+   Error <= u |x| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_dinvdf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, ksl_SE3f_t *Do) {
   const float p_0 = D2->m03 - D1->m03;
   const float p_1 = D2->m13 - D1->m13;
@@ -3562,7 +3761,9 @@ static inline void ksl_product_dinvdf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2
 
 /* Do = D [R | 0].
    D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
-   27 mul, 18 add. */
+   27 mul, 18 add.
+   Error <= u |x| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddrf(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R, ksl_SE3f_t *Do) {
   const float Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m10, Do_00c = Do_00a + Do_00b,
       Do_00d = D->m02 * R->m20, Do_00 = Do_00c + Do_00d;
@@ -3601,7 +3802,9 @@ static inline void ksl_product_ddrf(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
 
 /* Do = D [R^T | 0].
    D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
-   27 mul, 18 add. */
+   27 mul, 18 add.
+   Error <= u |x| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddrinvf(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
     ksl_SE3f_t *Do) {
   const float Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m01, Do_00c = Do_00a + Do_00b,
@@ -3641,7 +3844,9 @@ static inline void ksl_product_ddrinvf(const ksl_SE3f_t *D, const ksl_mat3x3f_t 
 
 /* Do = D [I | t].
    D, Do: displacement [R | t], R rotation, t in m; t: vector.
-   9 mul, 9 add. */
+   9 mul, 9 add.
+   Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, ksl_SE3f_t *Do) {
   const float Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
       Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D->m03;
@@ -3674,7 +3879,9 @@ static inline void ksl_product_ddtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, k
 
 /* Do = D [I | -t].
    D, Do: displacement [R | t], R rotation, t in m; t: vector.
-   9 mul, 9 add. */
+   9 mul, 9 add.
+   Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddtinvf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, ksl_SE3f_t *Do) {
   const float Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
       Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = D->m03 - Do_03e;
@@ -3707,7 +3914,9 @@ static inline void ksl_product_ddtinvf(const ksl_SE3f_t *D, const ksl_vec3f_t *t
 
 /* Do = D^-1 [I | t] = [R^T | R^T (t - t_D)].
    D, Do: displacement [R | t], R rotation, t in m; t: vector.
-   9 mul, 9 add. */
+   9 mul, 9 add.
+   Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_dinvdtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, ksl_SE3f_t *Do) {
   const float p_0 = t->x - D->m03;
   const float p_1 = t->y - D->m13;
@@ -3743,7 +3952,8 @@ static inline void ksl_product_dinvdtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t
 
 /* vo = R (k e_x).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_drvtxf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
   const float vo_0 = R->m00 * k;
   const float vo_1 = R->m10 * k;
@@ -3755,7 +3965,9 @@ static inline void ksl_product_drvtxf(const ksl_mat3x3f_t *R, const float k, ksl
 
 /* Ro = R R_x(θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drdrxf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const float Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a + Ro_01b;
@@ -3780,7 +3992,9 @@ static inline void ksl_product_drdrxf(const ksl_mat3x3f_t *R, const float dc[2],
 
 /* Do = D [R_x(θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddrxf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
   const float Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a + Do_01b;
   const float Do_02a = D->m02 * dc[1], Do_02b = D->m01 * dc[0], Do_02 = Do_02a - Do_02b;
@@ -3810,7 +4024,9 @@ static inline void ksl_product_ddrxf(const ksl_SE3f_t *D, const float dc[2], ksl
 
 /* Do = D [I | k e_x].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
-   3 mul, 3 add. */
+   3 mul, 3 add.
+   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddtxf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
   const float Do_03a = D->m00 * k, Do_03 = Do_03a + D->m03;
   const float Do_13a = D->m10 * k, Do_13 = Do_13a + D->m13;
@@ -3840,7 +4056,8 @@ static inline void ksl_product_ddtxf(const ksl_SE3f_t *D, const float k, ksl_SE3
 
 /* vo = R (-k e_x).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
-   3 mul, 3 neg. */
+   3 mul, 3 neg.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_drvtxinvf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
   const float vo_0a = R->m00 * k, vo_0 = -vo_0a;
   const float vo_1a = R->m10 * k, vo_1 = -vo_1a;
@@ -3852,7 +4069,9 @@ static inline void ksl_product_drvtxinvf(const ksl_mat3x3f_t *R, const float k, 
 
 /* Ro = R R_x(-θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drdrxinvf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const float Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a - Ro_01b;
@@ -3877,7 +4096,9 @@ static inline void ksl_product_drdrxinvf(const ksl_mat3x3f_t *R, const float dc[
 
 /* Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddrxinvf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
   const float Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a - Do_01b;
   const float Do_02a = D->m01 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
@@ -3907,7 +4128,9 @@ static inline void ksl_product_ddrxinvf(const ksl_SE3f_t *D, const float dc[2], 
 
 /* Do = D [I | -k e_x].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
-   3 mul, 3 add. */
+   3 mul, 3 add.
+   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddtxinvf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
   const float Do_03a = D->m00 * k, Do_03 = D->m03 - Do_03a;
   const float Do_13a = D->m10 * k, Do_13 = D->m13 - Do_13a;
@@ -3937,7 +4160,8 @@ static inline void ksl_product_ddtxinvf(const ksl_SE3f_t *D, const float k, ksl_
 
 /* vo = R (k e_y).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_drvtyf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
   const float vo_0 = R->m01 * k;
   const float vo_1 = R->m11 * k;
@@ -3949,7 +4173,9 @@ static inline void ksl_product_drvtyf(const ksl_mat3x3f_t *R, const float k, ksl
 
 /* Ro = R R_y(θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drdryf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a - Ro_00b;
@@ -3974,7 +4200,9 @@ static inline void ksl_product_drdryf(const ksl_mat3x3f_t *R, const float dc[2],
 
 /* Do = D [R_y(θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddryf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
   const float Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a - Do_00b;
   const float Do_02a = D->m00 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
@@ -4004,7 +4232,9 @@ static inline void ksl_product_ddryf(const ksl_SE3f_t *D, const float dc[2], ksl
 
 /* Do = D [I | k e_y].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
-   3 mul, 3 add. */
+   3 mul, 3 add.
+   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddtyf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
   const float Do_03a = D->m01 * k, Do_03 = Do_03a + D->m03;
   const float Do_13a = D->m11 * k, Do_13 = Do_13a + D->m13;
@@ -4034,7 +4264,8 @@ static inline void ksl_product_ddtyf(const ksl_SE3f_t *D, const float k, ksl_SE3
 
 /* vo = R (-k e_y).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
-   3 mul, 3 neg. */
+   3 mul, 3 neg.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_drvtyinvf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
   const float vo_0a = R->m01 * k, vo_0 = -vo_0a;
   const float vo_1a = R->m11 * k, vo_1 = -vo_1a;
@@ -4046,7 +4277,9 @@ static inline void ksl_product_drvtyinvf(const ksl_mat3x3f_t *R, const float k, 
 
 /* Ro = R R_y(-θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drdryinvf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a + Ro_00b;
@@ -4071,7 +4304,9 @@ static inline void ksl_product_drdryinvf(const ksl_mat3x3f_t *R, const float dc[
 
 /* Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddryinvf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
   const float Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a + Do_00b;
   const float Do_02a = D->m02 * dc[1], Do_02b = D->m00 * dc[0], Do_02 = Do_02a - Do_02b;
@@ -4101,7 +4336,9 @@ static inline void ksl_product_ddryinvf(const ksl_SE3f_t *D, const float dc[2], 
 
 /* Do = D [I | -k e_y].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
-   3 mul, 3 add. */
+   3 mul, 3 add.
+   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddtyinvf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
   const float Do_03a = D->m01 * k, Do_03 = D->m03 - Do_03a;
   const float Do_13a = D->m11 * k, Do_13 = D->m13 - Do_13a;
@@ -4131,7 +4368,8 @@ static inline void ksl_product_ddtyinvf(const ksl_SE3f_t *D, const float k, ksl_
 
 /* vo = R (k e_z).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_drvtzf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
   const float vo_0 = R->m02 * k;
   const float vo_1 = R->m12 * k;
@@ -4143,7 +4381,9 @@ static inline void ksl_product_drvtzf(const ksl_mat3x3f_t *R, const float k, ksl
 
 /* Ro = R R_z(θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drdrzf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a + Ro_00b;
@@ -4168,7 +4408,9 @@ static inline void ksl_product_drdrzf(const ksl_mat3x3f_t *R, const float dc[2],
 
 /* Do = D [R_z(θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddrzf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
   const float Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a + Do_00b;
   const float Do_01a = D->m01 * dc[1], Do_01b = D->m00 * dc[0], Do_01 = Do_01a - Do_01b;
@@ -4198,7 +4440,9 @@ static inline void ksl_product_ddrzf(const ksl_SE3f_t *D, const float dc[2], ksl
 
 /* Do = D [I | k e_z].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
-   3 mul, 3 add. */
+   3 mul, 3 add.
+   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddtzf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
   const float Do_03a = D->m02 * k, Do_03 = Do_03a + D->m03;
   const float Do_13a = D->m12 * k, Do_13 = Do_13a + D->m13;
@@ -4228,7 +4472,8 @@ static inline void ksl_product_ddtzf(const ksl_SE3f_t *D, const float k, ksl_SE3
 
 /* vo = R (-k e_z).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
-   3 mul, 3 neg. */
+   3 mul, 3 neg.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_drvtzinvf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
   const float vo_0a = R->m02 * k, vo_0 = -vo_0a;
   const float vo_1a = R->m12 * k, vo_1 = -vo_1a;
@@ -4240,7 +4485,9 @@ static inline void ksl_product_drvtzinvf(const ksl_mat3x3f_t *R, const float k, 
 
 /* Ro = R R_z(-θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_drdrzinvf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a - Ro_00b;
@@ -4265,7 +4512,9 @@ static inline void ksl_product_drdrzinvf(const ksl_mat3x3f_t *R, const float dc[
 
 /* Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-   12 mul, 6 add. */
+   12 mul, 6 add.
+   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddrzinvf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
   const float Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a - Do_00b;
   const float Do_01a = D->m00 * dc[0], Do_01b = D->m01 * dc[1], Do_01 = Do_01a + Do_01b;
@@ -4295,7 +4544,9 @@ static inline void ksl_product_ddrzinvf(const ksl_SE3f_t *D, const float dc[2], 
 
 /* Do = D [I | -k e_z].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
-   3 mul, 3 add. */
+   3 mul, 3 add.
+   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_ddtzinvf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
   const float Do_03a = D->m02 * k, Do_03 = D->m03 - Do_03a;
   const float Do_13a = D->m12 * k, Do_13 = D->m13 - Do_13a;
@@ -4358,7 +4609,8 @@ static inline void ksl_dcf(const float theta, float dc[2]) {
 
 
 /* A screw from its entries, in order. */
-static inline ksl_screw_t ksl_screw(const double m0, const double m1, const double m2, const double m3, const double m4, const double m5) {
+static inline ksl_screw_t ksl_screw(const double m0, const double m1, const double m2,
+    const double m3, const double m4, const double m5) {
   ksl_screw_t value;
   value.m0 = m0;
   value.m1 = m1;
@@ -4371,7 +4623,8 @@ static inline ksl_screw_t ksl_screw(const double m0, const double m1, const doub
 
 /* so = si.
    si, so: screw (v in m/s; ω in rad/s).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_screw_copy(const ksl_screw_t *si, ksl_screw_t *so) {
   const double si_m0 = si->m0;
   const double si_m1 = si->m1;
@@ -4389,7 +4642,8 @@ static inline void ksl_screw_copy(const ksl_screw_t *si, ksl_screw_t *so) {
 
 /* self = a self.
    self: screw (v in m/s; ω in rad/s); a: number.
-   6 mul. */
+   6 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_screw_scale(ksl_screw_t *self, const double a) {
   const double self_0_new = self->m0 * a;
   const double self_1_new = self->m1 * a;
@@ -4407,7 +4661,8 @@ static inline void ksl_screw_scale(ksl_screw_t *self, const double a) {
 
 /* so = -si.
    si, so: screw (v in m/s; ω in rad/s).
-   6 neg. */
+   6 neg.
+   Exact. */
 static inline void ksl_screw_inverted(const ksl_screw_t *si, ksl_screw_t *so) {
   const double so_0 = -si->m0;
   const double so_1 = -si->m1;
@@ -4425,7 +4680,8 @@ static inline void ksl_screw_inverted(const ksl_screw_t *si, ksl_screw_t *so) {
 
 /* self = -self.
    self: screw (v in m/s; ω in rad/s).
-   6 neg. */
+   6 neg.
+   Exact. */
 static inline void ksl_screw_invert(ksl_screw_t *self) {
   const double self_0_new = -self->m0;
   const double self_1_new = -self->m1;
@@ -4443,7 +4699,9 @@ static inline void ksl_screw_invert(ksl_screw_t *self) {
 
 /* y = a x + y.
    a: number; x, y: screw (v in m/s; ω in rad/s).
-   6 mul, 6 add. */
+   6 mul, 6 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_axpy_ss(const double a, const ksl_screw_t *x, ksl_screw_t *y) {
   const double y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
   const double y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
@@ -4461,7 +4719,8 @@ static inline void ksl_axpy_ss(const double a, const ksl_screw_t *x, ksl_screw_t
 
 /* y = x + y.
    x, y: screw (v in m/s; ω in rad/s).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_xpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
   const double y_0_new = x->m0 + y->m0;
   const double y_1_new = x->m1 + y->m1;
@@ -4479,7 +4738,8 @@ static inline void ksl_xpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
 
 /* y = -x + y.
    x, y: screw (v in m/s; ω in rad/s).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_nxpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
   const double y_0_new = y->m0 - x->m0;
   const double y_1_new = y->m1 - x->m1;
@@ -4497,7 +4757,8 @@ static inline void ksl_nxpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
 
 /* so = a si.
    a: number; si, so: screw (v in m/s; ω in rad/s).
-   6 mul. */
+   6 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_as(const double a, const ksl_screw_t *si, ksl_screw_t *so) {
   const double so_0 = a * si->m0;
   const double so_1 = a * si->m1;
@@ -4515,7 +4776,8 @@ static inline void ksl_product_as(const double a, const ksl_screw_t *si, ksl_scr
 
 /* so = s1 + s2.
    s1, s2, so: screw (v in m/s; ω in rad/s).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
   const double so_0 = s1->m0 + s2->m0;
   const double so_1 = s1->m1 + s2->m1;
@@ -4533,7 +4795,8 @@ static inline void ksl_add_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_
 
 /* so = s1 - s2.
    s1, s2, so: screw (v in m/s; ω in rad/s).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_subtract_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
   const double so_0 = s1->m0 - s2->m0;
   const double so_1 = s1->m1 - s2->m1;
@@ -4614,7 +4877,8 @@ static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) 
 
 /* so = (lin; ang).
    lin, ang: vector; so: screw (v in m/s; ω in rad/s).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_screw_from_lin_ang(const ksl_vec3_t *lin, const ksl_vec3_t *ang,
     ksl_screw_t *so) {
   const double lin_x = lin->x;
@@ -4633,7 +4897,8 @@ static inline void ksl_screw_from_lin_ang(const ksl_vec3_t *lin, const ksl_vec3_
 
 /* x = (ang; lin) of si.
    si: screw (v in m/s; ω in rad/s); x: six components with the angular part on top.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_screw_to_angular_first(const ksl_screw_t *si, double x[6]) {
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
@@ -4651,7 +4916,8 @@ static inline void ksl_screw_to_angular_first(const ksl_screw_t *si, double x[6]
 
 /* so = (lin; ang) of x = (ang; lin).
    x: six components with the angular part on top; so: screw (v in m/s; ω in rad/s).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_screw_from_angular_first(const double x[6], ksl_screw_t *so) {
   const double x_3 = x[3];
   const double x_4 = x[4];
@@ -4669,7 +4935,8 @@ static inline void ksl_screw_from_angular_first(const double x[6], ksl_screw_t *
 
 /* so = (s1.lin + s2.lin ; s1.ang).
    s1, s2, so: screw (v in m/s; ω in rad/s).
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
   const double so_0 = s1->m0 + s2->m0;
   const double so_1 = s1->m1 + s2->m1;
@@ -4687,7 +4954,9 @@ static inline void ksl_add_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl
 
 /* so = [Ad](t) si.
    t: vector; si, so: screw (v in m/s; ω in rad/s).
-   6 mul, 6 add. */
+   6 mul, 6 add.
+   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_Adts(const ksl_vec3_t *t, const ksl_screw_t *si, ksl_screw_t *so) {
   const double so_0a = t->y * si->m5, so_0b = t->z * si->m4, so_0c = so_0a - so_0b,
       so_0 = so_0c + si->m0;
@@ -4708,7 +4977,9 @@ static inline void ksl_product_Adts(const ksl_vec3_t *t, const ksl_screw_t *si, 
 
 /* so = [Ad](t)^-1 si.
    t: vector; si, so: screw (v in m/s; ω in rad/s).
-   6 mul, 6 add. */
+   6 mul, 6 add.
+   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_Adtinvs(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
   const double so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
@@ -4730,7 +5001,9 @@ static inline void ksl_product_Adtinvs(const ksl_vec3_t *t, const ksl_screw_t *s
 
 /* so = [Ad](t) (-si).
    t: vector; si, so: screw (v in m/s; ω in rad/s).
-   6 mul, 6 add, 3 neg. */
+   6 mul, 6 add, 3 neg.
+   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_Adtsinv(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
   const double so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
@@ -4752,7 +5025,9 @@ static inline void ksl_product_Adtsinv(const ksl_vec3_t *t, const ksl_screw_t *s
 
 /* so = [Ad](R) si.
    R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-   18 mul, 12 add. */
+   18 mul, 12 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_Adrs(const ksl_mat3x3_t *R, const ksl_screw_t *si, ksl_screw_t *so) {
   const double so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
       so_0d = R->m02 * si->m2, so_0 = so_0c + so_0d;
@@ -4776,7 +5051,9 @@ static inline void ksl_product_Adrs(const ksl_mat3x3_t *R, const ksl_screw_t *si
 
 /* so = [Ad](R)^-1 si.
    R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-   18 mul, 12 add. */
+   18 mul, 12 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_Adrinvs(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
   const double so_0a = R->m00 * si->m0, so_0b = R->m10 * si->m1, so_0c = so_0a + so_0b,
@@ -4801,7 +5078,9 @@ static inline void ksl_product_Adrinvs(const ksl_mat3x3_t *R, const ksl_screw_t 
 
 /* so = [Ad](R) (-si).
    R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-   18 mul, 12 add, 6 neg. */
+   18 mul, 12 add, 6 neg.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_Adrsinv(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
   const double so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
@@ -4826,7 +5105,9 @@ static inline void ksl_product_Adrsinv(const ksl_mat3x3_t *R, const ksl_screw_t 
 
 /* so = [Ad](D) si = [Ad](t) [Ad](R) si.
    D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
-   24 mul, 18 add. */
+   24 mul, 18 add.
+   Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_Ads(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
   const double w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
       w_0d = D->m02 * si->m2, w_0 = w_0c + w_0d;
@@ -4856,7 +5137,9 @@ static inline void ksl_product_Ads(const ksl_SE3_t *D, const ksl_screw_t *si, ks
 
 /* so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si.
    D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
-   24 mul, 18 add. */
+   24 mul, 18 add.
+   Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_Adinvs(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
   const double w_0a = D->m23 * si->m4, w_0b = D->m13 * si->m5, w_0c = w_0a - w_0b,
       w_0 = w_0c + si->m0;
@@ -4886,7 +5169,9 @@ static inline void ksl_product_Adinvs(const ksl_SE3_t *D, const ksl_screw_t *si,
 
 /* so = [Ad](D) (-si).
    D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
-   24 mul, 18 add, 6 neg. */
+   24 mul, 18 add, 6 neg.
+   Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_Adsinv(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
   const double w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
       w_0d = D->m02 * si->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
@@ -4916,7 +5201,8 @@ static inline void ksl_product_Adsinv(const ksl_SE3_t *D, const ksl_screw_t *si,
 
 /* so = h_tx: column 0 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_hstx(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
@@ -4931,7 +5217,8 @@ static inline void ksl_hstx(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* so = h_ty: column 1 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_hsty(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
@@ -4946,7 +5233,8 @@ static inline void ksl_hsty(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* so = h_tz: column 2 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_hstz(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
@@ -4961,7 +5249,9 @@ static inline void ksl_hstz(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* so = h_rx: column 3 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hsrx(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = D->m20 * D->m13, so_0b = D->m10 * D->m23, so_0 = so_0a - so_0b;
   const double so_1a = D->m00 * D->m23, so_1b = D->m20 * D->m03, so_1 = so_1a - so_1b;
@@ -4979,7 +5269,9 @@ static inline void ksl_hsrx(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* so = h_ry: column 4 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hsry(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = D->m21 * D->m13, so_0b = D->m11 * D->m23, so_0 = so_0a - so_0b;
   const double so_1a = D->m01 * D->m23, so_1b = D->m21 * D->m03, so_1 = so_1a - so_1b;
@@ -4997,7 +5289,9 @@ static inline void ksl_hsry(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* so = h_rz: column 5 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hsrz(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = D->m22 * D->m13, so_0b = D->m12 * D->m23, so_0 = so_0a - so_0b;
   const double so_1a = D->m02 * D->m23, so_1b = D->m22 * D->m03, so_1 = so_1a - so_1b;
@@ -5015,7 +5309,8 @@ static inline void ksl_hsrz(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* so = -h_tx: -column 0 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_hstxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0 = -D->m00;
   const double so_1 = -D->m10;
@@ -5030,7 +5325,8 @@ static inline void ksl_hstxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* so = -h_ty: -column 1 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_hstyinv(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0 = -D->m01;
   const double so_1 = -D->m11;
@@ -5045,7 +5341,8 @@ static inline void ksl_hstyinv(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* so = -h_tz: -column 2 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_hstzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0 = -D->m02;
   const double so_1 = -D->m12;
@@ -5060,7 +5357,9 @@ static inline void ksl_hstzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* so = -h_rx: -column 3 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   6 mul, 3 add, 3 neg. */
+   6 mul, 3 add, 3 neg.
+   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hsrxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = D->m10 * D->m23, so_0b = D->m20 * D->m13, so_0 = so_0a - so_0b;
   const double so_1a = D->m20 * D->m03, so_1b = D->m00 * D->m23, so_1 = so_1a - so_1b;
@@ -5078,7 +5377,9 @@ static inline void ksl_hsrxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* so = -h_ry: -column 4 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   6 mul, 3 add, 3 neg. */
+   6 mul, 3 add, 3 neg.
+   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hsryinv(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = D->m11 * D->m23, so_0b = D->m21 * D->m13, so_0 = so_0a - so_0b;
   const double so_1a = D->m21 * D->m03, so_1b = D->m01 * D->m23, so_1 = so_1a - so_1b;
@@ -5096,7 +5397,9 @@ static inline void ksl_hsryinv(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* so = -h_rz: -column 5 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   6 mul, 3 add, 3 neg. */
+   6 mul, 3 add, 3 neg.
+   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hsrzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = D->m12 * D->m23, so_0b = D->m22 * D->m13, so_0 = so_0a - so_0b;
   const double so_1a = D->m22 * D->m03, so_1b = D->m02 * D->m23, so_1 = so_1a - so_1b;
@@ -5114,7 +5417,9 @@ static inline void ksl_hsrzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* M = [Ad](D).
    D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-   18 mul, 9 add. */
+   18 mul, 9 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_Ad(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
   const double M_03a = D->m20 * D->m13, M_03b = D->m10 * D->m23, M_03 = M_03a - M_03b;
   const double M_04a = D->m21 * D->m13, M_04b = D->m11 * D->m23, M_04 = M_04a - M_04b;
@@ -5174,7 +5479,9 @@ static inline void ksl_Ad(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
 
 /* power = f·v + τ·ω, in W.
    c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s).
-   6 mul, 5 add. */
+   6 mul, 5 add.
+   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline double ksl_dot_cs(const ksl_coscrew_t *c, const ksl_screw_t *s) {
   const double power_a = c->m0 * s->m0, power_b = c->m1 * s->m1, power_c = power_a + power_b,
       power_d = c->m2 * s->m2, power_e = power_c + power_d, power_f = c->m3 * s->m3,
@@ -5185,7 +5492,9 @@ static inline double ksl_dot_cs(const ksl_coscrew_t *c, const ksl_screw_t *s) {
 
 /* so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2); exactly zero for s1 = s2.
    s1, s2, so: screw (v in m/s; ω in rad/s).
-   18 mul, 12 add. */
+   18 mul, 12 add.
+   Error <= u |x| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_cross_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
   const double so_0a = s1->m1 * s2->m5, so_0b = s1->m5 * s2->m1, so_0c = so_0a - so_0b,
       so_0d = s1->m4 * s2->m2, so_0e = s1->m2 * s2->m4, so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
@@ -5206,7 +5515,9 @@ static inline void ksl_cross_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ks
 
 /* so = (ω1×v2 ; 0).
    s1, s2, so: screw (v in m/s; ω in rad/s).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_cross_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
   const double so_0a = s1->m4 * s2->m2, so_0b = s1->m5 * s2->m1, so_0 = so_0a - so_0b;
   const double so_1a = s1->m5 * s2->m0, so_1b = s1->m3 * s2->m2, so_1 = so_1a - so_1b;
@@ -5221,7 +5532,9 @@ static inline void ksl_cross_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, k
 
 /* so = (t×R a ; R a), a = axis in the body's frame.
    D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
-   15 mul, 9 add. */
+   15 mul, 9 add.
+   Error <= u |x| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hsra(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
   const double a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
       a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
@@ -5242,7 +5555,9 @@ static inline void ksl_hsra(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_scre
 
 /* so = (R a ; 0), a = axis in the body's frame.
    D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
-   9 mul, 6 add. */
+   9 mul, 6 add.
+   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hsta(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
   const double so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
       so_0d = D->m02 * axis->z, so_0 = so_0c + so_0d;
@@ -5260,7 +5575,8 @@ static inline void ksl_hsta(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_scre
 
 /* M = [ad](s) = [Ad]' [Ad]^-1 = [[ω~, v~], [0, ω~]].
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   6 neg. */
+   6 neg.
+   Exact. */
 static inline void ksl_ad(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double M_01 = -s->m5;
   const double M_04 = -s->m2;
@@ -5313,7 +5629,8 @@ static inline void ksl_ad(const ksl_screw_t *s, ksl_mat6x6_t *M) {
 }
 
 /* A screw from its entries, in order. */
-static inline ksl_screwf_t ksl_screwf(const float m0, const float m1, const float m2, const float m3, const float m4, const float m5) {
+static inline ksl_screwf_t ksl_screwf(const float m0, const float m1, const float m2,
+    const float m3, const float m4, const float m5) {
   ksl_screwf_t value;
   value.m0 = m0;
   value.m1 = m1;
@@ -5326,7 +5643,8 @@ static inline ksl_screwf_t ksl_screwf(const float m0, const float m1, const floa
 
 /* so = si.
    si, so: screw (v in m/s; ω in rad/s).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_screwf_copy(const ksl_screwf_t *si, ksl_screwf_t *so) {
   const float si_m0 = si->m0;
   const float si_m1 = si->m1;
@@ -5344,7 +5662,8 @@ static inline void ksl_screwf_copy(const ksl_screwf_t *si, ksl_screwf_t *so) {
 
 /* self = a self.
    self: screw (v in m/s; ω in rad/s); a: number.
-   6 mul. */
+   6 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_screwf_scale(ksl_screwf_t *self, const float a) {
   const float self_0_new = self->m0 * a;
   const float self_1_new = self->m1 * a;
@@ -5362,7 +5681,8 @@ static inline void ksl_screwf_scale(ksl_screwf_t *self, const float a) {
 
 /* so = -si.
    si, so: screw (v in m/s; ω in rad/s).
-   6 neg. */
+   6 neg.
+   Exact. */
 static inline void ksl_screwf_inverted(const ksl_screwf_t *si, ksl_screwf_t *so) {
   const float so_0 = -si->m0;
   const float so_1 = -si->m1;
@@ -5380,7 +5700,8 @@ static inline void ksl_screwf_inverted(const ksl_screwf_t *si, ksl_screwf_t *so)
 
 /* self = -self.
    self: screw (v in m/s; ω in rad/s).
-   6 neg. */
+   6 neg.
+   Exact. */
 static inline void ksl_screwf_invert(ksl_screwf_t *self) {
   const float self_0_new = -self->m0;
   const float self_1_new = -self->m1;
@@ -5398,7 +5719,9 @@ static inline void ksl_screwf_invert(ksl_screwf_t *self) {
 
 /* y = a x + y.
    a: number; x, y: screw (v in m/s; ω in rad/s).
-   6 mul, 6 add. */
+   6 mul, 6 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_axpy_ssf(const float a, const ksl_screwf_t *x, ksl_screwf_t *y) {
   const float y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
   const float y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
@@ -5416,7 +5739,8 @@ static inline void ksl_axpy_ssf(const float a, const ksl_screwf_t *x, ksl_screwf
 
 /* y = x + y.
    x, y: screw (v in m/s; ω in rad/s).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_xpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
   const float y_0_new = x->m0 + y->m0;
   const float y_1_new = x->m1 + y->m1;
@@ -5434,7 +5758,8 @@ static inline void ksl_xpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
 
 /* y = -x + y.
    x, y: screw (v in m/s; ω in rad/s).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_nxpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
   const float y_0_new = y->m0 - x->m0;
   const float y_1_new = y->m1 - x->m1;
@@ -5452,7 +5777,8 @@ static inline void ksl_nxpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
 
 /* so = a si.
    a: number; si, so: screw (v in m/s; ω in rad/s).
-   6 mul. */
+   6 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_asf(const float a, const ksl_screwf_t *si, ksl_screwf_t *so) {
   const float so_0 = a * si->m0;
   const float so_1 = a * si->m1;
@@ -5470,7 +5796,8 @@ static inline void ksl_product_asf(const float a, const ksl_screwf_t *si, ksl_sc
 
 /* so = s1 + s2.
    s1, s2, so: screw (v in m/s; ω in rad/s).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, ksl_screwf_t *so) {
   const float so_0 = s1->m0 + s2->m0;
   const float so_1 = s1->m1 + s2->m1;
@@ -5488,7 +5815,8 @@ static inline void ksl_add_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, k
 
 /* so = s1 - s2.
    s1, s2, so: screw (v in m/s; ω in rad/s).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_subtract_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
   const float so_0 = s1->m0 - s2->m0;
@@ -5570,7 +5898,8 @@ static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *s
 
 /* so = (lin; ang).
    lin, ang: vector; so: screw (v in m/s; ω in rad/s).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_screwf_from_lin_ang(const ksl_vec3f_t *lin, const ksl_vec3f_t *ang,
     ksl_screwf_t *so) {
   const float lin_x = lin->x;
@@ -5589,7 +5918,8 @@ static inline void ksl_screwf_from_lin_ang(const ksl_vec3f_t *lin, const ksl_vec
 
 /* x = (ang; lin) of si.
    si: screw (v in m/s; ω in rad/s); x: six components with the angular part on top.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_screwf_to_angular_first(const ksl_screwf_t *si, float x[6]) {
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
@@ -5607,7 +5937,8 @@ static inline void ksl_screwf_to_angular_first(const ksl_screwf_t *si, float x[6
 
 /* so = (lin; ang) of x = (ang; lin).
    x: six components with the angular part on top; so: screw (v in m/s; ω in rad/s).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_screwf_from_angular_first(const float x[6], ksl_screwf_t *so) {
   const float x_3 = x[3];
   const float x_4 = x[4];
@@ -5625,7 +5956,8 @@ static inline void ksl_screwf_from_angular_first(const float x[6], ksl_screwf_t 
 
 /* so = (s1.lin + s2.lin ; s1.ang).
    s1, s2, so: screw (v in m/s; ω in rad/s).
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, ksl_screwf_t *so) {
   const float so_0 = s1->m0 + s2->m0;
   const float so_1 = s1->m1 + s2->m1;
@@ -5643,7 +5975,9 @@ static inline void ksl_add_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, 
 
 /* so = [Ad](t) si.
    t: vector; si, so: screw (v in m/s; ω in rad/s).
-   6 mul, 6 add. */
+   6 mul, 6 add.
+   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_Adtsf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const float so_0a = t->y * si->m5, so_0b = t->z * si->m4, so_0c = so_0a - so_0b,
@@ -5665,7 +5999,9 @@ static inline void ksl_product_Adtsf(const ksl_vec3f_t *t, const ksl_screwf_t *s
 
 /* so = [Ad](t)^-1 si.
    t: vector; si, so: screw (v in m/s; ω in rad/s).
-   6 mul, 6 add. */
+   6 mul, 6 add.
+   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_Adtinvsf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const float so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
@@ -5687,7 +6023,9 @@ static inline void ksl_product_Adtinvsf(const ksl_vec3f_t *t, const ksl_screwf_t
 
 /* so = [Ad](t) (-si).
    t: vector; si, so: screw (v in m/s; ω in rad/s).
-   6 mul, 6 add, 3 neg. */
+   6 mul, 6 add, 3 neg.
+   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_Adtsinvf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const float so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
@@ -5709,7 +6047,9 @@ static inline void ksl_product_Adtsinvf(const ksl_vec3f_t *t, const ksl_screwf_t
 
 /* so = [Ad](R) si.
    R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-   18 mul, 12 add. */
+   18 mul, 12 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_Adrsf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const float so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
@@ -5734,7 +6074,9 @@ static inline void ksl_product_Adrsf(const ksl_mat3x3f_t *R, const ksl_screwf_t 
 
 /* so = [Ad](R)^-1 si.
    R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-   18 mul, 12 add. */
+   18 mul, 12 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_Adrinvsf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const float so_0a = R->m00 * si->m0, so_0b = R->m10 * si->m1, so_0c = so_0a + so_0b,
@@ -5759,7 +6101,9 @@ static inline void ksl_product_Adrinvsf(const ksl_mat3x3f_t *R, const ksl_screwf
 
 /* so = [Ad](R) (-si).
    R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-   18 mul, 12 add, 6 neg. */
+   18 mul, 12 add, 6 neg.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_Adrsinvf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const float so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
@@ -5784,7 +6128,9 @@ static inline void ksl_product_Adrsinvf(const ksl_mat3x3f_t *R, const ksl_screwf
 
 /* so = [Ad](D) si = [Ad](t) [Ad](R) si.
    D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
-   24 mul, 18 add. */
+   24 mul, 18 add.
+   Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_Adsf(const ksl_SE3f_t *D, const ksl_screwf_t *si, ksl_screwf_t *so) {
   const float w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
       w_0d = D->m02 * si->m2, w_0 = w_0c + w_0d;
@@ -5811,7 +6157,9 @@ static inline void ksl_product_Adsf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
 
 /* so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si.
    D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
-   24 mul, 18 add. */
+   24 mul, 18 add.
+   Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_Adinvsf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const float w_0a = D->m23 * si->m4, w_0b = D->m13 * si->m5, w_0c = w_0a - w_0b,
@@ -5842,7 +6190,9 @@ static inline void ksl_product_Adinvsf(const ksl_SE3f_t *D, const ksl_screwf_t *
 
 /* so = [Ad](D) (-si).
    D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
-   24 mul, 18 add, 6 neg. */
+   24 mul, 18 add, 6 neg.
+   Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_Adsinvf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const float w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
@@ -5870,7 +6220,8 @@ static inline void ksl_product_Adsinvf(const ksl_SE3f_t *D, const ksl_screwf_t *
 
 /* so = h_tx: column 0 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_hstxf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
@@ -5885,7 +6236,8 @@ static inline void ksl_hstxf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 
 /* so = h_ty: column 1 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_hstyf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
@@ -5900,7 +6252,8 @@ static inline void ksl_hstyf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 
 /* so = h_tz: column 2 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_hstzf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
@@ -5915,7 +6268,9 @@ static inline void ksl_hstzf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 
 /* so = h_rx: column 3 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hsrxf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float so_0a = D->m20 * D->m13, so_0b = D->m10 * D->m23, so_0 = so_0a - so_0b;
   const float so_1a = D->m00 * D->m23, so_1b = D->m20 * D->m03, so_1 = so_1a - so_1b;
@@ -5933,7 +6288,9 @@ static inline void ksl_hsrxf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 
 /* so = h_ry: column 4 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hsryf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float so_0a = D->m21 * D->m13, so_0b = D->m11 * D->m23, so_0 = so_0a - so_0b;
   const float so_1a = D->m01 * D->m23, so_1b = D->m21 * D->m03, so_1 = so_1a - so_1b;
@@ -5951,7 +6308,9 @@ static inline void ksl_hsryf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 
 /* so = h_rz: column 5 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hsrzf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float so_0a = D->m22 * D->m13, so_0b = D->m12 * D->m23, so_0 = so_0a - so_0b;
   const float so_1a = D->m02 * D->m23, so_1b = D->m22 * D->m03, so_1 = so_1a - so_1b;
@@ -5969,7 +6328,8 @@ static inline void ksl_hsrzf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 
 /* so = -h_tx: -column 0 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_hstxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float so_0 = -D->m00;
   const float so_1 = -D->m10;
@@ -5984,7 +6344,8 @@ static inline void ksl_hstxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 
 /* so = -h_ty: -column 1 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_hstyinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float so_0 = -D->m01;
   const float so_1 = -D->m11;
@@ -5999,7 +6360,8 @@ static inline void ksl_hstyinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 
 /* so = -h_tz: -column 2 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_hstzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float so_0 = -D->m02;
   const float so_1 = -D->m12;
@@ -6014,7 +6376,9 @@ static inline void ksl_hstzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 
 /* so = -h_rx: -column 3 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   6 mul, 3 add, 3 neg. */
+   6 mul, 3 add, 3 neg.
+   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hsrxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float so_0a = D->m10 * D->m23, so_0b = D->m20 * D->m13, so_0 = so_0a - so_0b;
   const float so_1a = D->m20 * D->m03, so_1b = D->m00 * D->m23, so_1 = so_1a - so_1b;
@@ -6032,7 +6396,9 @@ static inline void ksl_hsrxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 
 /* so = -h_ry: -column 4 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   6 mul, 3 add, 3 neg. */
+   6 mul, 3 add, 3 neg.
+   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hsryinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float so_0a = D->m11 * D->m23, so_0b = D->m21 * D->m13, so_0 = so_0a - so_0b;
   const float so_1a = D->m21 * D->m03, so_1b = D->m01 * D->m23, so_1 = so_1a - so_1b;
@@ -6050,7 +6416,9 @@ static inline void ksl_hsryinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 
 /* so = -h_rz: -column 5 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   6 mul, 3 add, 3 neg. */
+   6 mul, 3 add, 3 neg.
+   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hsrzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float so_0a = D->m12 * D->m23, so_0b = D->m22 * D->m13, so_0 = so_0a - so_0b;
   const float so_1a = D->m22 * D->m03, so_1b = D->m02 * D->m23, so_1 = so_1a - so_1b;
@@ -6068,7 +6436,9 @@ static inline void ksl_hsrzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 
 /* M = [Ad](D).
    D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-   18 mul, 9 add. */
+   18 mul, 9 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_Adf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
   const float M_03a = D->m20 * D->m13, M_03b = D->m10 * D->m23, M_03 = M_03a - M_03b;
   const float M_04a = D->m21 * D->m13, M_04b = D->m11 * D->m23, M_04 = M_04a - M_04b;
@@ -6128,7 +6498,9 @@ static inline void ksl_Adf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
 
 /* power = f·v + τ·ω, in W.
    c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s).
-   6 mul, 5 add. */
+   6 mul, 5 add.
+   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline float ksl_dot_csf(const ksl_coscrewf_t *c, const ksl_screwf_t *s) {
   const float power_a = c->m0 * s->m0, power_b = c->m1 * s->m1, power_c = power_a + power_b,
       power_d = c->m2 * s->m2, power_e = power_c + power_d, power_f = c->m3 * s->m3,
@@ -6139,7 +6511,9 @@ static inline float ksl_dot_csf(const ksl_coscrewf_t *c, const ksl_screwf_t *s) 
 
 /* so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2); exactly zero for s1 = s2.
    s1, s2, so: screw (v in m/s; ω in rad/s).
-   18 mul, 12 add. */
+   18 mul, 12 add.
+   Error <= u |x| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_cross_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, ksl_screwf_t *so) {
   const float so_0a = s1->m1 * s2->m5, so_0b = s1->m5 * s2->m1, so_0c = so_0a - so_0b,
       so_0d = s1->m4 * s2->m2, so_0e = s1->m2 * s2->m4, so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
@@ -6160,7 +6534,9 @@ static inline void ksl_cross_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
 
 /* so = (ω1×v2 ; 0).
    s1, s2, so: screw (v in m/s; ω in rad/s).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_cross_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
   const float so_0a = s1->m4 * s2->m2, so_0b = s1->m5 * s2->m1, so_0 = so_0a - so_0b;
@@ -6176,7 +6552,9 @@ static inline void ksl_cross_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2
 
 /* so = (t×R a ; R a), a = axis in the body's frame.
    D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
-   15 mul, 9 add. */
+   15 mul, 9 add.
+   Error <= u |x| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hsraf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
   const float a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
       a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
@@ -6197,7 +6575,9 @@ static inline void ksl_hsraf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_s
 
 /* so = (R a ; 0), a = axis in the body's frame.
    D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
-   9 mul, 6 add. */
+   9 mul, 6 add.
+   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hstaf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
   const float so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
       so_0d = D->m02 * axis->z, so_0 = so_0c + so_0d;
@@ -6215,7 +6595,8 @@ static inline void ksl_hstaf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_s
 
 /* M = [ad](s) = [Ad]' [Ad]^-1 = [[ω~, v~], [0, ω~]].
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   6 neg. */
+   6 neg.
+   Exact. */
 static inline void ksl_adf(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float M_01 = -s->m5;
   const float M_04 = -s->m2;
@@ -6292,7 +6673,8 @@ static inline ksl_screwf_t *ksl_screwf_alloc(int n) {
 
 
 /* A coscrew from its entries, in order. */
-static inline ksl_coscrew_t ksl_coscrew(const double m0, const double m1, const double m2, const double m3, const double m4, const double m5) {
+static inline ksl_coscrew_t ksl_coscrew(const double m0, const double m1, const double m2,
+    const double m3, const double m4, const double m5) {
   ksl_coscrew_t value;
   value.m0 = m0;
   value.m1 = m1;
@@ -6305,7 +6687,8 @@ static inline ksl_coscrew_t ksl_coscrew(const double m0, const double m1, const 
 
 /* co = ci.
    ci, co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_coscrew_copy(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
@@ -6323,7 +6706,8 @@ static inline void ksl_coscrew_copy(const ksl_coscrew_t *ci, ksl_coscrew_t *co) 
 
 /* self = a self.
    self: coscrew (f in N; τ in N m); a: number.
-   6 mul. */
+   6 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_coscrew_scale(ksl_coscrew_t *self, const double a) {
   const double self_0_new = self->m0 * a;
   const double self_1_new = self->m1 * a;
@@ -6341,7 +6725,8 @@ static inline void ksl_coscrew_scale(ksl_coscrew_t *self, const double a) {
 
 /* co = -ci.
    ci, co: coscrew (f in N; τ in N m).
-   6 neg. */
+   6 neg.
+   Exact. */
 static inline void ksl_coscrew_inverted(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
   const double co_0 = -ci->m0;
   const double co_1 = -ci->m1;
@@ -6359,7 +6744,8 @@ static inline void ksl_coscrew_inverted(const ksl_coscrew_t *ci, ksl_coscrew_t *
 
 /* self = -self.
    self: coscrew (f in N; τ in N m).
-   6 neg. */
+   6 neg.
+   Exact. */
 static inline void ksl_coscrew_invert(ksl_coscrew_t *self) {
   const double self_0_new = -self->m0;
   const double self_1_new = -self->m1;
@@ -6377,7 +6763,9 @@ static inline void ksl_coscrew_invert(ksl_coscrew_t *self) {
 
 /* y = a x + y.
    a: number; x, y: coscrew (f in N; τ in N m).
-   6 mul, 6 add. */
+   6 mul, 6 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_axpy_cc(const double a, const ksl_coscrew_t *x, ksl_coscrew_t *y) {
   const double y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
   const double y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
@@ -6395,7 +6783,8 @@ static inline void ksl_axpy_cc(const double a, const ksl_coscrew_t *x, ksl_coscr
 
 /* y = x + y.
    x, y: coscrew (f in N; τ in N m).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_xpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
   const double y_0_new = x->m0 + y->m0;
   const double y_1_new = x->m1 + y->m1;
@@ -6413,7 +6802,8 @@ static inline void ksl_xpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
 
 /* y = -x + y.
    x, y: coscrew (f in N; τ in N m).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_nxpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
   const double y_0_new = y->m0 - x->m0;
   const double y_1_new = y->m1 - x->m1;
@@ -6431,7 +6821,8 @@ static inline void ksl_nxpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
 
 /* co = a ci.
    a: number; ci, co: coscrew (f in N; τ in N m).
-   6 mul. */
+   6 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_ac(const double a, const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
   const double co_0 = a * ci->m0;
   const double co_1 = a * ci->m1;
@@ -6449,7 +6840,8 @@ static inline void ksl_product_ac(const double a, const ksl_coscrew_t *ci, ksl_c
 
 /* co = c1 + c2.
    c1, c2, co: coscrew (f in N; τ in N m).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2, ksl_coscrew_t *co) {
   const double co_0 = c1->m0 + c2->m0;
   const double co_1 = c1->m1 + c2->m1;
@@ -6467,7 +6859,8 @@ static inline void ksl_add_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2, 
 
 /* co = c1 - c2.
    c1, c2, co: coscrew (f in N; τ in N m).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_subtract_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
     ksl_coscrew_t *co) {
   const double co_0 = c1->m0 - c2->m0;
@@ -6549,7 +6942,8 @@ static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t
 
 /* co = (lin; ang).
    lin, ang: vector; co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_coscrew_from_lin_ang(const ksl_vec3_t *lin, const ksl_vec3_t *ang,
     ksl_coscrew_t *co) {
   const double lin_x = lin->x;
@@ -6568,7 +6962,8 @@ static inline void ksl_coscrew_from_lin_ang(const ksl_vec3_t *lin, const ksl_vec
 
 /* x = (ang; lin) of ci.
    ci: coscrew (f in N; τ in N m); x: six components with the angular part on top.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_coscrew_to_angular_first(const ksl_coscrew_t *ci, double x[6]) {
   const double ci_m3 = ci->m3;
   const double ci_m4 = ci->m4;
@@ -6586,7 +6981,8 @@ static inline void ksl_coscrew_to_angular_first(const ksl_coscrew_t *ci, double 
 
 /* co = (lin; ang) of x = (ang; lin).
    x: six components with the angular part on top; co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_coscrew_from_angular_first(const double x[6], ksl_coscrew_t *co) {
   const double x_3 = x[3];
   const double x_4 = x[4];
@@ -6604,7 +7000,8 @@ static inline void ksl_coscrew_from_angular_first(const double x[6], ksl_coscrew
 
 /* co = (c1.lin + c2.lin ; c1.ang).
    c1, c2, co: coscrew (f in N; τ in N m).
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_cct(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
     ksl_coscrew_t *co) {
   const double co_0 = c1->m0 + c2->m0;
@@ -6623,7 +7020,9 @@ static inline void ksl_add_cct(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
 
 /* co = [Ad]*(t) ci.
    t: vector; ci, co: coscrew (f in N; τ in N m).
-   6 mul, 6 add. */
+   6 mul, 6 add.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdtc(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_3a = t->y * ci->m2, co_3b = t->z * ci->m1, co_3c = co_3a - co_3b,
@@ -6645,7 +7044,9 @@ static inline void ksl_product_CoAdtc(const ksl_vec3_t *t, const ksl_coscrew_t *
 
 /* co = [Ad]*(t)^-1 ci.
    t: vector; ci, co: coscrew (f in N; τ in N m).
-   6 mul, 6 add. */
+   6 mul, 6 add.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdtinvc(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
@@ -6667,7 +7068,9 @@ static inline void ksl_product_CoAdtinvc(const ksl_vec3_t *t, const ksl_coscrew_
 
 /* co = [Ad]*(t) (-ci).
    t: vector; ci, co: coscrew (f in N; τ in N m).
-   6 mul, 6 add, 3 neg. */
+   6 mul, 6 add, 3 neg.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdtcinv(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_0 = -ci->m0;
@@ -6689,7 +7092,9 @@ static inline void ksl_product_CoAdtcinv(const ksl_vec3_t *t, const ksl_coscrew_
 
 /* co = [Ad]*(R) ci.
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-   18 mul, 12 add. */
+   18 mul, 12 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_CoAdrc(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
@@ -6714,7 +7119,9 @@ static inline void ksl_product_CoAdrc(const ksl_mat3x3_t *R, const ksl_coscrew_t
 
 /* co = [Ad]*(R)^-1 ci.
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-   18 mul, 12 add. */
+   18 mul, 12 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_CoAdrinvc(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_0a = R->m00 * ci->m0, co_0b = R->m10 * ci->m1, co_0c = co_0a + co_0b,
@@ -6739,7 +7146,9 @@ static inline void ksl_product_CoAdrinvc(const ksl_mat3x3_t *R, const ksl_coscre
 
 /* co = [Ad]*(R) (-ci).
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-   18 mul, 12 add, 6 neg. */
+   18 mul, 12 add, 6 neg.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_CoAdrcinv(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
@@ -6764,7 +7173,9 @@ static inline void ksl_product_CoAdrcinv(const ksl_mat3x3_t *R, const ksl_coscre
 
 /* co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-   24 mul, 18 add. */
+   24 mul, 18 add.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdc(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
@@ -6795,7 +7206,9 @@ static inline void ksl_product_CoAdc(const ksl_SE3_t *D, const ksl_coscrew_t *ci
 
 /* co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-   24 mul, 18 add. */
+   24 mul, 18 add.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdinvc(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double w_3a = D->m23 * ci->m1, w_3b = D->m13 * ci->m2, w_3c = w_3a - w_3b,
@@ -6826,7 +7239,9 @@ static inline void ksl_product_CoAdinvc(const ksl_SE3_t *D, const ksl_coscrew_t 
 
 /* co = [Ad]*(D) (-ci).
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-   24 mul, 18 add, 6 neg. */
+   24 mul, 18 add, 6 neg.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdcinv(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
@@ -6857,7 +7272,9 @@ static inline void ksl_product_CoAdcinv(const ksl_SE3_t *D, const ksl_coscrew_t 
 
 /* co = h_tx: column 0 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_3a = D->m20 * D->m13, co_3b = D->m10 * D->m23, co_3 = co_3a - co_3b;
   const double co_4a = D->m00 * D->m23, co_4b = D->m20 * D->m03, co_4 = co_4a - co_4b;
@@ -6875,7 +7292,9 @@ static inline void ksl_hctx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = h_ty: column 1 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hcty(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_3a = D->m21 * D->m13, co_3b = D->m11 * D->m23, co_3 = co_3a - co_3b;
   const double co_4a = D->m01 * D->m23, co_4b = D->m21 * D->m03, co_4 = co_4a - co_4b;
@@ -6893,7 +7312,9 @@ static inline void ksl_hcty(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = h_tz: column 2 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctz(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_3a = D->m22 * D->m13, co_3b = D->m12 * D->m23, co_3 = co_3a - co_3b;
   const double co_4a = D->m02 * D->m23, co_4b = D->m22 * D->m03, co_4 = co_4a - co_4b;
@@ -6911,7 +7332,8 @@ static inline void ksl_hctz(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = h_rx: column 3 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_hcrx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
@@ -6926,7 +7348,8 @@ static inline void ksl_hcrx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = h_ry: column 4 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_hcry(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
@@ -6941,7 +7364,8 @@ static inline void ksl_hcry(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = h_rz: column 5 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_hcrz(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
@@ -6956,7 +7380,9 @@ static inline void ksl_hcrz(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = -h_tx: -column 0 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add, 3 neg. */
+   6 mul, 3 add, 3 neg.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m00;
   const double co_1 = -D->m10;
@@ -6974,7 +7400,9 @@ static inline void ksl_hctxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = -h_ty: -column 1 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add, 3 neg. */
+   6 mul, 3 add, 3 neg.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctyinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m01;
   const double co_1 = -D->m11;
@@ -6992,7 +7420,9 @@ static inline void ksl_hctyinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = -h_tz: -column 2 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add, 3 neg. */
+   6 mul, 3 add, 3 neg.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m02;
   const double co_1 = -D->m12;
@@ -7010,7 +7440,8 @@ static inline void ksl_hctzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = -h_rx: -column 3 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_hcrxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_3 = -D->m00;
   const double co_4 = -D->m10;
@@ -7025,7 +7456,8 @@ static inline void ksl_hcrxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = -h_ry: -column 4 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_hcryinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_3 = -D->m01;
   const double co_4 = -D->m11;
@@ -7040,7 +7472,8 @@ static inline void ksl_hcryinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = -h_rz: -column 5 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_hcrzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_3 = -D->m02;
   const double co_4 = -D->m12;
@@ -7055,7 +7488,9 @@ static inline void ksl_hcrzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* M = [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-   18 mul, 9 add. */
+   18 mul, 9 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_CoAd(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
   const double M_30a = D->m20 * D->m13, M_30b = D->m10 * D->m23, M_30 = M_30a - M_30b;
   const double M_31a = D->m21 * D->m13, M_31b = D->m11 * D->m23, M_31 = M_31a - M_31b;
@@ -7115,7 +7550,9 @@ static inline void ksl_CoAd(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
 
 /* power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).
    c: coscrew (f in N; τ in N m); x: six components with the angular part on top.
-   6 mul, 5 add. */
+   6 mul, 5 add.
+   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline double ksl_reciprocal_product(const ksl_coscrew_t *c, const double x[6]) {
   const double power_a = c->m0 * x[3], power_b = c->m1 * x[4], power_c = power_a + power_b,
       power_d = c->m2 * x[5], power_e = power_c + power_d, power_f = c->m3 * x[0],
@@ -7126,7 +7563,9 @@ static inline double ksl_reciprocal_product(const ksl_coscrew_t *c, const double
 
 /* co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
    s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-   18 mul, 12 add. */
+   18 mul, 12 add.
+   Error <= u |x| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_cross_sc(const ksl_screw_t *s, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double co_0a = s->m4 * c->m2, co_0b = s->m5 * c->m1, co_0 = co_0a - co_0b;
   const double co_1a = s->m5 * c->m0, co_1b = s->m3 * c->m2, co_1 = co_1a - co_1b;
@@ -7147,7 +7586,9 @@ static inline void ksl_cross_sc(const ksl_screw_t *s, const ksl_coscrew_t *c, ks
 
 /* co = (0 ; ω×τ).
    s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_cross_sca(const ksl_screw_t *s, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double co_3a = s->m4 * c->m5, co_3b = s->m5 * c->m4, co_3 = co_3a - co_3b;
   const double co_4a = s->m5 * c->m3, co_4b = s->m3 * c->m5, co_4 = co_4a - co_4b;
@@ -7162,7 +7603,9 @@ static inline void ksl_cross_sca(const ksl_screw_t *s, const ksl_coscrew_t *c, k
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
   const double w_0a = D->m01 * c->m1, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
@@ -7190,7 +7633,9 @@ static inline void ksl_constraint_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
   const double w_0a = D->m00 * c->m0, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
@@ -7218,7 +7663,9 @@ static inline void ksl_constraint_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
   const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0 = w_0a + w_0b;
@@ -7246,7 +7693,9 @@ static inline void ksl_constraint_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
   const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
@@ -7274,7 +7723,9 @@ static inline void ksl_constraint_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
   const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
@@ -7302,7 +7753,9 @@ static inline void ksl_constraint_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
   const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
@@ -7330,7 +7783,9 @@ static inline void ksl_constraint_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   9 mul, 3 add. */
+   9 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_working_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_0 = D->m00 * c->m0;
   const double w_1 = D->m10 * c->m0;
@@ -7348,7 +7803,9 @@ static inline void ksl_working_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   9 mul, 3 add. */
+   9 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_working_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_0 = D->m01 * c->m1;
   const double w_1 = D->m11 * c->m1;
@@ -7366,7 +7823,9 @@ static inline void ksl_working_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   9 mul, 3 add. */
+   9 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_working_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_0 = D->m02 * c->m2;
   const double w_1 = D->m12 * c->m2;
@@ -7384,7 +7843,8 @@ static inline void ksl_working_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_working_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_3 = D->m00 * c->m3;
   const double w_4 = D->m10 * c->m3;
@@ -7399,7 +7859,8 @@ static inline void ksl_working_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_working_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_3 = D->m01 * c->m4;
   const double w_4 = D->m11 * c->m4;
@@ -7414,7 +7875,8 @@ static inline void ksl_working_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_working_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_3 = D->m02 * c->m5;
   const double w_4 = D->m12 * c->m5;
@@ -7429,7 +7891,8 @@ static inline void ksl_working_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 
 /* M = [ad]*(s) = [Ad]*' [Ad]*^-1 = [[ω~, 0], [v~, ω~]].
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   6 neg. */
+   6 neg.
+   Exact. */
 static inline void ksl_coad(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double M_01 = -s->m5;
   const double M_12 = -s->m3;
@@ -7482,7 +7945,8 @@ static inline void ksl_coad(const ksl_screw_t *s, ksl_mat6x6_t *M) {
 }
 
 /* A coscrew from its entries, in order. */
-static inline ksl_coscrewf_t ksl_coscrewf(const float m0, const float m1, const float m2, const float m3, const float m4, const float m5) {
+static inline ksl_coscrewf_t ksl_coscrewf(const float m0, const float m1, const float m2,
+    const float m3, const float m4, const float m5) {
   ksl_coscrewf_t value;
   value.m0 = m0;
   value.m1 = m1;
@@ -7495,7 +7959,8 @@ static inline ksl_coscrewf_t ksl_coscrewf(const float m0, const float m1, const 
 
 /* co = ci.
    ci, co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_coscrewf_copy(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
@@ -7513,7 +7978,8 @@ static inline void ksl_coscrewf_copy(const ksl_coscrewf_t *ci, ksl_coscrewf_t *c
 
 /* self = a self.
    self: coscrew (f in N; τ in N m); a: number.
-   6 mul. */
+   6 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_coscrewf_scale(ksl_coscrewf_t *self, const float a) {
   const float self_0_new = self->m0 * a;
   const float self_1_new = self->m1 * a;
@@ -7531,7 +7997,8 @@ static inline void ksl_coscrewf_scale(ksl_coscrewf_t *self, const float a) {
 
 /* co = -ci.
    ci, co: coscrew (f in N; τ in N m).
-   6 neg. */
+   6 neg.
+   Exact. */
 static inline void ksl_coscrewf_inverted(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
   const float co_0 = -ci->m0;
   const float co_1 = -ci->m1;
@@ -7549,7 +8016,8 @@ static inline void ksl_coscrewf_inverted(const ksl_coscrewf_t *ci, ksl_coscrewf_
 
 /* self = -self.
    self: coscrew (f in N; τ in N m).
-   6 neg. */
+   6 neg.
+   Exact. */
 static inline void ksl_coscrewf_invert(ksl_coscrewf_t *self) {
   const float self_0_new = -self->m0;
   const float self_1_new = -self->m1;
@@ -7567,7 +8035,9 @@ static inline void ksl_coscrewf_invert(ksl_coscrewf_t *self) {
 
 /* y = a x + y.
    a: number; x, y: coscrew (f in N; τ in N m).
-   6 mul, 6 add. */
+   6 mul, 6 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_axpy_ccf(const float a, const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
   const float y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
   const float y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
@@ -7585,7 +8055,8 @@ static inline void ksl_axpy_ccf(const float a, const ksl_coscrewf_t *x, ksl_cosc
 
 /* y = x + y.
    x, y: coscrew (f in N; τ in N m).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_xpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
   const float y_0_new = x->m0 + y->m0;
   const float y_1_new = x->m1 + y->m1;
@@ -7603,7 +8074,8 @@ static inline void ksl_xpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
 
 /* y = -x + y.
    x, y: coscrew (f in N; τ in N m).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_nxpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
   const float y_0_new = y->m0 - x->m0;
   const float y_1_new = y->m1 - x->m1;
@@ -7621,7 +8093,8 @@ static inline void ksl_nxpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
 
 /* co = a ci.
    a: number; ci, co: coscrew (f in N; τ in N m).
-   6 mul. */
+   6 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_acf(const float a, const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
   const float co_0 = a * ci->m0;
   const float co_1 = a * ci->m1;
@@ -7639,7 +8112,8 @@ static inline void ksl_product_acf(const float a, const ksl_coscrewf_t *ci, ksl_
 
 /* co = c1 + c2.
    c1, c2, co: coscrew (f in N; τ in N m).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
   const float co_0 = c1->m0 + c2->m0;
@@ -7658,7 +8132,8 @@ static inline void ksl_add_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c
 
 /* co = c1 - c2.
    c1, c2, co: coscrew (f in N; τ in N m).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_subtract_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
   const float co_0 = c1->m0 - c2->m0;
@@ -7740,7 +8215,8 @@ static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrew
 
 /* co = (lin; ang).
    lin, ang: vector; co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_coscrewf_from_lin_ang(const ksl_vec3f_t *lin, const ksl_vec3f_t *ang,
     ksl_coscrewf_t *co) {
   const float lin_x = lin->x;
@@ -7759,7 +8235,8 @@ static inline void ksl_coscrewf_from_lin_ang(const ksl_vec3f_t *lin, const ksl_v
 
 /* x = (ang; lin) of ci.
    ci: coscrew (f in N; τ in N m); x: six components with the angular part on top.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_coscrewf_to_angular_first(const ksl_coscrewf_t *ci, float x[6]) {
   const float ci_m3 = ci->m3;
   const float ci_m4 = ci->m4;
@@ -7777,7 +8254,8 @@ static inline void ksl_coscrewf_to_angular_first(const ksl_coscrewf_t *ci, float
 
 /* co = (lin; ang) of x = (ang; lin).
    x: six components with the angular part on top; co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_coscrewf_from_angular_first(const float x[6], ksl_coscrewf_t *co) {
   const float x_3 = x[3];
   const float x_4 = x[4];
@@ -7795,7 +8273,8 @@ static inline void ksl_coscrewf_from_angular_first(const float x[6], ksl_coscrew
 
 /* co = (c1.lin + c2.lin ; c1.ang).
    c1, c2, co: coscrew (f in N; τ in N m).
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_cctf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
   const float co_0 = c1->m0 + c2->m0;
@@ -7814,7 +8293,9 @@ static inline void ksl_add_cctf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *
 
 /* co = [Ad]*(t) ci.
    t: vector; ci, co: coscrew (f in N; τ in N m).
-   6 mul, 6 add. */
+   6 mul, 6 add.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdtcf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float co_3a = t->y * ci->m2, co_3b = t->z * ci->m1, co_3c = co_3a - co_3b,
@@ -7836,7 +8317,9 @@ static inline void ksl_product_CoAdtcf(const ksl_vec3f_t *t, const ksl_coscrewf_
 
 /* co = [Ad]*(t)^-1 ci.
    t: vector; ci, co: coscrew (f in N; τ in N m).
-   6 mul, 6 add. */
+   6 mul, 6 add.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdtinvcf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
@@ -7858,7 +8341,9 @@ static inline void ksl_product_CoAdtinvcf(const ksl_vec3f_t *t, const ksl_coscre
 
 /* co = [Ad]*(t) (-ci).
    t: vector; ci, co: coscrew (f in N; τ in N m).
-   6 mul, 6 add, 3 neg. */
+   6 mul, 6 add, 3 neg.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdtcinvf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float co_0 = -ci->m0;
@@ -7880,7 +8365,9 @@ static inline void ksl_product_CoAdtcinvf(const ksl_vec3f_t *t, const ksl_coscre
 
 /* co = [Ad]*(R) ci.
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-   18 mul, 12 add. */
+   18 mul, 12 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_CoAdrcf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
@@ -7905,7 +8392,9 @@ static inline void ksl_product_CoAdrcf(const ksl_mat3x3f_t *R, const ksl_coscrew
 
 /* co = [Ad]*(R)^-1 ci.
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-   18 mul, 12 add. */
+   18 mul, 12 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_CoAdrinvcf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float co_0a = R->m00 * ci->m0, co_0b = R->m10 * ci->m1, co_0c = co_0a + co_0b,
@@ -7930,7 +8419,9 @@ static inline void ksl_product_CoAdrinvcf(const ksl_mat3x3f_t *R, const ksl_cosc
 
 /* co = [Ad]*(R) (-ci).
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-   18 mul, 12 add, 6 neg. */
+   18 mul, 12 add, 6 neg.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_CoAdrcinvf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
@@ -7955,7 +8446,9 @@ static inline void ksl_product_CoAdrcinvf(const ksl_mat3x3f_t *R, const ksl_cosc
 
 /* co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-   24 mul, 18 add. */
+   24 mul, 18 add.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdcf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
@@ -7983,7 +8476,9 @@ static inline void ksl_product_CoAdcf(const ksl_SE3f_t *D, const ksl_coscrewf_t 
 
 /* co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-   24 mul, 18 add. */
+   24 mul, 18 add.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdinvcf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float w_3a = D->m23 * ci->m1, w_3b = D->m13 * ci->m2, w_3c = w_3a - w_3b,
@@ -8014,7 +8509,9 @@ static inline void ksl_product_CoAdinvcf(const ksl_SE3f_t *D, const ksl_coscrewf
 
 /* co = [Ad]*(D) (-ci).
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-   24 mul, 18 add, 6 neg. */
+   24 mul, 18 add, 6 neg.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdcinvf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
@@ -8042,7 +8539,9 @@ static inline void ksl_product_CoAdcinvf(const ksl_SE3f_t *D, const ksl_coscrewf
 
 /* co = h_tx: column 0 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_3a = D->m20 * D->m13, co_3b = D->m10 * D->m23, co_3 = co_3a - co_3b;
   const float co_4a = D->m00 * D->m23, co_4b = D->m20 * D->m03, co_4 = co_4a - co_4b;
@@ -8060,7 +8559,9 @@ static inline void ksl_hctxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = h_ty: column 1 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctyf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_3a = D->m21 * D->m13, co_3b = D->m11 * D->m23, co_3 = co_3a - co_3b;
   const float co_4a = D->m01 * D->m23, co_4b = D->m21 * D->m03, co_4 = co_4a - co_4b;
@@ -8078,7 +8579,9 @@ static inline void ksl_hctyf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = h_tz: column 2 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctzf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_3a = D->m22 * D->m13, co_3b = D->m12 * D->m23, co_3 = co_3a - co_3b;
   const float co_4a = D->m02 * D->m23, co_4b = D->m22 * D->m03, co_4 = co_4a - co_4b;
@@ -8096,7 +8599,8 @@ static inline void ksl_hctzf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = h_rx: column 3 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_hcrxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
@@ -8111,7 +8615,8 @@ static inline void ksl_hcrxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = h_ry: column 4 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_hcryf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
@@ -8126,7 +8631,8 @@ static inline void ksl_hcryf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = h_rz: column 5 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_hcrzf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
@@ -8141,7 +8647,9 @@ static inline void ksl_hcrzf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = -h_tx: -column 0 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add, 3 neg. */
+   6 mul, 3 add, 3 neg.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m00;
   const float co_1 = -D->m10;
@@ -8159,7 +8667,9 @@ static inline void ksl_hctxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = -h_ty: -column 1 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add, 3 neg. */
+   6 mul, 3 add, 3 neg.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctyinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m01;
   const float co_1 = -D->m11;
@@ -8177,7 +8687,9 @@ static inline void ksl_hctyinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = -h_tz: -column 2 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add, 3 neg. */
+   6 mul, 3 add, 3 neg.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m02;
   const float co_1 = -D->m12;
@@ -8195,7 +8707,8 @@ static inline void ksl_hctzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = -h_rx: -column 3 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_hcrxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_3 = -D->m00;
   const float co_4 = -D->m10;
@@ -8210,7 +8723,8 @@ static inline void ksl_hcrxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = -h_ry: -column 4 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_hcryinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_3 = -D->m01;
   const float co_4 = -D->m11;
@@ -8225,7 +8739,8 @@ static inline void ksl_hcryinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = -h_rz: -column 5 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_hcrzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_3 = -D->m02;
   const float co_4 = -D->m12;
@@ -8240,7 +8755,9 @@ static inline void ksl_hcrzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* M = [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-   18 mul, 9 add. */
+   18 mul, 9 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_CoAdf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
   const float M_30a = D->m20 * D->m13, M_30b = D->m10 * D->m23, M_30 = M_30a - M_30b;
   const float M_31a = D->m21 * D->m13, M_31b = D->m11 * D->m23, M_31 = M_31a - M_31b;
@@ -8300,7 +8817,9 @@ static inline void ksl_CoAdf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
 
 /* power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).
    c: coscrew (f in N; τ in N m); x: six components with the angular part on top.
-   6 mul, 5 add. */
+   6 mul, 5 add.
+   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline float ksl_reciprocal_productf(const ksl_coscrewf_t *c, const float x[6]) {
   const float power_a = c->m0 * x[3], power_b = c->m1 * x[4], power_c = power_a + power_b,
       power_d = c->m2 * x[5], power_e = power_c + power_d, power_f = c->m3 * x[0],
@@ -8311,7 +8830,9 @@ static inline float ksl_reciprocal_productf(const ksl_coscrewf_t *c, const float
 
 /* co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
    s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-   18 mul, 12 add. */
+   18 mul, 12 add.
+   Error <= u |x| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_cross_scf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float co_0a = s->m4 * c->m2, co_0b = s->m5 * c->m1, co_0 = co_0a - co_0b;
@@ -8333,7 +8854,9 @@ static inline void ksl_cross_scf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
 
 /* co = (0 ; ω×τ).
    s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_cross_scaf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float co_3a = s->m4 * c->m5, co_3b = s->m5 * c->m4, co_3 = co_3a - co_3b;
@@ -8349,7 +8872,9 @@ static inline void ksl_cross_scaf(const ksl_screwf_t *s, const ksl_coscrewf_t *c
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_0a = D->m01 * c->m1, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
@@ -8374,7 +8899,9 @@ static inline void ksl_constraint_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_0a = D->m00 * c->m0, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
@@ -8399,7 +8926,9 @@ static inline void ksl_constraint_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0 = w_0a + w_0b;
@@ -8424,7 +8953,9 @@ static inline void ksl_constraint_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
@@ -8449,7 +8980,9 @@ static inline void ksl_constraint_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
@@ -8474,7 +9007,9 @@ static inline void ksl_constraint_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
@@ -8499,7 +9034,9 @@ static inline void ksl_constraint_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   9 mul, 3 add. */
+   9 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_working_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_0 = D->m00 * c->m0;
@@ -8518,7 +9055,9 @@ static inline void ksl_working_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   9 mul, 3 add. */
+   9 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_working_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_0 = D->m01 * c->m1;
@@ -8537,7 +9076,9 @@ static inline void ksl_working_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   9 mul, 3 add. */
+   9 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_working_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_0 = D->m02 * c->m2;
@@ -8556,7 +9097,8 @@ static inline void ksl_working_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_working_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_3 = D->m00 * c->m3;
@@ -8572,7 +9114,8 @@ static inline void ksl_working_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_working_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_3 = D->m01 * c->m4;
@@ -8588,7 +9131,8 @@ static inline void ksl_working_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_working_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_3 = D->m02 * c->m5;
@@ -8604,7 +9148,8 @@ static inline void ksl_working_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 
 /* M = [ad]*(s) = [Ad]*' [Ad]*^-1 = [[ω~, 0], [v~, ω~]].
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   6 neg. */
+   6 neg.
+   Exact. */
 static inline void ksl_coadf(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float M_01 = -s->m5;
   const float M_12 = -s->m3;

@@ -196,19 +196,19 @@ const coscrew_gufunc TABLE(mat6x6)[] = {
     "Mo = M.\n"
     "\n"
     "(6,6)->(6,6).  M, Mo: 6×6 operator.\n"
-    "No arithmetic.\n",
+    "No arithmetic.  Exact.\n",
    1, 1, mat6x6_copy_loops},
   {"mat6x6_setIdentity", "(6,6)->(6,6)",
     "self = I.\n"
     "\n"
     "(6,6)->(6,6).  self: 6×6 operator.\n"
-    "No arithmetic.\n",
+    "No arithmetic.  Exact.\n",
    1, 1, mat6x6_setIdentity_loops},
   {"mat6x6_transposed", "(6,6)->(6,6)",
     "Mo = M^T.\n"
     "\n"
     "(6,6)->(6,6).  M, Mo: 6×6 operator.\n"
-    "No arithmetic.\n",
+    "No arithmetic.  Exact.\n",
    1, 1, mat6x6_transposed_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

@@ -70,7 +70,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "ee1a7008a862ab89") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "1d2ff8a18bcad13d") < 0) {
     Py_DECREF(module);
     return NULL;
   }

@@ -1858,73 +1858,73 @@ const coscrew_gufunc TABLE(vec3)[] = {
     "vo = vi.\n"
     "\n"
     "(3)->(3).  vi, vo: vector.\n"
-    "No arithmetic.\n",
+    "No arithmetic.  Exact.\n",
    1, 1, vec3_copy_loops},
   {"vec3_scale", "(3),()->(3)",
     "self = a self.\n"
     "\n"
     "(3),()->(3).  self: vector; a: number.\n"
-    "3 mul.\n",
+    "3 mul.  Error <= u |x|, barring underflow.\n",
    2, 1, vec3_scale_loops},
   {"vec3_inverted", "(3)->(3)",
     "vo = -vi.\n"
     "\n"
     "(3)->(3).  vi, vo: vector.\n"
-    "3 neg.\n",
+    "3 neg.  Exact.\n",
    1, 1, vec3_inverted_loops},
   {"vec3_invert", "(3)->(3)",
     "self = -self.\n"
     "\n"
     "(3)->(3).  self: vector.\n"
-    "3 neg.\n",
+    "3 neg.  Exact.\n",
    1, 1, vec3_invert_loops},
   {"axpy_vv", "(),(3),(3)->(3)",
     "y = a x + y.\n"
     "\n"
     "(),(3),(3)->(3).  a: number; x, y: vector.\n"
-    "3 mul, 3 add.\n",
+    "3 mul, 3 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
    3, 1, axpy_vv_loops},
   {"xpy_vv", "(3),(3)->(3)",
     "y = x + y.\n"
     "\n"
     "(3),(3)->(3).  x, y: vector.\n"
-    "3 add.\n",
+    "3 add.  Error <= u |x|, barring underflow.\n",
    2, 1, xpy_vv_loops},
   {"nxpy_vv", "(3),(3)->(3)",
     "y = -x + y.\n"
     "\n"
     "(3),(3)->(3).  x, y: vector.\n"
-    "3 add.\n",
+    "3 add.  Error <= u |x|, barring underflow.\n",
    2, 1, nxpy_vv_loops},
   {"product_av", "(),(3)->(3)",
     "vo = a vi.\n"
     "\n"
     "(),(3)->(3).  a: number; vi, vo: vector.\n"
-    "3 mul.\n",
+    "3 mul.  Error <= u |x|, barring underflow.\n",
    2, 1, product_av_loops},
   {"add_vv", "(3),(3)->(3)",
     "vo = v1 + v2.\n"
     "\n"
     "(3),(3)->(3).  v1, v2, vo: vector.\n"
-    "3 add.\n",
+    "3 add.  Error <= u |x|, barring underflow.\n",
    2, 1, add_vv_loops},
   {"subtract_vv", "(3),(3)->(3)",
     "vo = v1 - v2.\n"
     "\n"
     "(3),(3)->(3).  v1, v2, vo: vector.\n"
-    "3 add.\n",
+    "3 add.  Error <= u |x|, barring underflow.\n",
    2, 1, subtract_vv_loops},
   {"vec3_scaled", "(3),()->(3)",
     "vo = k v.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
-    "3 mul.\n",
+    "3 mul.  Error <= u |x|, barring underflow.\n",
    2, 1, vec3_scaled_loops},
   {"vec3_swap", "(3),(3)->(3),(3)",
     "v1, v2 = v2, v1.\n"
     "\n"
     "(3),(3)->(3),(3).  v1, v2: vector.\n"
-    "No arithmetic.\n",
+    "No arithmetic.  Exact.\n",
    2, 2, vec3_swap_loops},
   {"vec3_l2norm", "(3)->()",
     "|v| = sqrt(v·v).\n"
@@ -1948,13 +1948,13 @@ const coscrew_gufunc TABLE(vec3)[] = {
     "v1·v2.\n"
     "\n"
     "(3),(3)->().  v1, v2: vector; dot: number.\n"
-    "3 mul, 2 add.\n",
+    "3 mul, 2 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
    2, 1, dot_vv_loops},
   {"product_avinv", "(),(3)->(3)",
     "vo = k (-v).\n"
     "\n"
     "(),(3)->(3).  k: number; v, vo: vector.\n"
-    "3 mul, 3 neg.\n",
+    "3 mul, 3 neg.  Error <= u |x|, barring underflow.\n",
    2, 1, product_avinv_loops},
   {"product_ainvv", "(),(3)->(3)",
     "vo = k^-1 v.\n"
@@ -1966,49 +1966,49 @@ const coscrew_gufunc TABLE(vec3)[] = {
     "vo = v1 × v2; exactly zero for v1 = v2.\n"
     "\n"
     "(3),(3)->(3).  v1, v2, vo: vector.\n"
-    "6 mul, 3 add.\n",
+    "6 mul, 3 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
    2, 1, cross_vv_loops},
   {"cross_vvinv", "(3),(3)->(3)",
     "vo = v1 × (-v2).\n"
     "\n"
     "(3),(3)->(3).  v1, v2, vo: vector.\n"
-    "6 mul, 3 add.\n",
+    "6 mul, 3 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
    2, 1, cross_vvinv_loops},
   {"add_vvx", "(3),()->(3)",
     "vo = v + k e_x.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
-    "1 add.\n",
+    "1 add.  Error <= u |x|, barring underflow.\n",
    2, 1, add_vvx_loops},
   {"add_vvxinv", "(3),()->(3)",
     "vo = v - k e_x.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
-    "1 add.\n",
+    "1 add.  Error <= u |x|, barring underflow.\n",
    2, 1, add_vvxinv_loops},
   {"add_vvy", "(3),()->(3)",
     "vo = v + k e_y.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
-    "1 add.\n",
+    "1 add.  Error <= u |x|, barring underflow.\n",
    2, 1, add_vvy_loops},
   {"add_vvyinv", "(3),()->(3)",
     "vo = v - k e_y.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
-    "1 add.\n",
+    "1 add.  Error <= u |x|, barring underflow.\n",
    2, 1, add_vvyinv_loops},
   {"add_vvz", "(3),()->(3)",
     "vo = v + k e_z.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
-    "1 add.\n",
+    "1 add.  Error <= u |x|, barring underflow.\n",
    2, 1, add_vvz_loops},
   {"add_vvzinv", "(3),()->(3)",
     "vo = v - k e_z.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
-    "1 add.\n",
+    "1 add.  Error <= u |x|, barring underflow.\n",
    2, 1, add_vvzinv_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

@@ -11,7 +11,7 @@ def coscrew_copy(ci):
     """co = ci.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
-    No arithmetic.
+    No arithmetic.  Exact.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     return (ci_0, ci_1, ci_2, ci_3, ci_4, ci_5)
@@ -22,7 +22,7 @@ def coscrew_scale(self, a):
     """self = a self.
 
     (6),()->(6).  self: coscrew (f in N; τ in N m); a: number.
-    6 mul.
+    6 mul.  Error <= u |x|, barring underflow.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
     self_0_new = self_0 * a
@@ -39,7 +39,7 @@ def coscrew_inverted(ci):
     """co = -ci.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
-    6 neg.
+    6 neg.  Exact.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     co_0 = -ci_0
@@ -56,7 +56,7 @@ def coscrew_invert(self):
     """self = -self.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
-    6 neg.
+    6 neg.  Exact.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
     self_0_new = -self_0
@@ -73,7 +73,7 @@ def axpy_cc(a, x, y):
     """y = a x + y.
 
     (),(6),(6)->(6).  a: number; x, y: coscrew (f in N; τ in N m).
-    6 mul, 6 add.
+    6 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     x_0, x_1, x_2, x_3, x_4, x_5 = x
     y_0, y_1, y_2, y_3, y_4, y_5 = y
@@ -91,7 +91,7 @@ def xpy_cc(x, y):
     """y = x + y.
 
     (6),(6)->(6).  x, y: coscrew (f in N; τ in N m).
-    6 add.
+    6 add.  Error <= u |x|, barring underflow.
     """
     x_0, x_1, x_2, x_3, x_4, x_5 = x
     y_0, y_1, y_2, y_3, y_4, y_5 = y
@@ -109,7 +109,7 @@ def nxpy_cc(x, y):
     """y = -x + y.
 
     (6),(6)->(6).  x, y: coscrew (f in N; τ in N m).
-    6 add.
+    6 add.  Error <= u |x|, barring underflow.
     """
     x_0, x_1, x_2, x_3, x_4, x_5 = x
     y_0, y_1, y_2, y_3, y_4, y_5 = y
@@ -127,7 +127,7 @@ def product_ac(a, ci):
     """co = a ci.
 
     (),(6)->(6).  a: number; ci, co: coscrew (f in N; τ in N m).
-    6 mul.
+    6 mul.  Error <= u |x|, barring underflow.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     co_0 = a * ci_0
@@ -144,7 +144,7 @@ def add_cc(c1, c2):
     """co = c1 + c2.
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    6 add.
+    6 add.  Error <= u |x|, barring underflow.
     """
     c1_0, c1_1, c1_2, c1_3, c1_4, c1_5 = c1
     c2_0, c2_1, c2_2, c2_3, c2_4, c2_5 = c2
@@ -162,7 +162,7 @@ def subtract_cc(c1, c2):
     """co = c1 - c2.
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    6 add.
+    6 add.  Error <= u |x|, barring underflow.
     """
     c1_0, c1_1, c1_2, c1_3, c1_4, c1_5 = c1
     c2_0, c2_1, c2_2, c2_3, c2_4, c2_5 = c2
@@ -236,7 +236,7 @@ def coscrew_from_lin_ang(lin, ang):
     """co = (lin; ang).
 
     (3),(3)->(6).  lin, ang: vector; co: coscrew (f in N; τ in N m).
-    No arithmetic.
+    No arithmetic.  Exact.
     """
     lin_0, lin_1, lin_2 = lin
     ang_0, ang_1, ang_2 = ang
@@ -248,7 +248,7 @@ def coscrew_to_angular_first(ci):
     """x = (ang; lin) of ci.
 
     (6)->(6).  ci: coscrew (f in N; τ in N m); x: six components with the angular part on top.
-    No arithmetic.
+    No arithmetic.  Exact.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     return (ci_3, ci_4, ci_5, ci_0, ci_1, ci_2)
@@ -259,7 +259,7 @@ def coscrew_from_angular_first(x):
     """co = (lin; ang) of x = (ang; lin).
 
     (6)->(6).  x: six components with the angular part on top; co: coscrew (f in N; τ in N m).
-    No arithmetic.
+    No arithmetic.  Exact.
     """
     x_0, x_1, x_2, x_3, x_4, x_5 = x
     return (x_3, x_4, x_5, x_0, x_1, x_2)
@@ -270,7 +270,7 @@ def add_cct(c1, c2):
     """co = (c1.lin + c2.lin ; c1.ang).
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    3 add.
+    3 add.  Error <= u |x|, barring underflow.
     """
     c1_0, c1_1, c1_2, c1_3, c1_4, c1_5 = c1
     c2_0, c2_1, c2_2, c2_3, c2_4, c2_5 = c2
@@ -285,7 +285,7 @@ def product_CoAdtc(t, ci):
     """co = [Ad]*(t) ci.
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 6 add.
+    6 mul, 6 add.  Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     t_0, t_1, t_2 = t
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
@@ -300,7 +300,7 @@ def product_CoAdtinvc(t, ci):
     """co = [Ad]*(t)^-1 ci.
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 6 add.
+    6 mul, 6 add.  Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     t_0, t_1, t_2 = t
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
@@ -315,7 +315,7 @@ def product_CoAdtcinv(t, ci):
     """co = [Ad]*(t) (-ci).
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 6 add, 3 neg.
+    6 mul, 6 add, 3 neg.  Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     t_0, t_1, t_2 = t
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
@@ -333,7 +333,7 @@ def product_CoAdrc(R, ci):
     """co = [Ad]*(R) ci.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add.
+    18 mul, 12 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
@@ -351,7 +351,7 @@ def product_CoAdrinvc(R, ci):
     """co = [Ad]*(R)^-1 ci.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add.
+    18 mul, 12 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
@@ -369,7 +369,7 @@ def product_CoAdrcinv(R, ci):
     """co = [Ad]*(R) (-ci).
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add, 6 neg.
+    18 mul, 12 add, 6 neg.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
@@ -387,7 +387,7 @@ def product_CoAdc(D, ci):
     """co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-    24 mul, 18 add.
+    24 mul, 18 add.  Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
@@ -408,7 +408,7 @@ def product_CoAdinvc(D, ci):
     """co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-    24 mul, 18 add.
+    24 mul, 18 add.  Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
@@ -429,7 +429,7 @@ def product_CoAdcinv(D, ci):
     """co = [Ad]*(D) (-ci).
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-    24 mul, 18 add, 6 neg.
+    24 mul, 18 add, 6 neg.  Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
@@ -450,7 +450,7 @@ def hctx(D):
     """co = h_tx: column 0 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.
+    6 mul, 3 add.  Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     co_3 = D_20 * D_13 - D_10 * D_23
@@ -464,7 +464,7 @@ def hcty(D):
     """co = h_ty: column 1 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.
+    6 mul, 3 add.  Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     co_3 = D_21 * D_13 - D_11 * D_23
@@ -478,7 +478,7 @@ def hctz(D):
     """co = h_tz: column 2 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.
+    6 mul, 3 add.  Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     co_3 = D_22 * D_13 - D_12 * D_23
@@ -492,7 +492,7 @@ def hcrx(D):
     """co = h_rx: column 3 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    No arithmetic.
+    No arithmetic.  Exact.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     return (0.0, 0.0, 0.0, D_00, D_10, D_20)
@@ -503,7 +503,7 @@ def hcry(D):
     """co = h_ry: column 4 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    No arithmetic.
+    No arithmetic.  Exact.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     return (0.0, 0.0, 0.0, D_01, D_11, D_21)
@@ -514,7 +514,7 @@ def hcrz(D):
     """co = h_rz: column 5 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    No arithmetic.
+    No arithmetic.  Exact.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     return (0.0, 0.0, 0.0, D_02, D_12, D_22)
@@ -525,7 +525,7 @@ def hctxinv(D):
     """co = -h_tx: -column 0 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add, 3 neg.
+    6 mul, 3 add, 3 neg.  Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     co_0 = -D_00
@@ -542,7 +542,7 @@ def hctyinv(D):
     """co = -h_ty: -column 1 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add, 3 neg.
+    6 mul, 3 add, 3 neg.  Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     co_0 = -D_01
@@ -559,7 +559,7 @@ def hctzinv(D):
     """co = -h_tz: -column 2 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add, 3 neg.
+    6 mul, 3 add, 3 neg.  Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     co_0 = -D_02
@@ -576,7 +576,7 @@ def hcrxinv(D):
     """co = -h_rx: -column 3 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    3 neg.
+    3 neg.  Exact.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     co_3 = -D_00
@@ -590,7 +590,7 @@ def hcryinv(D):
     """co = -h_ry: -column 4 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    3 neg.
+    3 neg.  Exact.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     co_3 = -D_01
@@ -604,7 +604,7 @@ def hcrzinv(D):
     """co = -h_rz: -column 5 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    3 neg.
+    3 neg.  Exact.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     co_3 = -D_02
@@ -618,7 +618,7 @@ def CoAd(D):
     """M = [Ad]*(D).
 
     (3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-    18 mul, 9 add.
+    18 mul, 9 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     M_30 = D_20 * D_13 - D_10 * D_23
@@ -640,7 +640,7 @@ def reciprocal_product(c, x):
     """power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).
 
     (6),(6)->().  c: coscrew (f in N; τ in N m); x: six components with the angular part on top; power: number.
-    6 mul, 5 add.
+    6 mul, 5 add.  Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     c_0, c_1, c_2, c_3, c_4, c_5 = c
     x_0, x_1, x_2, x_3, x_4, x_5 = x
@@ -653,7 +653,7 @@ def cross_sc(s, c):
     """co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
 
     (6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add.
+    18 mul, 12 add.  Error <= u |x| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -671,7 +671,7 @@ def cross_sca(s, c):
     """co = (0 ; ω×τ).
 
     (6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.
+    6 mul, 3 add.  Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -686,7 +686,7 @@ def constraint_ctx(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    21 mul, 15 add.
+    21 mul, 15 add.  Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -707,7 +707,7 @@ def constraint_cty(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    21 mul, 15 add.
+    21 mul, 15 add.  Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -728,7 +728,7 @@ def constraint_ctz(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    21 mul, 15 add.
+    21 mul, 15 add.  Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -749,7 +749,7 @@ def constraint_crx(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    21 mul, 15 add.
+    21 mul, 15 add.  Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -770,7 +770,7 @@ def constraint_cry(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    21 mul, 15 add.
+    21 mul, 15 add.  Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -791,7 +791,7 @@ def constraint_crz(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    21 mul, 15 add.
+    21 mul, 15 add.  Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -812,7 +812,7 @@ def working_ctx(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    9 mul, 3 add.
+    9 mul, 3 add.  Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -830,7 +830,7 @@ def working_cty(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    9 mul, 3 add.
+    9 mul, 3 add.  Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -848,7 +848,7 @@ def working_ctz(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    9 mul, 3 add.
+    9 mul, 3 add.  Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -866,7 +866,7 @@ def working_crx(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    3 mul.
+    3 mul.  Error <= u |x|, barring underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -881,7 +881,7 @@ def working_cry(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    3 mul.
+    3 mul.  Error <= u |x|, barring underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -896,7 +896,7 @@ def working_crz(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    3 mul.
+    3 mul.  Error <= u |x|, barring underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -911,7 +911,7 @@ def coad(s):
     """M = [ad]*(s) = [Ad]*' [Ad]*^-1 = [[ω~, 0], [v~, ω~]].
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    6 neg.
+    6 neg.  Exact.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     M_01 = -s_5

@@ -9,7 +9,7 @@ def mat6x6_copy(M):
     """Mo = M.
 
     (6,6)->(6,6).  M, Mo: 6×6 operator.
-    No arithmetic.
+    No arithmetic.  Exact.
     """
     (M_00, M_01, M_02, M_03, M_04, M_05, M_10, M_11, M_12, M_13, M_14, M_15, M_20, M_21, M_22, M_23,
         M_24, M_25, M_30, M_31, M_32, M_33, M_34, M_35, M_40, M_41, M_42, M_43, M_44, M_45, M_50,
@@ -24,7 +24,7 @@ def mat6x6_setIdentity(self):
     """self = I.
 
     (6,6)->(6,6).  self: 6×6 operator.
-    No arithmetic.
+    No arithmetic.  Exact.
     """
     return (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0,
         0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
@@ -36,7 +36,7 @@ def mat6x6_transposed(M):
     """Mo = M^T.
 
     (6,6)->(6,6).  M, Mo: 6×6 operator.
-    No arithmetic.
+    No arithmetic.  Exact.
     """
     (M_00, M_01, M_02, M_03, M_04, M_05, M_10, M_11, M_12, M_13, M_14, M_15, M_20, M_21, M_22, M_23,
         M_24, M_25, M_30, M_31, M_32, M_33, M_34, M_35, M_40, M_41, M_42, M_43, M_44, M_45, M_50,

@@ -11,7 +11,7 @@ def vec3_copy(vi):
     """vo = vi.
 
     (3)->(3).  vi, vo: vector.
-    No arithmetic.
+    No arithmetic.  Exact.
     """
     vi_0, vi_1, vi_2 = vi
     return (vi_0, vi_1, vi_2)
@@ -22,7 +22,7 @@ def vec3_scale(self, a):
     """self = a self.
 
     (3),()->(3).  self: vector; a: number.
-    3 mul.
+    3 mul.  Error <= u |x|, barring underflow.
     """
     self_0, self_1, self_2 = self
     self_0_new = self_0 * a
@@ -36,7 +36,7 @@ def vec3_inverted(vi):
     """vo = -vi.
 
     (3)->(3).  vi, vo: vector.
-    3 neg.
+    3 neg.  Exact.
     """
     vi_0, vi_1, vi_2 = vi
     vo_0 = -vi_0
@@ -50,7 +50,7 @@ def vec3_invert(self):
     """self = -self.
 
     (3)->(3).  self: vector.
-    3 neg.
+    3 neg.  Exact.
     """
     self_0, self_1, self_2 = self
     self_0_new = -self_0
@@ -64,7 +64,7 @@ def axpy_vv(a, x, y):
     """y = a x + y.
 
     (),(3),(3)->(3).  a: number; x, y: vector.
-    3 mul, 3 add.
+    3 mul, 3 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     x_0, x_1, x_2 = x
     y_0, y_1, y_2 = y
@@ -79,7 +79,7 @@ def xpy_vv(x, y):
     """y = x + y.
 
     (3),(3)->(3).  x, y: vector.
-    3 add.
+    3 add.  Error <= u |x|, barring underflow.
     """
     x_0, x_1, x_2 = x
     y_0, y_1, y_2 = y
@@ -94,7 +94,7 @@ def nxpy_vv(x, y):
     """y = -x + y.
 
     (3),(3)->(3).  x, y: vector.
-    3 add.
+    3 add.  Error <= u |x|, barring underflow.
     """
     x_0, x_1, x_2 = x
     y_0, y_1, y_2 = y
@@ -109,7 +109,7 @@ def product_av(a, vi):
     """vo = a vi.
 
     (),(3)->(3).  a: number; vi, vo: vector.
-    3 mul.
+    3 mul.  Error <= u |x|, barring underflow.
     """
     vi_0, vi_1, vi_2 = vi
     vo_0 = a * vi_0
@@ -123,7 +123,7 @@ def add_vv(v1, v2):
     """vo = v1 + v2.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    3 add.
+    3 add.  Error <= u |x|, barring underflow.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
@@ -138,7 +138,7 @@ def subtract_vv(v1, v2):
     """vo = v1 - v2.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    3 add.
+    3 add.  Error <= u |x|, barring underflow.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
@@ -153,7 +153,7 @@ def vec3_scaled(v, k):
     """vo = k v.
 
     (3),()->(3).  v, vo: vector; k: number.
-    3 mul.
+    3 mul.  Error <= u |x|, barring underflow.
     """
     v_0, v_1, v_2 = v
     vo_0 = v_0 * k
@@ -167,7 +167,7 @@ def vec3_swap(v1, v2):
     """v1, v2 = v2, v1.
 
     (3),(3)->(3),(3).  v1, v2: vector.
-    No arithmetic.
+    No arithmetic.  Exact.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
@@ -223,7 +223,7 @@ def dot_vv(v1, v2):
     """v1·v2.
 
     (3),(3)->().  v1, v2: vector; dot: number.
-    3 mul, 2 add.
+    3 mul, 2 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
@@ -236,7 +236,7 @@ def product_avinv(k, v):
     """vo = k (-v).
 
     (),(3)->(3).  k: number; v, vo: vector.
-    3 mul, 3 neg.
+    3 mul, 3 neg.  Error <= u |x|, barring underflow.
     """
     v_0, v_1, v_2 = v
     vo_0 = -(k * v_0)
@@ -265,7 +265,7 @@ def cross_vv(v1, v2):
     """vo = v1 × v2; exactly zero for v1 = v2.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    6 mul, 3 add.
+    6 mul, 3 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
@@ -280,7 +280,7 @@ def cross_vvinv(v1, v2):
     """vo = v1 × (-v2).
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    6 mul, 3 add.
+    6 mul, 3 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
@@ -295,7 +295,7 @@ def add_vvx(v, k):
     """vo = v + k e_x.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.
+    1 add.  Error <= u |x|, barring underflow.
     """
     v_0, v_1, v_2 = v
     vo_0 = v_0 + k
@@ -307,7 +307,7 @@ def add_vvxinv(v, k):
     """vo = v - k e_x.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.
+    1 add.  Error <= u |x|, barring underflow.
     """
     v_0, v_1, v_2 = v
     vo_0 = v_0 - k
@@ -319,7 +319,7 @@ def add_vvy(v, k):
     """vo = v + k e_y.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.
+    1 add.  Error <= u |x|, barring underflow.
     """
     v_0, v_1, v_2 = v
     vo_1 = v_1 + k
@@ -331,7 +331,7 @@ def add_vvyinv(v, k):
     """vo = v - k e_y.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.
+    1 add.  Error <= u |x|, barring underflow.
     """
     v_0, v_1, v_2 = v
     vo_1 = v_1 - k
@@ -343,7 +343,7 @@ def add_vvz(v, k):
     """vo = v + k e_z.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.
+    1 add.  Error <= u |x|, barring underflow.
     """
     v_0, v_1, v_2 = v
     vo_2 = v_2 + k
@@ -355,7 +355,7 @@ def add_vvzinv(v, k):
     """vo = v - k e_z.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.
+    1 add.  Error <= u |x|, barring underflow.
     """
     v_0, v_1, v_2 = v
     vo_2 = v_2 - k

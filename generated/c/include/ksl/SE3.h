@@ -7,9 +7,10 @@
 #include "mat3x3.h"
 
 /* A SE3 from its entries, row by row. */
-static inline ksl_SE3_t ksl_SE3(const double m00, const double m01, const double m02, const double m03,
-    const double m10, const double m11, const double m12, const double m13,
-    const double m20, const double m21, const double m22, const double m23) {
+static inline ksl_SE3_t ksl_SE3(const double m00, const double m01, const double m02,
+    const double m03, const double m10, const double m11, const double m12,
+    const double m13, const double m20, const double m21, const double m22,
+    const double m23) {
   ksl_SE3_t value;
   value.m00 = m00;
   value.m01 = m01;
@@ -27,9 +28,10 @@ static inline ksl_SE3_t ksl_SE3(const double m00, const double m01, const double
 }
 
 /* A SE3 from its entries, column by column. */
-static inline ksl_SE3_t ksl_SE3_cmo(const double m00, const double m10, const double m20, const double m01,
-    const double m11, const double m21, const double m02, const double m12,
-    const double m22, const double m03, const double m13, const double m23) {
+static inline ksl_SE3_t ksl_SE3_cmo(const double m00, const double m10, const double m20,
+    const double m01, const double m11, const double m21, const double m02,
+    const double m12, const double m22, const double m03, const double m13,
+    const double m23) {
   ksl_SE3_t value;
   value.m00 = m00;
   value.m10 = m10;
@@ -67,7 +69,8 @@ static inline void ksl_SE3_set(ksl_SE3_t *D, const int row, const int column,
 
 /* D = [R | t].
    R: rotation or other 3×3 matrix; t: vector.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline ksl_SE3_t ksl_SE3_fromRt(const ksl_mat3x3_t R, const ksl_vec3_t t) {
   ksl_SE3_t D;
   D.m00 = R.m00;
@@ -87,7 +90,8 @@ static inline ksl_SE3_t ksl_SE3_fromRt(const ksl_mat3x3_t R, const ksl_vec3_t t)
 
 /* Do = D.
    D, Do: displacement [R | t], R rotation, t in m.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_SE3_copy(const ksl_SE3_t *D, ksl_SE3_t *Do) {
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
@@ -117,7 +121,8 @@ static inline void ksl_SE3_copy(const ksl_SE3_t *D, ksl_SE3_t *Do) {
 
 /* self = [I | 0].
    self: displacement [R | t], R rotation, t in m.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_SE3_setIdentity(ksl_SE3_t *self) {
   self->m00 = 1.0;
   self->m01 = 0.0;
@@ -135,7 +140,8 @@ static inline void ksl_SE3_setIdentity(ksl_SE3_t *self) {
 
 /* t of D = [R | t].
    D: displacement [R | t], R rotation, t in m; t: vector.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_SE3_getTranslation(const ksl_SE3_t *D, ksl_vec3_t *t) {
   const double D_m03 = D->m03;
   const double D_m13 = D->m13;
@@ -147,7 +153,8 @@ static inline void ksl_SE3_getTranslation(const ksl_SE3_t *D, ksl_vec3_t *t) {
 
 /* R of D = [R | t].
    D: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_SE3_getRotation(const ksl_SE3_t *D, ksl_mat3x3_t *R) {
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
@@ -171,7 +178,9 @@ static inline void ksl_SE3_getRotation(const ksl_SE3_t *D, ksl_mat3x3_t *R) {
 
 /* self = self^-1 = [R^T | -R^T t].
    self: displacement [R | t], R rotation, t in m.
-   9 mul, 6 add, 3 neg. */
+   9 mul, 6 add, 3 neg.
+   Error <= u |x| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_SE3_invert(ksl_SE3_t *self) {
   const double self_03_new_a = self->m00 * self->m03, self_03_new_b = self->m10 * self->m13,
       self_03_new_c = self_03_new_a + self_03_new_b, self_03_new_d = self->m20 * self->m23,
@@ -201,7 +210,9 @@ static inline void ksl_SE3_invert(ksl_SE3_t *self) {
 
 /* Do = D^-1 = [R^T | -R^T t].
    D, Do: displacement [R | t], R rotation, t in m.
-   9 mul, 6 add, 3 neg. */
+   9 mul, 6 add, 3 neg.
+   Error <= u |x| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_SE3_inverted(const ksl_SE3_t *D, ksl_SE3_t *Do) {
   const double Do_03a = D->m00 * D->m03, Do_03b = D->m10 * D->m13, Do_03c = Do_03a + Do_03b,
       Do_03d = D->m20 * D->m23, Do_03e = Do_03c + Do_03d, Do_03 = -Do_03e;
@@ -233,9 +244,10 @@ static inline void ksl_SE3_inverted(const ksl_SE3_t *D, ksl_SE3_t *Do) {
 }
 
 /* A SE3 from its entries, row by row. */
-static inline ksl_SE3f_t ksl_SE3f(const float m00, const float m01, const float m02, const float m03,
-    const float m10, const float m11, const float m12, const float m13,
-    const float m20, const float m21, const float m22, const float m23) {
+static inline ksl_SE3f_t ksl_SE3f(const float m00, const float m01, const float m02,
+    const float m03, const float m10, const float m11, const float m12,
+    const float m13, const float m20, const float m21, const float m22,
+    const float m23) {
   ksl_SE3f_t value;
   value.m00 = m00;
   value.m01 = m01;
@@ -253,9 +265,10 @@ static inline ksl_SE3f_t ksl_SE3f(const float m00, const float m01, const float 
 }
 
 /* A SE3 from its entries, column by column. */
-static inline ksl_SE3f_t ksl_SE3f_cmo(const float m00, const float m10, const float m20, const float m01,
-    const float m11, const float m21, const float m02, const float m12,
-    const float m22, const float m03, const float m13, const float m23) {
+static inline ksl_SE3f_t ksl_SE3f_cmo(const float m00, const float m10, const float m20,
+    const float m01, const float m11, const float m21, const float m02,
+    const float m12, const float m22, const float m03, const float m13,
+    const float m23) {
   ksl_SE3f_t value;
   value.m00 = m00;
   value.m10 = m10;
@@ -293,7 +306,8 @@ static inline void ksl_SE3f_set(ksl_SE3f_t *D, const int row, const int column,
 
 /* D = [R | t].
    R: rotation or other 3×3 matrix; t: vector.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline ksl_SE3f_t ksl_SE3f_fromRt(const ksl_mat3x3f_t R, const ksl_vec3f_t t) {
   ksl_SE3f_t D;
   D.m00 = R.m00;
@@ -313,7 +327,8 @@ static inline ksl_SE3f_t ksl_SE3f_fromRt(const ksl_mat3x3f_t R, const ksl_vec3f_
 
 /* Do = D.
    D, Do: displacement [R | t], R rotation, t in m.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_SE3f_copy(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
@@ -343,7 +358,8 @@ static inline void ksl_SE3f_copy(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
 
 /* self = [I | 0].
    self: displacement [R | t], R rotation, t in m.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_SE3f_setIdentity(ksl_SE3f_t *self) {
   self->m00 = 1.0f;
   self->m01 = 0.0f;
@@ -361,7 +377,8 @@ static inline void ksl_SE3f_setIdentity(ksl_SE3f_t *self) {
 
 /* t of D = [R | t].
    D: displacement [R | t], R rotation, t in m; t: vector.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_SE3f_getTranslation(const ksl_SE3f_t *D, ksl_vec3f_t *t) {
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
@@ -373,7 +390,8 @@ static inline void ksl_SE3f_getTranslation(const ksl_SE3f_t *D, ksl_vec3f_t *t) 
 
 /* R of D = [R | t].
    D: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_SE3f_getRotation(const ksl_SE3f_t *D, ksl_mat3x3f_t *R) {
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
@@ -397,7 +415,9 @@ static inline void ksl_SE3f_getRotation(const ksl_SE3f_t *D, ksl_mat3x3f_t *R) {
 
 /* self = self^-1 = [R^T | -R^T t].
    self: displacement [R | t], R rotation, t in m.
-   9 mul, 6 add, 3 neg. */
+   9 mul, 6 add, 3 neg.
+   Error <= u |x| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_SE3f_invert(ksl_SE3f_t *self) {
   const float self_03_new_a = self->m00 * self->m03, self_03_new_b = self->m10 * self->m13,
       self_03_new_c = self_03_new_a + self_03_new_b, self_03_new_d = self->m20 * self->m23,
@@ -427,7 +447,9 @@ static inline void ksl_SE3f_invert(ksl_SE3f_t *self) {
 
 /* Do = D^-1 = [R^T | -R^T t].
    D, Do: displacement [R | t], R rotation, t in m.
-   9 mul, 6 add, 3 neg. */
+   9 mul, 6 add, 3 neg.
+   Error <= u |x| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_SE3f_inverted(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
   const float Do_03a = D->m00 * D->m03, Do_03b = D->m10 * D->m13, Do_03c = Do_03a + Do_03b,
       Do_03d = D->m20 * D->m23, Do_03e = Do_03c + Do_03d, Do_03 = -Do_03e;

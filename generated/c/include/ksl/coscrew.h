@@ -7,7 +7,8 @@
 #include "screw.h"
 
 /* A coscrew from its entries, in order. */
-static inline ksl_coscrew_t ksl_coscrew(const double m0, const double m1, const double m2, const double m3, const double m4, const double m5) {
+static inline ksl_coscrew_t ksl_coscrew(const double m0, const double m1, const double m2,
+    const double m3, const double m4, const double m5) {
   ksl_coscrew_t value;
   value.m0 = m0;
   value.m1 = m1;
@@ -20,7 +21,8 @@ static inline ksl_coscrew_t ksl_coscrew(const double m0, const double m1, const 
 
 /* co = ci.
    ci, co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_coscrew_copy(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
@@ -38,7 +40,8 @@ static inline void ksl_coscrew_copy(const ksl_coscrew_t *ci, ksl_coscrew_t *co) 
 
 /* self = a self.
    self: coscrew (f in N; τ in N m); a: number.
-   6 mul. */
+   6 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_coscrew_scale(ksl_coscrew_t *self, const double a) {
   const double self_0_new = self->m0 * a;
   const double self_1_new = self->m1 * a;
@@ -56,7 +59,8 @@ static inline void ksl_coscrew_scale(ksl_coscrew_t *self, const double a) {
 
 /* co = -ci.
    ci, co: coscrew (f in N; τ in N m).
-   6 neg. */
+   6 neg.
+   Exact. */
 static inline void ksl_coscrew_inverted(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
   const double co_0 = -ci->m0;
   const double co_1 = -ci->m1;
@@ -74,7 +78,8 @@ static inline void ksl_coscrew_inverted(const ksl_coscrew_t *ci, ksl_coscrew_t *
 
 /* self = -self.
    self: coscrew (f in N; τ in N m).
-   6 neg. */
+   6 neg.
+   Exact. */
 static inline void ksl_coscrew_invert(ksl_coscrew_t *self) {
   const double self_0_new = -self->m0;
   const double self_1_new = -self->m1;
@@ -92,7 +97,9 @@ static inline void ksl_coscrew_invert(ksl_coscrew_t *self) {
 
 /* y = a x + y.
    a: number; x, y: coscrew (f in N; τ in N m).
-   6 mul, 6 add. */
+   6 mul, 6 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_axpy_cc(const double a, const ksl_coscrew_t *x, ksl_coscrew_t *y) {
   const double y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
   const double y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
@@ -110,7 +117,8 @@ static inline void ksl_axpy_cc(const double a, const ksl_coscrew_t *x, ksl_coscr
 
 /* y = x + y.
    x, y: coscrew (f in N; τ in N m).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_xpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
   const double y_0_new = x->m0 + y->m0;
   const double y_1_new = x->m1 + y->m1;
@@ -128,7 +136,8 @@ static inline void ksl_xpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
 
 /* y = -x + y.
    x, y: coscrew (f in N; τ in N m).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_nxpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
   const double y_0_new = y->m0 - x->m0;
   const double y_1_new = y->m1 - x->m1;
@@ -146,7 +155,8 @@ static inline void ksl_nxpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
 
 /* co = a ci.
    a: number; ci, co: coscrew (f in N; τ in N m).
-   6 mul. */
+   6 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_ac(const double a, const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
   const double co_0 = a * ci->m0;
   const double co_1 = a * ci->m1;
@@ -164,7 +174,8 @@ static inline void ksl_product_ac(const double a, const ksl_coscrew_t *ci, ksl_c
 
 /* co = c1 + c2.
    c1, c2, co: coscrew (f in N; τ in N m).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2, ksl_coscrew_t *co) {
   const double co_0 = c1->m0 + c2->m0;
   const double co_1 = c1->m1 + c2->m1;
@@ -182,7 +193,8 @@ static inline void ksl_add_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2, 
 
 /* co = c1 - c2.
    c1, c2, co: coscrew (f in N; τ in N m).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_subtract_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
     ksl_coscrew_t *co) {
   const double co_0 = c1->m0 - c2->m0;
@@ -264,7 +276,8 @@ static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t
 
 /* co = (lin; ang).
    lin, ang: vector; co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_coscrew_from_lin_ang(const ksl_vec3_t *lin, const ksl_vec3_t *ang,
     ksl_coscrew_t *co) {
   const double lin_x = lin->x;
@@ -283,7 +296,8 @@ static inline void ksl_coscrew_from_lin_ang(const ksl_vec3_t *lin, const ksl_vec
 
 /* x = (ang; lin) of ci.
    ci: coscrew (f in N; τ in N m); x: six components with the angular part on top.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_coscrew_to_angular_first(const ksl_coscrew_t *ci, double x[6]) {
   const double ci_m3 = ci->m3;
   const double ci_m4 = ci->m4;
@@ -301,7 +315,8 @@ static inline void ksl_coscrew_to_angular_first(const ksl_coscrew_t *ci, double 
 
 /* co = (lin; ang) of x = (ang; lin).
    x: six components with the angular part on top; co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_coscrew_from_angular_first(const double x[6], ksl_coscrew_t *co) {
   const double x_3 = x[3];
   const double x_4 = x[4];
@@ -319,7 +334,8 @@ static inline void ksl_coscrew_from_angular_first(const double x[6], ksl_coscrew
 
 /* co = (c1.lin + c2.lin ; c1.ang).
    c1, c2, co: coscrew (f in N; τ in N m).
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_cct(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
     ksl_coscrew_t *co) {
   const double co_0 = c1->m0 + c2->m0;
@@ -338,7 +354,9 @@ static inline void ksl_add_cct(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
 
 /* co = [Ad]*(t) ci.
    t: vector; ci, co: coscrew (f in N; τ in N m).
-   6 mul, 6 add. */
+   6 mul, 6 add.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdtc(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_3a = t->y * ci->m2, co_3b = t->z * ci->m1, co_3c = co_3a - co_3b,
@@ -360,7 +378,9 @@ static inline void ksl_product_CoAdtc(const ksl_vec3_t *t, const ksl_coscrew_t *
 
 /* co = [Ad]*(t)^-1 ci.
    t: vector; ci, co: coscrew (f in N; τ in N m).
-   6 mul, 6 add. */
+   6 mul, 6 add.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdtinvc(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
@@ -382,7 +402,9 @@ static inline void ksl_product_CoAdtinvc(const ksl_vec3_t *t, const ksl_coscrew_
 
 /* co = [Ad]*(t) (-ci).
    t: vector; ci, co: coscrew (f in N; τ in N m).
-   6 mul, 6 add, 3 neg. */
+   6 mul, 6 add, 3 neg.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdtcinv(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_0 = -ci->m0;
@@ -404,7 +426,9 @@ static inline void ksl_product_CoAdtcinv(const ksl_vec3_t *t, const ksl_coscrew_
 
 /* co = [Ad]*(R) ci.
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-   18 mul, 12 add. */
+   18 mul, 12 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_CoAdrc(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
@@ -429,7 +453,9 @@ static inline void ksl_product_CoAdrc(const ksl_mat3x3_t *R, const ksl_coscrew_t
 
 /* co = [Ad]*(R)^-1 ci.
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-   18 mul, 12 add. */
+   18 mul, 12 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_CoAdrinvc(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_0a = R->m00 * ci->m0, co_0b = R->m10 * ci->m1, co_0c = co_0a + co_0b,
@@ -454,7 +480,9 @@ static inline void ksl_product_CoAdrinvc(const ksl_mat3x3_t *R, const ksl_coscre
 
 /* co = [Ad]*(R) (-ci).
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-   18 mul, 12 add, 6 neg. */
+   18 mul, 12 add, 6 neg.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_CoAdrcinv(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
@@ -479,7 +507,9 @@ static inline void ksl_product_CoAdrcinv(const ksl_mat3x3_t *R, const ksl_coscre
 
 /* co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-   24 mul, 18 add. */
+   24 mul, 18 add.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdc(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
@@ -510,7 +540,9 @@ static inline void ksl_product_CoAdc(const ksl_SE3_t *D, const ksl_coscrew_t *ci
 
 /* co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-   24 mul, 18 add. */
+   24 mul, 18 add.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdinvc(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double w_3a = D->m23 * ci->m1, w_3b = D->m13 * ci->m2, w_3c = w_3a - w_3b,
@@ -541,7 +573,9 @@ static inline void ksl_product_CoAdinvc(const ksl_SE3_t *D, const ksl_coscrew_t 
 
 /* co = [Ad]*(D) (-ci).
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-   24 mul, 18 add, 6 neg. */
+   24 mul, 18 add, 6 neg.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdcinv(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
@@ -572,7 +606,9 @@ static inline void ksl_product_CoAdcinv(const ksl_SE3_t *D, const ksl_coscrew_t 
 
 /* co = h_tx: column 0 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_3a = D->m20 * D->m13, co_3b = D->m10 * D->m23, co_3 = co_3a - co_3b;
   const double co_4a = D->m00 * D->m23, co_4b = D->m20 * D->m03, co_4 = co_4a - co_4b;
@@ -590,7 +626,9 @@ static inline void ksl_hctx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = h_ty: column 1 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hcty(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_3a = D->m21 * D->m13, co_3b = D->m11 * D->m23, co_3 = co_3a - co_3b;
   const double co_4a = D->m01 * D->m23, co_4b = D->m21 * D->m03, co_4 = co_4a - co_4b;
@@ -608,7 +646,9 @@ static inline void ksl_hcty(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = h_tz: column 2 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctz(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_3a = D->m22 * D->m13, co_3b = D->m12 * D->m23, co_3 = co_3a - co_3b;
   const double co_4a = D->m02 * D->m23, co_4b = D->m22 * D->m03, co_4 = co_4a - co_4b;
@@ -626,7 +666,8 @@ static inline void ksl_hctz(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = h_rx: column 3 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_hcrx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
@@ -641,7 +682,8 @@ static inline void ksl_hcrx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = h_ry: column 4 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_hcry(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
@@ -656,7 +698,8 @@ static inline void ksl_hcry(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = h_rz: column 5 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_hcrz(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
@@ -671,7 +714,9 @@ static inline void ksl_hcrz(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = -h_tx: -column 0 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add, 3 neg. */
+   6 mul, 3 add, 3 neg.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m00;
   const double co_1 = -D->m10;
@@ -689,7 +734,9 @@ static inline void ksl_hctxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = -h_ty: -column 1 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add, 3 neg. */
+   6 mul, 3 add, 3 neg.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctyinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m01;
   const double co_1 = -D->m11;
@@ -707,7 +754,9 @@ static inline void ksl_hctyinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = -h_tz: -column 2 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add, 3 neg. */
+   6 mul, 3 add, 3 neg.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m02;
   const double co_1 = -D->m12;
@@ -725,7 +774,8 @@ static inline void ksl_hctzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = -h_rx: -column 3 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_hcrxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_3 = -D->m00;
   const double co_4 = -D->m10;
@@ -740,7 +790,8 @@ static inline void ksl_hcrxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = -h_ry: -column 4 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_hcryinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_3 = -D->m01;
   const double co_4 = -D->m11;
@@ -755,7 +806,8 @@ static inline void ksl_hcryinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = -h_rz: -column 5 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_hcrzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_3 = -D->m02;
   const double co_4 = -D->m12;
@@ -770,7 +822,9 @@ static inline void ksl_hcrzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* M = [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-   18 mul, 9 add. */
+   18 mul, 9 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_CoAd(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
   const double M_30a = D->m20 * D->m13, M_30b = D->m10 * D->m23, M_30 = M_30a - M_30b;
   const double M_31a = D->m21 * D->m13, M_31b = D->m11 * D->m23, M_31 = M_31a - M_31b;
@@ -830,7 +884,9 @@ static inline void ksl_CoAd(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
 
 /* power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).
    c: coscrew (f in N; τ in N m); x: six components with the angular part on top.
-   6 mul, 5 add. */
+   6 mul, 5 add.
+   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline double ksl_reciprocal_product(const ksl_coscrew_t *c, const double x[6]) {
   const double power_a = c->m0 * x[3], power_b = c->m1 * x[4], power_c = power_a + power_b,
       power_d = c->m2 * x[5], power_e = power_c + power_d, power_f = c->m3 * x[0],
@@ -841,7 +897,9 @@ static inline double ksl_reciprocal_product(const ksl_coscrew_t *c, const double
 
 /* co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
    s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-   18 mul, 12 add. */
+   18 mul, 12 add.
+   Error <= u |x| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_cross_sc(const ksl_screw_t *s, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double co_0a = s->m4 * c->m2, co_0b = s->m5 * c->m1, co_0 = co_0a - co_0b;
   const double co_1a = s->m5 * c->m0, co_1b = s->m3 * c->m2, co_1 = co_1a - co_1b;
@@ -862,7 +920,9 @@ static inline void ksl_cross_sc(const ksl_screw_t *s, const ksl_coscrew_t *c, ks
 
 /* co = (0 ; ω×τ).
    s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_cross_sca(const ksl_screw_t *s, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double co_3a = s->m4 * c->m5, co_3b = s->m5 * c->m4, co_3 = co_3a - co_3b;
   const double co_4a = s->m5 * c->m3, co_4b = s->m3 * c->m5, co_4 = co_4a - co_4b;
@@ -877,7 +937,9 @@ static inline void ksl_cross_sca(const ksl_screw_t *s, const ksl_coscrew_t *c, k
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
   const double w_0a = D->m01 * c->m1, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
@@ -905,7 +967,9 @@ static inline void ksl_constraint_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
   const double w_0a = D->m00 * c->m0, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
@@ -933,7 +997,9 @@ static inline void ksl_constraint_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
   const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0 = w_0a + w_0b;
@@ -961,7 +1027,9 @@ static inline void ksl_constraint_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
   const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
@@ -989,7 +1057,9 @@ static inline void ksl_constraint_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
   const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
@@ -1017,7 +1087,9 @@ static inline void ksl_constraint_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
   const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
@@ -1045,7 +1117,9 @@ static inline void ksl_constraint_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   9 mul, 3 add. */
+   9 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_working_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_0 = D->m00 * c->m0;
   const double w_1 = D->m10 * c->m0;
@@ -1063,7 +1137,9 @@ static inline void ksl_working_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   9 mul, 3 add. */
+   9 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_working_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_0 = D->m01 * c->m1;
   const double w_1 = D->m11 * c->m1;
@@ -1081,7 +1157,9 @@ static inline void ksl_working_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   9 mul, 3 add. */
+   9 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_working_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_0 = D->m02 * c->m2;
   const double w_1 = D->m12 * c->m2;
@@ -1099,7 +1177,8 @@ static inline void ksl_working_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_working_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_3 = D->m00 * c->m3;
   const double w_4 = D->m10 * c->m3;
@@ -1114,7 +1193,8 @@ static inline void ksl_working_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_working_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_3 = D->m01 * c->m4;
   const double w_4 = D->m11 * c->m4;
@@ -1129,7 +1209,8 @@ static inline void ksl_working_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_working_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_3 = D->m02 * c->m5;
   const double w_4 = D->m12 * c->m5;
@@ -1144,7 +1225,8 @@ static inline void ksl_working_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 
 /* M = [ad]*(s) = [Ad]*' [Ad]*^-1 = [[ω~, 0], [v~, ω~]].
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   6 neg. */
+   6 neg.
+   Exact. */
 static inline void ksl_coad(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double M_01 = -s->m5;
   const double M_12 = -s->m3;
@@ -1197,7 +1279,8 @@ static inline void ksl_coad(const ksl_screw_t *s, ksl_mat6x6_t *M) {
 }
 
 /* A coscrew from its entries, in order. */
-static inline ksl_coscrewf_t ksl_coscrewf(const float m0, const float m1, const float m2, const float m3, const float m4, const float m5) {
+static inline ksl_coscrewf_t ksl_coscrewf(const float m0, const float m1, const float m2,
+    const float m3, const float m4, const float m5) {
   ksl_coscrewf_t value;
   value.m0 = m0;
   value.m1 = m1;
@@ -1210,7 +1293,8 @@ static inline ksl_coscrewf_t ksl_coscrewf(const float m0, const float m1, const 
 
 /* co = ci.
    ci, co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_coscrewf_copy(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
@@ -1228,7 +1312,8 @@ static inline void ksl_coscrewf_copy(const ksl_coscrewf_t *ci, ksl_coscrewf_t *c
 
 /* self = a self.
    self: coscrew (f in N; τ in N m); a: number.
-   6 mul. */
+   6 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_coscrewf_scale(ksl_coscrewf_t *self, const float a) {
   const float self_0_new = self->m0 * a;
   const float self_1_new = self->m1 * a;
@@ -1246,7 +1331,8 @@ static inline void ksl_coscrewf_scale(ksl_coscrewf_t *self, const float a) {
 
 /* co = -ci.
    ci, co: coscrew (f in N; τ in N m).
-   6 neg. */
+   6 neg.
+   Exact. */
 static inline void ksl_coscrewf_inverted(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
   const float co_0 = -ci->m0;
   const float co_1 = -ci->m1;
@@ -1264,7 +1350,8 @@ static inline void ksl_coscrewf_inverted(const ksl_coscrewf_t *ci, ksl_coscrewf_
 
 /* self = -self.
    self: coscrew (f in N; τ in N m).
-   6 neg. */
+   6 neg.
+   Exact. */
 static inline void ksl_coscrewf_invert(ksl_coscrewf_t *self) {
   const float self_0_new = -self->m0;
   const float self_1_new = -self->m1;
@@ -1282,7 +1369,9 @@ static inline void ksl_coscrewf_invert(ksl_coscrewf_t *self) {
 
 /* y = a x + y.
    a: number; x, y: coscrew (f in N; τ in N m).
-   6 mul, 6 add. */
+   6 mul, 6 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_axpy_ccf(const float a, const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
   const float y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
   const float y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
@@ -1300,7 +1389,8 @@ static inline void ksl_axpy_ccf(const float a, const ksl_coscrewf_t *x, ksl_cosc
 
 /* y = x + y.
    x, y: coscrew (f in N; τ in N m).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_xpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
   const float y_0_new = x->m0 + y->m0;
   const float y_1_new = x->m1 + y->m1;
@@ -1318,7 +1408,8 @@ static inline void ksl_xpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
 
 /* y = -x + y.
    x, y: coscrew (f in N; τ in N m).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_nxpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
   const float y_0_new = y->m0 - x->m0;
   const float y_1_new = y->m1 - x->m1;
@@ -1336,7 +1427,8 @@ static inline void ksl_nxpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
 
 /* co = a ci.
    a: number; ci, co: coscrew (f in N; τ in N m).
-   6 mul. */
+   6 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_acf(const float a, const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
   const float co_0 = a * ci->m0;
   const float co_1 = a * ci->m1;
@@ -1354,7 +1446,8 @@ static inline void ksl_product_acf(const float a, const ksl_coscrewf_t *ci, ksl_
 
 /* co = c1 + c2.
    c1, c2, co: coscrew (f in N; τ in N m).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
   const float co_0 = c1->m0 + c2->m0;
@@ -1373,7 +1466,8 @@ static inline void ksl_add_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c
 
 /* co = c1 - c2.
    c1, c2, co: coscrew (f in N; τ in N m).
-   6 add. */
+   6 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_subtract_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
   const float co_0 = c1->m0 - c2->m0;
@@ -1455,7 +1549,8 @@ static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrew
 
 /* co = (lin; ang).
    lin, ang: vector; co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_coscrewf_from_lin_ang(const ksl_vec3f_t *lin, const ksl_vec3f_t *ang,
     ksl_coscrewf_t *co) {
   const float lin_x = lin->x;
@@ -1474,7 +1569,8 @@ static inline void ksl_coscrewf_from_lin_ang(const ksl_vec3f_t *lin, const ksl_v
 
 /* x = (ang; lin) of ci.
    ci: coscrew (f in N; τ in N m); x: six components with the angular part on top.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_coscrewf_to_angular_first(const ksl_coscrewf_t *ci, float x[6]) {
   const float ci_m3 = ci->m3;
   const float ci_m4 = ci->m4;
@@ -1492,7 +1588,8 @@ static inline void ksl_coscrewf_to_angular_first(const ksl_coscrewf_t *ci, float
 
 /* co = (lin; ang) of x = (ang; lin).
    x: six components with the angular part on top; co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_coscrewf_from_angular_first(const float x[6], ksl_coscrewf_t *co) {
   const float x_3 = x[3];
   const float x_4 = x[4];
@@ -1510,7 +1607,8 @@ static inline void ksl_coscrewf_from_angular_first(const float x[6], ksl_coscrew
 
 /* co = (c1.lin + c2.lin ; c1.ang).
    c1, c2, co: coscrew (f in N; τ in N m).
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_cctf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
   const float co_0 = c1->m0 + c2->m0;
@@ -1529,7 +1627,9 @@ static inline void ksl_add_cctf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *
 
 /* co = [Ad]*(t) ci.
    t: vector; ci, co: coscrew (f in N; τ in N m).
-   6 mul, 6 add. */
+   6 mul, 6 add.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdtcf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float co_3a = t->y * ci->m2, co_3b = t->z * ci->m1, co_3c = co_3a - co_3b,
@@ -1551,7 +1651,9 @@ static inline void ksl_product_CoAdtcf(const ksl_vec3f_t *t, const ksl_coscrewf_
 
 /* co = [Ad]*(t)^-1 ci.
    t: vector; ci, co: coscrew (f in N; τ in N m).
-   6 mul, 6 add. */
+   6 mul, 6 add.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdtinvcf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
@@ -1573,7 +1675,9 @@ static inline void ksl_product_CoAdtinvcf(const ksl_vec3f_t *t, const ksl_coscre
 
 /* co = [Ad]*(t) (-ci).
    t: vector; ci, co: coscrew (f in N; τ in N m).
-   6 mul, 6 add, 3 neg. */
+   6 mul, 6 add, 3 neg.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdtcinvf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float co_0 = -ci->m0;
@@ -1595,7 +1699,9 @@ static inline void ksl_product_CoAdtcinvf(const ksl_vec3f_t *t, const ksl_coscre
 
 /* co = [Ad]*(R) ci.
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-   18 mul, 12 add. */
+   18 mul, 12 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_CoAdrcf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
@@ -1620,7 +1726,9 @@ static inline void ksl_product_CoAdrcf(const ksl_mat3x3f_t *R, const ksl_coscrew
 
 /* co = [Ad]*(R)^-1 ci.
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-   18 mul, 12 add. */
+   18 mul, 12 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_CoAdrinvcf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float co_0a = R->m00 * ci->m0, co_0b = R->m10 * ci->m1, co_0c = co_0a + co_0b,
@@ -1645,7 +1753,9 @@ static inline void ksl_product_CoAdrinvcf(const ksl_mat3x3f_t *R, const ksl_cosc
 
 /* co = [Ad]*(R) (-ci).
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-   18 mul, 12 add, 6 neg. */
+   18 mul, 12 add, 6 neg.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_product_CoAdrcinvf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
@@ -1670,7 +1780,9 @@ static inline void ksl_product_CoAdrcinvf(const ksl_mat3x3f_t *R, const ksl_cosc
 
 /* co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-   24 mul, 18 add. */
+   24 mul, 18 add.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdcf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
@@ -1698,7 +1810,9 @@ static inline void ksl_product_CoAdcf(const ksl_SE3f_t *D, const ksl_coscrewf_t 
 
 /* co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-   24 mul, 18 add. */
+   24 mul, 18 add.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdinvcf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float w_3a = D->m23 * ci->m1, w_3b = D->m13 * ci->m2, w_3c = w_3a - w_3b,
@@ -1729,7 +1843,9 @@ static inline void ksl_product_CoAdinvcf(const ksl_SE3f_t *D, const ksl_coscrewf
 
 /* co = [Ad]*(D) (-ci).
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-   24 mul, 18 add, 6 neg. */
+   24 mul, 18 add, 6 neg.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_CoAdcinvf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
@@ -1757,7 +1873,9 @@ static inline void ksl_product_CoAdcinvf(const ksl_SE3f_t *D, const ksl_coscrewf
 
 /* co = h_tx: column 0 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_3a = D->m20 * D->m13, co_3b = D->m10 * D->m23, co_3 = co_3a - co_3b;
   const float co_4a = D->m00 * D->m23, co_4b = D->m20 * D->m03, co_4 = co_4a - co_4b;
@@ -1775,7 +1893,9 @@ static inline void ksl_hctxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = h_ty: column 1 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctyf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_3a = D->m21 * D->m13, co_3b = D->m11 * D->m23, co_3 = co_3a - co_3b;
   const float co_4a = D->m01 * D->m23, co_4b = D->m21 * D->m03, co_4 = co_4a - co_4b;
@@ -1793,7 +1913,9 @@ static inline void ksl_hctyf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = h_tz: column 2 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctzf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_3a = D->m22 * D->m13, co_3b = D->m12 * D->m23, co_3 = co_3a - co_3b;
   const float co_4a = D->m02 * D->m23, co_4b = D->m22 * D->m03, co_4 = co_4a - co_4b;
@@ -1811,7 +1933,8 @@ static inline void ksl_hctzf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = h_rx: column 3 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_hcrxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
@@ -1826,7 +1949,8 @@ static inline void ksl_hcrxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = h_ry: column 4 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_hcryf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
@@ -1841,7 +1965,8 @@ static inline void ksl_hcryf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = h_rz: column 5 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_hcrzf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
@@ -1856,7 +1981,9 @@ static inline void ksl_hcrzf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = -h_tx: -column 0 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add, 3 neg. */
+   6 mul, 3 add, 3 neg.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m00;
   const float co_1 = -D->m10;
@@ -1874,7 +2001,9 @@ static inline void ksl_hctxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = -h_ty: -column 1 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add, 3 neg. */
+   6 mul, 3 add, 3 neg.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctyinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m01;
   const float co_1 = -D->m11;
@@ -1892,7 +2021,9 @@ static inline void ksl_hctyinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = -h_tz: -column 2 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 3 add, 3 neg. */
+   6 mul, 3 add, 3 neg.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_hctzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m02;
   const float co_1 = -D->m12;
@@ -1910,7 +2041,8 @@ static inline void ksl_hctzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = -h_rx: -column 3 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_hcrxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_3 = -D->m00;
   const float co_4 = -D->m10;
@@ -1925,7 +2057,8 @@ static inline void ksl_hcrxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = -h_ry: -column 4 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_hcryinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_3 = -D->m01;
   const float co_4 = -D->m11;
@@ -1940,7 +2073,8 @@ static inline void ksl_hcryinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* co = -h_rz: -column 5 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_hcrzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_3 = -D->m02;
   const float co_4 = -D->m12;
@@ -1955,7 +2089,9 @@ static inline void ksl_hcrzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 
 /* M = [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-   18 mul, 9 add. */
+   18 mul, 9 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_CoAdf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
   const float M_30a = D->m20 * D->m13, M_30b = D->m10 * D->m23, M_30 = M_30a - M_30b;
   const float M_31a = D->m21 * D->m13, M_31b = D->m11 * D->m23, M_31 = M_31a - M_31b;
@@ -2015,7 +2151,9 @@ static inline void ksl_CoAdf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
 
 /* power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).
    c: coscrew (f in N; τ in N m); x: six components with the angular part on top.
-   6 mul, 5 add. */
+   6 mul, 5 add.
+   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline float ksl_reciprocal_productf(const ksl_coscrewf_t *c, const float x[6]) {
   const float power_a = c->m0 * x[3], power_b = c->m1 * x[4], power_c = power_a + power_b,
       power_d = c->m2 * x[5], power_e = power_c + power_d, power_f = c->m3 * x[0],
@@ -2026,7 +2164,9 @@ static inline float ksl_reciprocal_productf(const ksl_coscrewf_t *c, const float
 
 /* co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
    s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-   18 mul, 12 add. */
+   18 mul, 12 add.
+   Error <= u |x| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_cross_scf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float co_0a = s->m4 * c->m2, co_0b = s->m5 * c->m1, co_0 = co_0a - co_0b;
@@ -2048,7 +2188,9 @@ static inline void ksl_cross_scf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
 
 /* co = (0 ; ω×τ).
    s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_cross_scaf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float co_3a = s->m4 * c->m5, co_3b = s->m5 * c->m4, co_3 = co_3a - co_3b;
@@ -2064,7 +2206,9 @@ static inline void ksl_cross_scaf(const ksl_screwf_t *s, const ksl_coscrewf_t *c
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_0a = D->m01 * c->m1, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
@@ -2089,7 +2233,9 @@ static inline void ksl_constraint_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_0a = D->m00 * c->m0, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
@@ -2114,7 +2260,9 @@ static inline void ksl_constraint_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0 = w_0a + w_0b;
@@ -2139,7 +2287,9 @@ static inline void ksl_constraint_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
@@ -2164,7 +2314,9 @@ static inline void ksl_constraint_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
@@ -2189,7 +2341,9 @@ static inline void ksl_constraint_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   21 mul, 15 add. */
+   21 mul, 15 add.
+   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_constraint_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
@@ -2214,7 +2368,9 @@ static inline void ksl_constraint_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   9 mul, 3 add. */
+   9 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_working_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_0 = D->m00 * c->m0;
@@ -2233,7 +2389,9 @@ static inline void ksl_working_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   9 mul, 3 add. */
+   9 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_working_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_0 = D->m01 * c->m1;
@@ -2252,7 +2410,9 @@ static inline void ksl_working_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   9 mul, 3 add. */
+   9 mul, 3 add.
+   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_working_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_0 = D->m02 * c->m2;
@@ -2271,7 +2431,8 @@ static inline void ksl_working_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_working_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_3 = D->m00 * c->m3;
@@ -2287,7 +2448,8 @@ static inline void ksl_working_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_working_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_3 = D->m01 * c->m4;
@@ -2303,7 +2465,8 @@ static inline void ksl_working_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_working_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_3 = D->m02 * c->m5;
@@ -2319,7 +2482,8 @@ static inline void ksl_working_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 
 /* M = [ad]*(s) = [Ad]*' [Ad]*^-1 = [[ω~, 0], [v~, ω~]].
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   6 neg. */
+   6 neg.
+   Exact. */
 static inline void ksl_coadf(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float M_01 = -s->m5;
   const float M_12 = -s->m3;

@@ -8,8 +8,8 @@
 
 /* A mat3x3 from its entries, row by row. */
 static inline ksl_mat3x3_t ksl_mat3x3(const double m00, const double m01, const double m02,
-    const double m10, const double m11, const double m12,
-    const double m20, const double m21, const double m22) {
+    const double m10, const double m11, const double m12, const double m20,
+    const double m21, const double m22) {
   ksl_mat3x3_t value;
   value.m00 = m00;
   value.m01 = m01;
@@ -25,8 +25,8 @@ static inline ksl_mat3x3_t ksl_mat3x3(const double m00, const double m01, const 
 
 /* A mat3x3 from its entries, column by column. */
 static inline ksl_mat3x3_t ksl_mat3x3_cmo(const double m00, const double m10, const double m20,
-    const double m01, const double m11, const double m21,
-    const double m02, const double m12, const double m22) {
+    const double m01, const double m11, const double m21, const double m02,
+    const double m12, const double m22) {
   ksl_mat3x3_t value;
   value.m00 = m00;
   value.m10 = m10;
@@ -56,7 +56,8 @@ static inline void ksl_mat3x3_set(ksl_mat3x3_t *R, const int row, const int colu
 
 /* Ro = R.
    R, Ro: rotation or other 3×3 matrix.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat3x3_copy(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double R_m00 = R->m00;
   const double R_m01 = R->m01;
@@ -80,7 +81,8 @@ static inline void ksl_mat3x3_copy(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
 
 /* self = I.
    self: rotation or other 3×3 matrix.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat3x3_setIdentity(ksl_mat3x3_t *self) {
   self->m00 = 1.0;
   self->m01 = 0.0;
@@ -95,7 +97,8 @@ static inline void ksl_mat3x3_setIdentity(ksl_mat3x3_t *self) {
 
 /* R = [x y z], the columns.
    R: rotation or other 3×3 matrix; x, y, z: vector.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat3x3_setFromVectors(ksl_mat3x3_t *R, const ksl_vec3_t *x,
     const ksl_vec3_t *y, const ksl_vec3_t *z) {
   const double x_x = x->x;
@@ -120,7 +123,8 @@ static inline void ksl_mat3x3_setFromVectors(ksl_mat3x3_t *R, const ksl_vec3_t *
 
 /* Ro = v~, the matrix with v~ y = v × y.
    v: vector; Ro: rotation or other 3×3 matrix.
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_skew(const ksl_vec3_t *v, ksl_mat3x3_t *Ro) {
   const double Ro_01 = -v->z;
   const double Ro_12 = -v->x;
@@ -141,7 +145,8 @@ static inline void ksl_skew(const ksl_vec3_t *v, ksl_mat3x3_t *Ro) {
 
 /* self = self^T, the inverse of a rotation.
    self: rotation or other 3×3 matrix.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat3x3_transpose(ksl_mat3x3_t *self) {
   const double self_m10 = self->m10;
   const double self_m20 = self->m20;
@@ -159,7 +164,8 @@ static inline void ksl_mat3x3_transpose(ksl_mat3x3_t *self) {
 
 /* Ro = R^T, the inverse of a rotation.
    R, Ro: rotation or other 3×3 matrix.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat3x3_transposed(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double R_m00 = R->m00;
   const double R_m10 = R->m10;
@@ -183,7 +189,9 @@ static inline void ksl_mat3x3_transposed(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
 
 /* det R.
    R: rotation or other 3×3 matrix.
-   9 mul, 5 add. */
+   9 mul, 5 add.
+   Error <= u |x| + 4 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline double ksl_mat3x3_determinant(const ksl_mat3x3_t *R) {
   const double n_0a = R->m11 * R->m22, n_0b = R->m12 * R->m21, n_0 = n_0a - n_0b;
   const double n_1a = R->m02 * R->m21, n_1b = R->m01 * R->m22, n_1 = n_1a - n_1b;
@@ -195,8 +203,8 @@ static inline double ksl_mat3x3_determinant(const ksl_mat3x3_t *R) {
 
 /* A mat3x3 from its entries, row by row. */
 static inline ksl_mat3x3f_t ksl_mat3x3f(const float m00, const float m01, const float m02,
-    const float m10, const float m11, const float m12,
-    const float m20, const float m21, const float m22) {
+    const float m10, const float m11, const float m12, const float m20,
+    const float m21, const float m22) {
   ksl_mat3x3f_t value;
   value.m00 = m00;
   value.m01 = m01;
@@ -212,8 +220,8 @@ static inline ksl_mat3x3f_t ksl_mat3x3f(const float m00, const float m01, const 
 
 /* A mat3x3 from its entries, column by column. */
 static inline ksl_mat3x3f_t ksl_mat3x3f_cmo(const float m00, const float m10, const float m20,
-    const float m01, const float m11, const float m21,
-    const float m02, const float m12, const float m22) {
+    const float m01, const float m11, const float m21, const float m02,
+    const float m12, const float m22) {
   ksl_mat3x3f_t value;
   value.m00 = m00;
   value.m10 = m10;
@@ -243,7 +251,8 @@ static inline void ksl_mat3x3f_set(ksl_mat3x3f_t *R, const int row, const int co
 
 /* Ro = R.
    R, Ro: rotation or other 3×3 matrix.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat3x3f_copy(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const float R_m00 = R->m00;
   const float R_m01 = R->m01;
@@ -267,7 +276,8 @@ static inline void ksl_mat3x3f_copy(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
 
 /* self = I.
    self: rotation or other 3×3 matrix.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat3x3f_setIdentity(ksl_mat3x3f_t *self) {
   self->m00 = 1.0f;
   self->m01 = 0.0f;
@@ -282,7 +292,8 @@ static inline void ksl_mat3x3f_setIdentity(ksl_mat3x3f_t *self) {
 
 /* R = [x y z], the columns.
    R: rotation or other 3×3 matrix; x, y, z: vector.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat3x3f_setFromVectors(ksl_mat3x3f_t *R, const ksl_vec3f_t *x,
     const ksl_vec3f_t *y, const ksl_vec3f_t *z) {
   const float x_x = x->x;
@@ -307,7 +318,8 @@ static inline void ksl_mat3x3f_setFromVectors(ksl_mat3x3f_t *R, const ksl_vec3f_
 
 /* Ro = v~, the matrix with v~ y = v × y.
    v: vector; Ro: rotation or other 3×3 matrix.
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_skewf(const ksl_vec3f_t *v, ksl_mat3x3f_t *Ro) {
   const float Ro_01 = -v->z;
   const float Ro_12 = -v->x;
@@ -328,7 +340,8 @@ static inline void ksl_skewf(const ksl_vec3f_t *v, ksl_mat3x3f_t *Ro) {
 
 /* self = self^T, the inverse of a rotation.
    self: rotation or other 3×3 matrix.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat3x3f_transpose(ksl_mat3x3f_t *self) {
   const float self_m10 = self->m10;
   const float self_m20 = self->m20;
@@ -346,7 +359,8 @@ static inline void ksl_mat3x3f_transpose(ksl_mat3x3f_t *self) {
 
 /* Ro = R^T, the inverse of a rotation.
    R, Ro: rotation or other 3×3 matrix.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat3x3f_transposed(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
@@ -370,7 +384,9 @@ static inline void ksl_mat3x3f_transposed(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
 
 /* det R.
    R: rotation or other 3×3 matrix.
-   9 mul, 5 add. */
+   9 mul, 5 add.
+   Error <= u |x| + 4 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline float ksl_mat3x3f_determinant(const ksl_mat3x3f_t *R) {
   const float n_0a = R->m11 * R->m22, n_0b = R->m12 * R->m21, n_0 = n_0a - n_0b;
   const float n_1a = R->m02 * R->m21, n_1b = R->m01 * R->m22, n_1 = n_1a - n_1b;

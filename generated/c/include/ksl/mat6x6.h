@@ -21,7 +21,8 @@ static inline void ksl_mat6x6_set(ksl_mat6x6_t *M, const int row, const int colu
 
 /* Mo = M.
    M, Mo: 6×6 operator.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat6x6_copy(const ksl_mat6x6_t *M, ksl_mat6x6_t *Mo) {
   const double M_at_00 = M->at[0][0];
   const double M_at_10 = M->at[1][0];
@@ -99,7 +100,8 @@ static inline void ksl_mat6x6_copy(const ksl_mat6x6_t *M, ksl_mat6x6_t *Mo) {
 
 /* self = I.
    self: 6×6 operator.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat6x6_setIdentity(ksl_mat6x6_t *self) {
   self->at[0][0] = 1.0;
   self->at[1][0] = 0.0;
@@ -141,7 +143,8 @@ static inline void ksl_mat6x6_setIdentity(ksl_mat6x6_t *self) {
 
 /* Mo = M^T.
    M, Mo: 6×6 operator.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat6x6_transposed(const ksl_mat6x6_t *M, ksl_mat6x6_t *Mo) {
   const double M_at_00 = M->at[0][0];
   const double M_at_01 = M->at[0][1];
@@ -233,7 +236,8 @@ static inline void ksl_mat6x6f_set(ksl_mat6x6f_t *M, const int row, const int co
 
 /* Mo = M.
    M, Mo: 6×6 operator.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat6x6f_copy(const ksl_mat6x6f_t *M, ksl_mat6x6f_t *Mo) {
   const float M_at_00 = M->at[0][0];
   const float M_at_10 = M->at[1][0];
@@ -311,7 +315,8 @@ static inline void ksl_mat6x6f_copy(const ksl_mat6x6f_t *M, ksl_mat6x6f_t *Mo) {
 
 /* self = I.
    self: 6×6 operator.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat6x6f_setIdentity(ksl_mat6x6f_t *self) {
   self->at[0][0] = 1.0f;
   self->at[1][0] = 0.0f;
@@ -353,7 +358,8 @@ static inline void ksl_mat6x6f_setIdentity(ksl_mat6x6f_t *self) {
 
 /* Mo = M^T.
    M, Mo: 6×6 operator.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_mat6x6f_transposed(const ksl_mat6x6f_t *M, ksl_mat6x6f_t *Mo) {
   const float M_at_00 = M->at[0][0];
   const float M_at_01 = M->at[0][1];

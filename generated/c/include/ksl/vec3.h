@@ -16,7 +16,8 @@ static inline ksl_vec3_t ksl_vec3(const double x, const double y, const double z
 
 /* vo = vi.
    vi, vo: vector.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_vec3_copy(const ksl_vec3_t *vi, ksl_vec3_t *vo) {
   const double vi_x = vi->x;
   const double vi_y = vi->y;
@@ -28,7 +29,8 @@ static inline void ksl_vec3_copy(const ksl_vec3_t *vi, ksl_vec3_t *vo) {
 
 /* self = a self.
    self: vector; a: number.
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_vec3_scale(ksl_vec3_t *self, const double a) {
   const double self_0_new = self->x * a;
   const double self_1_new = self->y * a;
@@ -40,7 +42,8 @@ static inline void ksl_vec3_scale(ksl_vec3_t *self, const double a) {
 
 /* vo = -vi.
    vi, vo: vector.
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_vec3_inverted(const ksl_vec3_t *vi, ksl_vec3_t *vo) {
   const double vo_0 = -vi->x;
   const double vo_1 = -vi->y;
@@ -52,7 +55,8 @@ static inline void ksl_vec3_inverted(const ksl_vec3_t *vi, ksl_vec3_t *vo) {
 
 /* self = -self.
    self: vector.
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_vec3_invert(ksl_vec3_t *self) {
   const double self_0_new = -self->x;
   const double self_1_new = -self->y;
@@ -64,7 +68,9 @@ static inline void ksl_vec3_invert(ksl_vec3_t *self) {
 
 /* y = a x + y.
    a: number; x, y: vector.
-   3 mul, 3 add. */
+   3 mul, 3 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_axpy_vv(const double a, const ksl_vec3_t *x, ksl_vec3_t *y) {
   const double y_0_new_a = a * x->x, y_0_new = y_0_new_a + y->x;
   const double y_1_new_a = a * x->y, y_1_new = y_1_new_a + y->y;
@@ -76,7 +82,8 @@ static inline void ksl_axpy_vv(const double a, const ksl_vec3_t *x, ksl_vec3_t *
 
 /* y = x + y.
    x, y: vector.
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_xpy_vv(const ksl_vec3_t *x, ksl_vec3_t *y) {
   const double y_0_new = x->x + y->x;
   const double y_1_new = x->y + y->y;
@@ -88,7 +95,8 @@ static inline void ksl_xpy_vv(const ksl_vec3_t *x, ksl_vec3_t *y) {
 
 /* y = -x + y.
    x, y: vector.
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_nxpy_vv(const ksl_vec3_t *x, ksl_vec3_t *y) {
   const double y_0_new = y->x - x->x;
   const double y_1_new = y->y - x->y;
@@ -100,7 +108,8 @@ static inline void ksl_nxpy_vv(const ksl_vec3_t *x, ksl_vec3_t *y) {
 
 /* vo = a vi.
    a: number; vi, vo: vector.
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_av(const double a, const ksl_vec3_t *vi, ksl_vec3_t *vo) {
   const double vo_0 = a * vi->x;
   const double vo_1 = a * vi->y;
@@ -112,7 +121,8 @@ static inline void ksl_product_av(const double a, const ksl_vec3_t *vi, ksl_vec3
 
 /* vo = v1 + v2.
    v1, v2, vo: vector.
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
   const double vo_0 = v1->x + v2->x;
   const double vo_1 = v1->y + v2->y;
@@ -124,7 +134,8 @@ static inline void ksl_add_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_ve
 
 /* vo = v1 - v2.
    v1, v2, vo: vector.
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_subtract_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
   const double vo_0 = v1->x - v2->x;
   const double vo_1 = v1->y - v2->y;
@@ -136,7 +147,8 @@ static inline void ksl_subtract_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, k
 
 /* vo = k v.
    v, vo: vector; k: number.
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_vec3_scaled(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_0 = v->x * k;
   const double vo_1 = v->y * k;
@@ -148,7 +160,8 @@ static inline void ksl_vec3_scaled(const ksl_vec3_t *v, const double k, ksl_vec3
 
 /* v1, v2 = v2, v1.
    v1, v2: vector.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_vec3_swap(ksl_vec3_t *v1, ksl_vec3_t *v2) {
   const double v2_x = v2->x;
   const double v2_y = v2->y;
@@ -205,7 +218,9 @@ static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
 
 /* v1·v2.
    v1, v2: vector.
-   3 mul, 2 add. */
+   3 mul, 2 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline double ksl_dot_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double dot_a = v1->x * v2->x, dot_b = v1->y * v2->y, dot_c = dot_a + dot_b,
       dot_d = v1->z * v2->z, dot = dot_c + dot_d;
@@ -214,7 +229,8 @@ static inline double ksl_dot_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
 
 /* vo = k (-v).
    k: number; v, vo: vector.
-   3 mul, 3 neg. */
+   3 mul, 3 neg.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_avinv(const double k, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double vo_0a = k * v->x, vo_0 = -vo_0a;
   const double vo_1a = k * v->y, vo_1 = -vo_1a;
@@ -239,7 +255,9 @@ static inline void ksl_product_ainvv(const double k, const ksl_vec3_t *v, ksl_ve
 
 /* vo = v1 × v2; exactly zero for v1 = v2.
    v1, v2, vo: vector.
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_cross_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
   const double vo_0a = v1->y * v2->z, vo_0b = v1->z * v2->y, vo_0 = vo_0a - vo_0b;
   const double vo_1a = v1->z * v2->x, vo_1b = v1->x * v2->z, vo_1 = vo_1a - vo_1b;
@@ -251,7 +269,9 @@ static inline void ksl_cross_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_
 
 /* vo = v1 × (-v2).
    v1, v2, vo: vector.
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_cross_vvinv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
   const double vo_0a = v1->z * v2->y, vo_0b = v1->y * v2->z, vo_0 = vo_0a - vo_0b;
   const double vo_1a = v1->x * v2->z, vo_1b = v1->z * v2->x, vo_1 = vo_1a - vo_1b;
@@ -263,7 +283,8 @@ static inline void ksl_cross_vvinv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, k
 
 /* vo = v + k e_x.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvx(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_0 = v->x + k;
   const double v_y = v->y;
@@ -275,7 +296,8 @@ static inline void ksl_add_vvx(const ksl_vec3_t *v, const double k, ksl_vec3_t *
 
 /* vo = v - k e_x.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvxinv(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_0 = v->x - k;
   const double v_y = v->y;
@@ -287,7 +309,8 @@ static inline void ksl_add_vvxinv(const ksl_vec3_t *v, const double k, ksl_vec3_
 
 /* vo = v + k e_y.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvy(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_1 = v->y + k;
   const double v_x = v->x;
@@ -299,7 +322,8 @@ static inline void ksl_add_vvy(const ksl_vec3_t *v, const double k, ksl_vec3_t *
 
 /* vo = v - k e_y.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvyinv(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_1 = v->y - k;
   const double v_x = v->x;
@@ -311,7 +335,8 @@ static inline void ksl_add_vvyinv(const ksl_vec3_t *v, const double k, ksl_vec3_
 
 /* vo = v + k e_z.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvz(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_2 = v->z + k;
   const double v_x = v->x;
@@ -323,7 +348,8 @@ static inline void ksl_add_vvz(const ksl_vec3_t *v, const double k, ksl_vec3_t *
 
 /* vo = v - k e_z.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvzinv(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_2 = v->z - k;
   const double v_x = v->x;
@@ -344,7 +370,8 @@ static inline ksl_vec3f_t ksl_vec3f(const float x, const float y, const float z)
 
 /* vo = vi.
    vi, vo: vector.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_vec3f_copy(const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
   const float vi_x = vi->x;
   const float vi_y = vi->y;
@@ -356,7 +383,8 @@ static inline void ksl_vec3f_copy(const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
 
 /* self = a self.
    self: vector; a: number.
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_vec3f_scale(ksl_vec3f_t *self, const float a) {
   const float self_0_new = self->x * a;
   const float self_1_new = self->y * a;
@@ -368,7 +396,8 @@ static inline void ksl_vec3f_scale(ksl_vec3f_t *self, const float a) {
 
 /* vo = -vi.
    vi, vo: vector.
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_vec3f_inverted(const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
   const float vo_0 = -vi->x;
   const float vo_1 = -vi->y;
@@ -380,7 +409,8 @@ static inline void ksl_vec3f_inverted(const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
 
 /* self = -self.
    self: vector.
-   3 neg. */
+   3 neg.
+   Exact. */
 static inline void ksl_vec3f_invert(ksl_vec3f_t *self) {
   const float self_0_new = -self->x;
   const float self_1_new = -self->y;
@@ -392,7 +422,9 @@ static inline void ksl_vec3f_invert(ksl_vec3f_t *self) {
 
 /* y = a x + y.
    a: number; x, y: vector.
-   3 mul, 3 add. */
+   3 mul, 3 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_axpy_vvf(const float a, const ksl_vec3f_t *x, ksl_vec3f_t *y) {
   const float y_0_new_a = a * x->x, y_0_new = y_0_new_a + y->x;
   const float y_1_new_a = a * x->y, y_1_new = y_1_new_a + y->y;
@@ -404,7 +436,8 @@ static inline void ksl_axpy_vvf(const float a, const ksl_vec3f_t *x, ksl_vec3f_t
 
 /* y = x + y.
    x, y: vector.
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_xpy_vvf(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
   const float y_0_new = x->x + y->x;
   const float y_1_new = x->y + y->y;
@@ -416,7 +449,8 @@ static inline void ksl_xpy_vvf(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
 
 /* y = -x + y.
    x, y: vector.
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_nxpy_vvf(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
   const float y_0_new = y->x - x->x;
   const float y_1_new = y->y - x->y;
@@ -428,7 +462,8 @@ static inline void ksl_nxpy_vvf(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
 
 /* vo = a vi.
    a: number; vi, vo: vector.
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_avf(const float a, const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
   const float vo_0 = a * vi->x;
   const float vo_1 = a * vi->y;
@@ -440,7 +475,8 @@ static inline void ksl_product_avf(const float a, const ksl_vec3f_t *vi, ksl_vec
 
 /* vo = v1 + v2.
    v1, v2, vo: vector.
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
   const float vo_0 = v1->x + v2->x;
   const float vo_1 = v1->y + v2->y;
@@ -452,7 +488,8 @@ static inline void ksl_add_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl
 
 /* vo = v1 - v2.
    v1, v2, vo: vector.
-   3 add. */
+   3 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_subtract_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
   const float vo_0 = v1->x - v2->x;
   const float vo_1 = v1->y - v2->y;
@@ -464,7 +501,8 @@ static inline void ksl_subtract_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2
 
 /* vo = k v.
    v, vo: vector; k: number.
-   3 mul. */
+   3 mul.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_vec3f_scaled(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_0 = v->x * k;
   const float vo_1 = v->y * k;
@@ -476,7 +514,8 @@ static inline void ksl_vec3f_scaled(const ksl_vec3f_t *v, const float k, ksl_vec
 
 /* v1, v2 = v2, v1.
    v1, v2: vector.
-   No arithmetic. */
+   No arithmetic.
+   Exact. */
 static inline void ksl_vec3f_swap(ksl_vec3f_t *v1, ksl_vec3f_t *v2) {
   const float v2_x = v2->x;
   const float v2_y = v2->y;
@@ -533,7 +572,9 @@ static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
 
 /* v1·v2.
    v1, v2: vector.
-   3 mul, 2 add. */
+   3 mul, 2 add.
+   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline float ksl_dot_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
   const float dot_a = v1->x * v2->x, dot_b = v1->y * v2->y, dot_c = dot_a + dot_b,
       dot_d = v1->z * v2->z, dot = dot_c + dot_d;
@@ -542,7 +583,8 @@ static inline float ksl_dot_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
 
 /* vo = k (-v).
    k: number; v, vo: vector.
-   3 mul, 3 neg. */
+   3 mul, 3 neg.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_product_avinvf(const float k, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float vo_0a = k * v->x, vo_0 = -vo_0a;
   const float vo_1a = k * v->y, vo_1 = -vo_1a;
@@ -567,7 +609,9 @@ static inline void ksl_product_ainvvf(const float k, const ksl_vec3f_t *v, ksl_v
 
 /* vo = v1 × v2; exactly zero for v1 = v2.
    v1, v2, vo: vector.
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_cross_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
   const float vo_0a = v1->y * v2->z, vo_0b = v1->z * v2->y, vo_0 = vo_0a - vo_0b;
   const float vo_1a = v1->z * v2->x, vo_1b = v1->x * v2->z, vo_1 = vo_1a - vo_1b;
@@ -579,7 +623,9 @@ static inline void ksl_cross_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, k
 
 /* vo = v1 × (-v2).
    v1, v2, vo: vector.
-   6 mul, 3 add. */
+   6 mul, 3 add.
+   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
+     underflow. */
 static inline void ksl_cross_vvinvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
   const float vo_0a = v1->z * v2->y, vo_0b = v1->y * v2->z, vo_0 = vo_0a - vo_0b;
   const float vo_1a = v1->x * v2->z, vo_1b = v1->z * v2->x, vo_1 = vo_1a - vo_1b;
@@ -591,7 +637,8 @@ static inline void ksl_cross_vvinvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2
 
 /* vo = v + k e_x.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvxf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_0 = v->x + k;
   const float v_y = v->y;
@@ -603,7 +650,8 @@ static inline void ksl_add_vvxf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t
 
 /* vo = v - k e_x.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvxinvf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_0 = v->x - k;
   const float v_y = v->y;
@@ -615,7 +663,8 @@ static inline void ksl_add_vvxinvf(const ksl_vec3f_t *v, const float k, ksl_vec3
 
 /* vo = v + k e_y.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvyf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_1 = v->y + k;
   const float v_x = v->x;
@@ -627,7 +676,8 @@ static inline void ksl_add_vvyf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t
 
 /* vo = v - k e_y.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvyinvf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_1 = v->y - k;
   const float v_x = v->x;
@@ -639,7 +689,8 @@ static inline void ksl_add_vvyinvf(const ksl_vec3f_t *v, const float k, ksl_vec3
 
 /* vo = v + k e_z.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvzf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_2 = v->z + k;
   const float v_x = v->x;
@@ -651,7 +702,8 @@ static inline void ksl_add_vvzf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t
 
 /* vo = v - k e_z.
    v, vo: vector; k: number.
-   1 add. */
+   1 add.
+   Error <= u |x|, barring underflow. */
 static inline void ksl_add_vvzinvf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_2 = v->z - k;
   const float v_x = v->x;

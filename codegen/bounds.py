@@ -1,0 +1,177 @@
+"""A-priori error bounds of a Program, from how its roundings reach its results.
+
+Every rounding is x̂ = x (1 + δ), |δ| <= u.  In a program of +, -, × each result is a polynomial in the
+inputs and the δ, and the roundings are tracked through it exactly up to second order:
+
+- first order: Σ |terms in one δ| <= c1 u S,
+- second order, where the first cancels (compensated programs): <= c2 u² S,
+
+S being the sum of the absolute values of the terms of the expanded polynomial.  The last rounding is
+kept apart, since it is relative to the result: |x̂ - x| <= u |x̂| + c1 u S (1 + O(u)).  The exact errors of
+sums and products that compensated programs compute are themselves terms in δ, so what they correct
+cancels here as it does there.
+
+Valid barring overflow and underflow.
+"""
+
+from collections import defaultdict
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from coscrew_codegen.program import Constant, Input, Op, Operand, Program, Ref
+
+Monomial = tuple[Input, ...]  # sorted; a power repeats its variable
+Polynomial = Mapping[Monomial, Fraction]
+Deltas = tuple[int, ...]  # numbers of the roundings a term is proportional to; sorted
+
+
+@dataclass(frozen=True)
+class Bound:
+    """|x̂ - x| <= u |x̂| + (c1 u + c2 u²) S, u |x̂| only if the last operation is rounded.
+
+    `terms` is the polynomial x; S is the same with absolute values throughout."""
+
+    rounded: bool
+    c1: Fraction
+    c2: Fraction
+    terms: Polynomial
+
+
+@dataclass(frozen=True)
+class _Series:
+    """A value as polynomials by the δ they are proportional to: () is the exact value."""
+
+    terms: Mapping[Deltas, Polynomial] = field(default_factory=dict)
+
+    def polynomial(self, deltas: Deltas) -> Polynomial:
+        return self.terms.get(deltas, {})
+
+
+def bounds_of(program: Program) -> tuple[Bound, ...] | None:
+    """One bound per result component; None where the program is not polynomial."""
+    values: dict[str, _Series] = {}
+    for number, step in enumerate(program.instructions):
+        operands = [_value(x, values) for x in step.operands]
+        if step.op not in _RULES:
+            return None
+        values[step.name] = _RULES[step.op](operands, number)
+    return tuple(_bound(_value(result, values), _last_rounding(result, program))
+                 for result in program.results)
+
+
+def in_words(program: Program) -> str:
+    """The bounds as kernels' comments state them; empty where the program is not polynomial."""
+    bounds = bounds_of(program)
+    if bounds is None:
+        return ""
+    if not any(bound.rounded for bound in bounds):
+        return "Exact."
+    for order, unit in ((1, "u S"), (2, "u^2 S")):
+        constants = [(bound.c1, bound.c2)[order - 1] for bound in bounds]
+        if any(constants):
+            return (f"Error <= u |x| + {_by_part(program, constants)} {unit}, S the sum of the "
+                    "|terms| of the expanded formula; barring over- and underflow.")
+    return "Error <= u |x|, barring underflow."
+
+
+def _by_part(program: Program, constants: list[Fraction]) -> str:
+    """The largest constant; where the parts of the result differ, each part's."""
+    largest: dict[str, Fraction] = {}
+    remaining = iter(constants)
+    for argument in program.outputs:
+        for row, column in argument.quantity.indices:
+            number, _ = argument.quantity.place(row, column)
+            name = argument.quantity.parts[number].name
+            largest[name] = max(largest.get(name, Fraction(0)), next(remaining))
+    if len(set(largest.values())) == 1:
+        return str(max(largest.values()))
+    return f"({', '.join(f'{name}: {constant}' for name, constant in largest.items())})"
+
+
+def _last_rounding(result: Operand, program: Program) -> int | None:
+    """The number of the instruction that rounded the result last; a negation is exact."""
+    steps = {step.name: (number, step) for number, step in enumerate(program.instructions)}
+    while isinstance(result, Ref):
+        number, step = steps[result.name]
+        if step.op in _ROUNDING:
+            return number
+        if step.op is not Op.NEG:
+            return None
+        result = step.operands[0]
+    return None
+
+
+def _bound(value: _Series, last: int | None) -> Bound:
+    exact = value.polynomial(())
+    totals: dict[int, dict[Monomial, Fraction]] = {1: defaultdict(Fraction),
+                                                   2: defaultdict(Fraction)}
+    for deltas, polynomial in value.terms.items():
+        if deltas and last not in deltas:
+            for monomial, coefficient in polynomial.items():
+                totals[len(deltas)][monomial] += abs(coefficient)
+    constants = [max((total / abs(exact[m]) if m in exact else _unbounded(m)
+                      for m, total in totals[order].items() if total), default=Fraction(0))
+                 for order in (1, 2)]
+    return Bound(last is not None, *constants, exact)
+
+
+def _unbounded(monomial: Monomial) -> Fraction:
+    raise ValueError(f"an error term in {monomial} that the exact value does not have")
+
+
+def _value(operand: Operand, values: Mapping[str, _Series]) -> _Series:
+    if isinstance(operand, Input):
+        return _Series({(): {(operand,): Fraction(1)}})
+    if isinstance(operand, Constant):
+        return _Series({(): {(): operand.double}} if operand.double else {})
+    return values[operand.name]
+
+
+def _combined(*scaled: tuple[int, _Series]) -> _Series:
+    """Σ factor · series."""
+    sums: dict[Deltas, dict[Monomial, Fraction]] = {}
+    for factor, series in scaled:
+        for deltas, polynomial in series.terms.items():
+            into = sums.setdefault(deltas, defaultdict(Fraction))
+            for monomial, coefficient in polynomial.items():
+                into[monomial] += factor * coefficient
+    return _Series({deltas: kept for deltas, polynomial in sums.items()
+                    if (kept := {m: c for m, c in polynomial.items() if c})})
+
+
+def _product(a: _Series, b: _Series) -> _Series:
+    sums: dict[Deltas, dict[Monomial, Fraction]] = {}
+    for x, p in a.terms.items():
+        for y, q in b.terms.items():
+            if len(x) + len(y) > 2:
+                continue
+            into = sums.setdefault(tuple(sorted(x + y)), defaultdict(Fraction))
+            for m, c in p.items():
+                for n, d in q.items():
+                    into[tuple(sorted(m + n, key=_order))] += c * d
+    return _combined((1, _Series(sums)))
+
+
+def _order(variable: Input) -> tuple[int, int]:
+    return variable.argument, variable.index
+
+
+def _roundoff(value: _Series, number: int) -> _Series:
+    """δ · value, what rounding number `number` adds to a value."""
+    return _Series({tuple(sorted((*deltas, number))): polynomial
+                    for deltas, polynomial in value.terms.items() if len(deltas) < 2})
+
+
+def _rounded(value: _Series, number: int) -> _Series:
+    return _combined((1, value), (1, _roundoff(value, number)))
+
+
+_ROUNDING = (Op.ADD, Op.SUB, Op.MUL)
+
+_RULES = {
+    Op.ADD: lambda x, n: _rounded(_combined((1, x[0]), (1, x[1])), n),
+    Op.SUB: lambda x, n: _rounded(_combined((1, x[0]), (-1, x[1])), n),
+    Op.MUL: lambda x, n: _rounded(_product(x[0], x[1]), n),
+    Op.NEG: lambda x, n: _combined((-1, x[0])),
+}

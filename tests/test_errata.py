@@ -1,0 +1,124 @@
+"""The errata of the page `Coscrews`: the printed formula fails on an exact example, ours holds."""
+
+import coscrew
+import numpy as np
+import pytest
+import sympy as sp
+
+from tests import exact
+from tests.c_reader import Place, Record, functions_in, header
+from tests.exact import JOINTS, Exact, Sample, eye, keeping, skew, zeros
+
+kernels = Exact(coscrew.double)
+
+
+@pytest.fixture(params=range(3))
+def sample(request: pytest.FixtureRequest) -> Sample:
+    return Sample(100 + request.param)
+
+
+def test_inverse_of_the_adjoint(sample):
+    """Eq. (4) prints [[R^T, t~R^T], [0, R^T]]; it is [[R^T, -R^T t~], [0, R^T]]."""
+    D = sample.displacement()
+    R, t = exact.R_t(D)
+    printed = np.block([[R.T, skew(t) @ R.T], [zeros(3, 3), R.T]])
+    assert (printed @ exact.Ad(D) != eye(6)).any()
+    assert (exact.Ad_inverse(D) @ exact.Ad(D) == eye(6)).all()
+
+    s = sample.vector(6)
+    assert (kernels.product_Adinvs(D, s) == exact.Ad_inverse(D) @ s).all()
+    assert (kernels.product_Adinvs(D, s) != printed @ s).any()
+
+
+def test_inverse_of_the_coadjoint(sample):
+    """product_CoAdinvc prints [[R^T, 0], [-t~R^T, R^T]]; it is (R^T f ; R^T (τ - t×f))."""
+    D, c = sample.displacement(), sample.vector(6)
+    R, t = exact.R_t(D)
+    printed = np.block([[R.T, zeros(3, 3)], [-(skew(t) @ R.T), R.T]])
+    moved = kernels.product_CoAdc(D, c)
+    assert (printed @ moved != c).any()
+    assert (kernels.product_CoAdinvc(D, moved) == c).all()
+    corrected = exact.joined(R.T @ c[:3], R.T @ (c[3:] - np.cross(t, c[:3])))
+    assert (kernels.product_CoAdinvc(D, c) == corrected).all()
+
+
+def test_inverse_of_a_coscrew_is_its_negative(sample):
+    """…cinv is CoAd (-c), …invc is CoAd^-1 c; for a translation -(f; τ + t×f), (f; τ - t×f)."""
+    D, c = sample.displacement(), sample.vector(6)
+    R, t = exact.R_t(D)
+    shift = np.cross(t, c[:3])
+    assert (kernels.product_CoAdtcinv(t, c) == -exact.joined(c[:3], c[3:] + shift)).all()
+    assert (kernels.product_CoAdtinvc(t, c) == exact.joined(c[:3], c[3:] - shift)).all()
+    assert (kernels.product_CoAdrcinv(R, c) == -exact.joined(R @ c[:3], R @ c[3:])).all()
+    assert (kernels.product_CoAdrinvc(R, c) == exact.joined(R.T @ c[:3], R.T @ c[3:])).all()
+    assert (kernels.product_CoAdcinv(D, c) == -exact.CoAd(D) @ c).all()
+    for group, x in (("t", t), ("r", R), ("", D)):
+        of_inverse = getattr(kernels, f"product_CoAd{group}cinv")(x, c)
+        assert (of_inverse != getattr(kernels, f"product_CoAd{group}invc")(x, c)).any()
+
+
+@pytest.mark.parametrize("joint", range(6), ids=JOINTS)
+def test_orthogonality_of_constraints_and_working_force(sample, joint):
+    """Eq. (11), H̄^T h* = 0: of the screws H̄ = Ad P and the coscrew h* = CoAd (I - P)."""
+    D, P = sample.displacement(), eye(6) - keeping(joint)
+    h = kernels.CoAd(D) @ (eye(6) - P)
+    assert not ((kernels.Ad(D) @ P).T @ h).any()
+
+
+@pytest.mark.parametrize("joint", range(6), ids=JOINTS)
+def test_starred_columns_are_orthogonal_in_the_joints_frame_only(sample, joint):
+    """The sentence under eq. (11) holds for t = 0 and fails for t = (1, 2, 3)."""
+    P, R = eye(6) - keeping(joint), sample.rotation()
+
+    def gram(t: list[int]) -> exact.Matrix:
+        starred = kernels.CoAd(exact.displacement(R, exact.array(t)))
+        return (starred @ P).T @ (starred @ (eye(6) - P))
+
+    assert not gram([0, 0, 0]).any()
+    assert gram([1, 2, 3]).any()
+
+
+def test_single_precision_has_the_whole_coadjoint_product():
+    """The page lists ksl_product_CoAdrcf twice; the second stands for ksl_product_CoAdcf."""
+    functions = functions_in("coscrew")
+    assert {"ksl_product_CoAdrcf", "ksl_product_CoAdcf"} <= set(functions)
+    parameters = header().parameters("ksl_product_CoAdcf")
+    assert list(parameters) == ["D", "ci", "co"]
+    assert parameters["D"] == header().types["ksl_SE3f_t"]
+
+
+@pytest.mark.parametrize("f", ["", "f"])
+@pytest.mark.parametrize("name, written, formula", [
+    ("coscrew{f}_scale", "self", lambda self, a: a * self),
+    ("axpy_cc{f}", "y", lambda a, x, y: a * x + y),
+    ("xpy_cc{f}", "y", lambda x, y: x + y),
+    ("nxpy_cc{f}", "y", lambda x, y: -x + y),
+    ("product_ac{f}", "co", lambda a, ci, co: a * ci),
+    ("coscrew{f}_copy", "co", lambda ci, co: ci)])
+def test_formula_is_the_authority_over_the_parameter_list(name, written, formula, f):
+    """What the page calls [in/out] is read and written, what it calls [in] is read only."""
+    c_name = "ksl_" + name.format(f=f)
+    parameters = header().parameters(c_name)
+    assert list(parameters) == list(formula.__code__.co_varnames)
+    memory = {n: Place.new(kind) for n, kind in parameters.items() if isinstance(kind, Record)}
+    before = [{n: sp.Symbol(f"{n}_{i}") if n in memory else sp.Symbol(n) for n in parameters}
+              for i in range(6)]
+    for n, place in memory.items():
+        for i in range(6):
+            place.entry(i).write(before[i][n])
+    header().call(c_name, *(memory.get(n, sp.Symbol(n)) for n in parameters))
+    for i in range(6):
+        after = {n: place.entry(i).read() for n, place in memory.items()}
+        assert before[i] | after == before[i] | {written: formula(**before[i])}
+
+
+def test_velocity_in_the_derivative_operator(sample):
+    """Eq. (12): with R' = ω~R, CoAd' CoAd^-1 = [ad]*(v, ω) for v = t' - ω×t; not for v = t'."""
+    D, w, t_rate = sample.displacement(), sample.vector(), sample.vector()
+    R, t = exact.R_t(D)
+    R_rate = skew(w) @ R
+    coadjoint_rate = np.block([[R_rate, zeros(3, 3)],
+                               [skew(t_rate) @ R + skew(t) @ R_rate, R_rate]])
+    derivative = coadjoint_rate @ exact.CoAd_inverse(D)
+    assert (derivative == kernels.coad(exact.joined(t_rate - np.cross(w, t), w))).all()
+    assert (derivative != kernels.coad(exact.joined(t_rate, w))).any()
