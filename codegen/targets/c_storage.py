@@ -87,7 +87,7 @@ def _constructor(quantity: Quantity, precision: Precision, name: str,
     words = "column by column" if by_columns else "row by row" if quantity.shape[1:] else "in order"
     body = [f"  {kind} value;", *(f"  value.{field} = {field};" for field in fields),
             "  return value;"]
-    return CFunction(name, comment_of([f"A {quantity.name} from its entries, {words}."]),
+    return CFunction(name, comment_of([f"The {quantity.name} of these entries, {words}."]),
                      listed(f"{kind} {name}(", declared, ")", WIDTH - 16), "\n".join(body))
 
 

@@ -20,7 +20,7 @@
 #include <string.h>
 
 #if defined(__FAST_MATH__) && !defined(KSL_ALLOW_FAST_MATH)
-#error "-ffast-math breaks the bits these functions promise; define KSL_ALLOW_FAST_MATH to accept that"
+#error "-ffast-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
 #endif
 
 #if defined(__GNUC__)
@@ -150,7 +150,7 @@ typedef union ksl_mat6x6f_t {
 #define KSL_VEC3_H
 
 
-/* A vec3 from its entries, in order. */
+/* The vec3 of these entries, in order. */
 static inline ksl_vec3_t ksl_vec3(const double x, const double y, const double z) {
   ksl_vec3_t value;
   value.x = x;
@@ -504,7 +504,7 @@ static inline void ksl_add_vvzinv(const ksl_vec3_t *v, const double k, ksl_vec3_
   vo->z = vo_2;
 }
 
-/* A vec3 from its entries, in order. */
+/* The vec3 of these entries, in order. */
 static inline ksl_vec3f_t ksl_vec3f(const float x, const float y, const float z) {
   ksl_vec3f_t value;
   value.x = x;
@@ -882,7 +882,7 @@ static inline ksl_vec3f_t *ksl_vec3f_alloc(int n) {
 #define KSL_MAT3X3_H
 
 
-/* A mat3x3 from its entries, row by row. */
+/* The mat3x3 of these entries, row by row. */
 static inline ksl_mat3x3_t ksl_mat3x3(const double m00, const double m01, const double m02,
     const double m10, const double m11, const double m12, const double m20,
     const double m21, const double m22) {
@@ -899,7 +899,7 @@ static inline ksl_mat3x3_t ksl_mat3x3(const double m00, const double m01, const 
   return value;
 }
 
-/* A mat3x3 from its entries, column by column. */
+/* The mat3x3 of these entries, column by column. */
 static inline ksl_mat3x3_t ksl_mat3x3_cmo(const double m00, const double m10, const double m20,
     const double m01, const double m11, const double m21, const double m02,
     const double m12, const double m22) {
@@ -1077,7 +1077,7 @@ static inline double ksl_mat3x3_determinant(const ksl_mat3x3_t *R) {
   return det;
 }
 
-/* A mat3x3 from its entries, row by row. */
+/* The mat3x3 of these entries, row by row. */
 static inline ksl_mat3x3f_t ksl_mat3x3f(const float m00, const float m01, const float m02,
     const float m10, const float m11, const float m12, const float m20,
     const float m21, const float m22) {
@@ -1094,7 +1094,7 @@ static inline ksl_mat3x3f_t ksl_mat3x3f(const float m00, const float m01, const 
   return value;
 }
 
-/* A mat3x3 from its entries, column by column. */
+/* The mat3x3 of these entries, column by column. */
 static inline ksl_mat3x3f_t ksl_mat3x3f_cmo(const float m00, const float m10, const float m20,
     const float m01, const float m11, const float m21, const float m02,
     const float m12, const float m22) {
@@ -1296,7 +1296,7 @@ static inline ksl_mat3x3f_t *ksl_mat3x3f_alloc(int n) {
 #define KSL_SE3_H
 
 
-/* A SE3 from its entries, row by row. */
+/* The SE3 of these entries, row by row. */
 static inline ksl_SE3_t ksl_SE3(const double m00, const double m01, const double m02,
     const double m03, const double m10, const double m11, const double m12,
     const double m13, const double m20, const double m21, const double m22,
@@ -1317,7 +1317,7 @@ static inline ksl_SE3_t ksl_SE3(const double m00, const double m01, const double
   return value;
 }
 
-/* A SE3 from its entries, column by column. */
+/* The SE3 of these entries, column by column. */
 static inline ksl_SE3_t ksl_SE3_cmo(const double m00, const double m10, const double m20,
     const double m01, const double m11, const double m21, const double m02,
     const double m12, const double m22, const double m03, const double m13,
@@ -1533,7 +1533,7 @@ static inline void ksl_SE3_inverted(const ksl_SE3_t *D, ksl_SE3_t *Do) {
   Do->m23 = Do_23;
 }
 
-/* A SE3 from its entries, row by row. */
+/* The SE3 of these entries, row by row. */
 static inline ksl_SE3f_t ksl_SE3f(const float m00, const float m01, const float m02,
     const float m03, const float m10, const float m11, const float m12,
     const float m13, const float m20, const float m21, const float m22,
@@ -1554,7 +1554,7 @@ static inline ksl_SE3f_t ksl_SE3f(const float m00, const float m01, const float 
   return value;
 }
 
-/* A SE3 from its entries, column by column. */
+/* The SE3 of these entries, column by column. */
 static inline ksl_SE3f_t ksl_SE3f_cmo(const float m00, const float m10, const float m20,
     const float m01, const float m11, const float m21, const float m02,
     const float m12, const float m22, const float m03, const float m13,
@@ -4608,7 +4608,7 @@ static inline void ksl_dcf(const float theta, float dc[2]) {
 #define KSL_SCREW_H
 
 
-/* A screw from its entries, in order. */
+/* The screw of these entries, in order. */
 static inline ksl_screw_t ksl_screw(const double m0, const double m1, const double m2,
     const double m3, const double m4, const double m5) {
   ksl_screw_t value;
@@ -5628,7 +5628,7 @@ static inline void ksl_ad(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   M->at[5][5] = 0.0;
 }
 
-/* A screw from its entries, in order. */
+/* The screw of these entries, in order. */
 static inline ksl_screwf_t ksl_screwf(const float m0, const float m1, const float m2,
     const float m3, const float m4, const float m5) {
   ksl_screwf_t value;
@@ -6672,7 +6672,7 @@ static inline ksl_screwf_t *ksl_screwf_alloc(int n) {
 #define KSL_COSCREW_H
 
 
-/* A coscrew from its entries, in order. */
+/* The coscrew of these entries, in order. */
 static inline ksl_coscrew_t ksl_coscrew(const double m0, const double m1, const double m2,
     const double m3, const double m4, const double m5) {
   ksl_coscrew_t value;
@@ -7944,7 +7944,7 @@ static inline void ksl_coad(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   M->at[5][5] = 0.0;
 }
 
-/* A coscrew from its entries, in order. */
+/* The coscrew of these entries, in order. */
 static inline ksl_coscrewf_t ksl_coscrewf(const float m0, const float m1, const float m2,
     const float m3, const float m4, const float m5) {
   ksl_coscrewf_t value;

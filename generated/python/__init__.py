@@ -15,7 +15,7 @@ from pathlib import Path
 
 from coscrew import c, double, single
 
-_PROVENANCE = "1d2ff8a18bcad13d"
+_PROVENANCE = "878ea2d1c64d8359"
 
 
 def _is_compiled() -> bool:

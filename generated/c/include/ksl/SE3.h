@@ -6,7 +6,7 @@
 #include "ksl_types.h"
 #include "mat3x3.h"
 
-/* A SE3 from its entries, row by row. */
+/* The SE3 of these entries, row by row. */
 static inline ksl_SE3_t ksl_SE3(const double m00, const double m01, const double m02,
     const double m03, const double m10, const double m11, const double m12,
     const double m13, const double m20, const double m21, const double m22,
@@ -27,7 +27,7 @@ static inline ksl_SE3_t ksl_SE3(const double m00, const double m01, const double
   return value;
 }
 
-/* A SE3 from its entries, column by column. */
+/* The SE3 of these entries, column by column. */
 static inline ksl_SE3_t ksl_SE3_cmo(const double m00, const double m10, const double m20,
     const double m01, const double m11, const double m21, const double m02,
     const double m12, const double m22, const double m03, const double m13,
@@ -243,7 +243,7 @@ static inline void ksl_SE3_inverted(const ksl_SE3_t *D, ksl_SE3_t *Do) {
   Do->m23 = Do_23;
 }
 
-/* A SE3 from its entries, row by row. */
+/* The SE3 of these entries, row by row. */
 static inline ksl_SE3f_t ksl_SE3f(const float m00, const float m01, const float m02,
     const float m03, const float m10, const float m11, const float m12,
     const float m13, const float m20, const float m21, const float m22,
@@ -264,7 +264,7 @@ static inline ksl_SE3f_t ksl_SE3f(const float m00, const float m01, const float 
   return value;
 }
 
-/* A SE3 from its entries, column by column. */
+/* The SE3 of these entries, column by column. */
 static inline ksl_SE3f_t ksl_SE3f_cmo(const float m00, const float m10, const float m20,
     const float m01, const float m11, const float m21, const float m02,
     const float m12, const float m22, const float m03, const float m13,

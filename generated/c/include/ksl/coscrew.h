@@ -6,7 +6,7 @@
 #include "ksl_types.h"
 #include "screw.h"
 
-/* A coscrew from its entries, in order. */
+/* The coscrew of these entries, in order. */
 static inline ksl_coscrew_t ksl_coscrew(const double m0, const double m1, const double m2,
     const double m3, const double m4, const double m5) {
   ksl_coscrew_t value;
@@ -1278,7 +1278,7 @@ static inline void ksl_coad(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   M->at[5][5] = 0.0;
 }
 
-/* A coscrew from its entries, in order. */
+/* The coscrew of these entries, in order. */
 static inline ksl_coscrewf_t ksl_coscrewf(const float m0, const float m1, const float m2,
     const float m3, const float m4, const float m5) {
   ksl_coscrewf_t value;

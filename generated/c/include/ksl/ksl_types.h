@@ -18,7 +18,7 @@
 #include <string.h>
 
 #if defined(__FAST_MATH__) && !defined(KSL_ALLOW_FAST_MATH)
-#error "-ffast-math breaks the bits these functions promise; define KSL_ALLOW_FAST_MATH to accept that"
+#error "-ffast-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
 #endif
 
 #if defined(__GNUC__)

@@ -6,7 +6,7 @@
 #include "ksl_types.h"
 #include "vec3.h"
 
-/* A mat3x3 from its entries, row by row. */
+/* The mat3x3 of these entries, row by row. */
 static inline ksl_mat3x3_t ksl_mat3x3(const double m00, const double m01, const double m02,
     const double m10, const double m11, const double m12, const double m20,
     const double m21, const double m22) {
@@ -23,7 +23,7 @@ static inline ksl_mat3x3_t ksl_mat3x3(const double m00, const double m01, const 
   return value;
 }
 
-/* A mat3x3 from its entries, column by column. */
+/* The mat3x3 of these entries, column by column. */
 static inline ksl_mat3x3_t ksl_mat3x3_cmo(const double m00, const double m10, const double m20,
     const double m01, const double m11, const double m21, const double m02,
     const double m12, const double m22) {
@@ -201,7 +201,7 @@ static inline double ksl_mat3x3_determinant(const ksl_mat3x3_t *R) {
   return det;
 }
 
-/* A mat3x3 from its entries, row by row. */
+/* The mat3x3 of these entries, row by row. */
 static inline ksl_mat3x3f_t ksl_mat3x3f(const float m00, const float m01, const float m02,
     const float m10, const float m11, const float m12, const float m20,
     const float m21, const float m22) {
@@ -218,7 +218,7 @@ static inline ksl_mat3x3f_t ksl_mat3x3f(const float m00, const float m01, const 
   return value;
 }
 
-/* A mat3x3 from its entries, column by column. */
+/* The mat3x3 of these entries, column by column. */
 static inline ksl_mat3x3f_t ksl_mat3x3f_cmo(const float m00, const float m10, const float m20,
     const float m01, const float m11, const float m21, const float m02,
     const float m12, const float m22) {

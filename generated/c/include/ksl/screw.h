@@ -7,7 +7,7 @@
 #include "matrix.h"
 #include "mat6x6.h"
 
-/* A screw from its entries, in order. */
+/* The screw of these entries, in order. */
 static inline ksl_screw_t ksl_screw(const double m0, const double m1, const double m2,
     const double m3, const double m4, const double m5) {
   ksl_screw_t value;
@@ -1027,7 +1027,7 @@ static inline void ksl_ad(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   M->at[5][5] = 0.0;
 }
 
-/* A screw from its entries, in order. */
+/* The screw of these entries, in order. */
 static inline ksl_screwf_t ksl_screwf(const float m0, const float m1, const float m2,
     const float m3, const float m4, const float m5) {
   ksl_screwf_t value;

@@ -5,7 +5,7 @@
 
 #include "ksl_types.h"
 
-/* A vec3 from its entries, in order. */
+/* The vec3 of these entries, in order. */
 static inline ksl_vec3_t ksl_vec3(const double x, const double y, const double z) {
   ksl_vec3_t value;
   value.x = x;
@@ -359,7 +359,7 @@ static inline void ksl_add_vvzinv(const ksl_vec3_t *v, const double k, ksl_vec3_
   vo->z = vo_2;
 }
 
-/* A vec3 from its entries, in order. */
+/* The vec3 of these entries, in order. */
 static inline ksl_vec3f_t ksl_vec3f(const float x, const float y, const float z) {
   ksl_vec3f_t value;
   value.x = x;
