@@ -161,6 +161,10 @@ class Header:
                  self._function(name).decl.type.args.params if p.name)
         return {n for n, t in types if "const" in getattr(t, "quals", [])}
 
+    def precisions(self, name: str) -> set[str]:
+        """double or float, whichever its types, literals and functions are."""
+        return set(self._precisions(self._function(name)))
+
     def call(self, name: str, *arguments: Value) -> Value | None:
         """Run the function; places given for pointers are written to.  Returns its value."""
         function = self._function(name)
@@ -182,12 +186,12 @@ class Header:
         return self._parsed[name]
 
     def _precisions(self, node: c_ast.Node) -> Iterator[str]:
-        """double or float, once for every type, literal and function that is one."""
+        """double or float for every type, literal and called function."""
         if isinstance(node, c_ast.IdentifierType):
             yield from {s for s in _scalars(_layout(node, self.types)) if s in ("double", "float")}
         elif isinstance(node, c_ast.Constant) and node.type != "int":
             yield node.type
-        elif isinstance(node, c_ast.FuncCall) and node.name.name.rstrip("f") in _MATH:
+        elif isinstance(node, c_ast.FuncCall) and node.name.name.removesuffix("f") in _MATH:
             yield "float" if node.name.name.endswith("f") else "double"
         elif isinstance(node, c_ast.FuncCall) and node.name.name in self.texts:
             yield from self._precisions(self._function(node.name.name).decl)

@@ -167,6 +167,8 @@ def test_norm_turns_to_the_other_part_below_the_threshold(name, first, second, p
     for signs in product((-1, 1), repeat=3):
         x[first] = np.array(signs, number) * np.nextafter(threshold, number(0))
         assert getattr(coscrew, name)(x) == 13
+        for normalized in (f"{name}alized", f"{name}alize"):
+            assert np.array_equal(getattr(coscrew, normalized)(x), x / number(13))
         for i in range(3):
             at = x.copy()
             at[first] = np.eye(3, dtype=number)[i] * signs[i] * threshold

@@ -178,6 +178,13 @@ def test_every_family_has_a_header():
     assert set(HEADERS) == set(FAMILIES)
 
 
+def test_every_double_function_has_its_single_twin():
+    double, single = ({name for name in header().texts if header().precisions(name) == {c_type}}
+                      for c_type in ("double", "float"))
+    assert double | single == set(header().texts)
+    assert single == {c_name(name.removeprefix("ksl_"), SINGLE) for name in double}
+
+
 # C functions that only move numbers
 
 
