@@ -6,9 +6,10 @@ PYTHON  := $(VENV)/bin/python
 PIP     := PYTHONWARNINGS=ignore $(PYTHON) -m pip --quiet --disable-pip-version-check
 SOURCES := $(wildcard generated/gufunc/*.c generated/gufunc/*.h) generated/c/coscrew.h
 
-.PHONY: all generate check build example test bench clean
+.PHONY: all generate check build example test bench attack clean
 
-all: example
+all: generate
+	@$(MAKE) --no-print-directory check example
 
 # The environment.  Its first install finds generated/ as committed, so coscrew itself is there to
 # be regenerated from, and its extension module is built.
@@ -17,23 +18,26 @@ $(VENV)/ready: pyproject.toml
 	$(PIP) install --upgrade pip "setuptools>=77" wheel
 	$(PIP) install "numpy>=2.0"
 	$(PIP) install --no-build-isolation --editable ".[codegen]"
-	touch $@ $(VENV)/built
+	touch $@
+	@$(COMPILED) && touch $(VENV)/built || true
 
 generate: $(VENV)/ready
 	$(PYTHON) -m coscrew_codegen generate
 
-check: generate
+check: $(VENV)/ready
 	$(PYTHON) -m coscrew_codegen generate --check
 
-# Built again only if generating changed its sources; without a C compiler, pure NumPy it is.
-build: check
+# Compiled again only where its sources changed; without a C compiler, pure NumPy it is.
+build: $(VENV)/ready
 	@$(MAKE) --no-print-directory $(VENV)/built
-	@$(PYTHON) -c "import coscrew, sys; coscrew.COMPILED or print('no working C compiler: coscrew \
-	runs in pure NumPy (gcc or clang and the headers of Python compile it)', file=sys.stderr)"
+	@$(COMPILED) || echo "no working C compiler: coscrew runs in pure NumPy (gcc or clang, and the \
+	headers of Python, compile it)" >&2
+
+COMPILED = $(PYTHON) -c "import coscrew, sys; sys.exit(not coscrew.COMPILED)"
 
 $(VENV)/built: $(SOURCES) codegen/build.py
 	$(PIP) install --no-build-isolation --no-deps --editable .
-	touch $@
+	@$(COMPILED) && touch $@ || true
 
 # The main job: static joint torques of a Panda arm with a payload, in C and Python.
 example: build
@@ -50,11 +54,16 @@ $(VENV)/test-ready: $(VENV)/ready
 	$(PIP) install --no-build-isolation --editable ".[test]"
 	touch $@
 
-test: $(VENV)/test-ready build
+# The tests take generated/ as it is: `check` fails first if it is not what the generator makes.
+test: $(VENV)/test-ready check build
 	$(PYTHON) -m pytest
 
 bench: $(VENV)/test-ready build
 	$(PYTHON) -m tests.benchmarks
+
+# Every proven error bound against exact arithmetic, at length.
+attack: $(VENV)/test-ready build
+	$(PYTHON) -m tests.attack
 
 clean:
 	rm -rf $(VENV) build *.egg-info

@@ -4,13 +4,18 @@ import argparse
 import sys
 from pathlib import Path
 
-from tqdm import tqdm
+try:
+    from tqdm import tqdm
 
-from coscrew_codegen.documentation import README, documentation
-from coscrew_codegen.emit import EmitError, differences, read, stale_files, write
-from coscrew_codegen.layout import Programs, generated_files, program_of
-from coscrew_codegen.operations import FAMILIES
-from coscrew_codegen.selection import LANGUAGES, Selection, SelectionError, select
+    from coscrew_codegen.documentation import with_table
+    from coscrew_codegen.emit import EmitError, differences, read, stale_files, write
+    from coscrew_codegen.layout import Files, Programs, generated_files, program_of
+    from coscrew_codegen.operations import FAMILIES
+    from coscrew_codegen.selection import LANGUAGES, Selection, SelectionError, select
+except ModuleNotFoundError as error:
+    sys.exit(f"coscrew: the generator needs {error.name}; run `pip install 'coscrew[codegen]'`")
+
+DEFAULT_OUTPUT = "generated"
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -33,7 +38,7 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     generate = commands.add_parser("generate", help="write the kernels, or check them",
                                    description="Write the kernels, or check that they are current.")
-    generate.add_argument("--output", metavar="DIR", default="generated",
+    generate.add_argument("--output", metavar="DIR", default=DEFAULT_OUTPUT,
                           help="folder to write to (default: generated)")
     generate.add_argument("--check", action="store_true",
                           help="write nothing; print what is out of date as a diff and exit 1")
@@ -42,28 +47,39 @@ def _parser() -> argparse.ArgumentParser:
     generate.add_argument("--precision", metavar="NAME", default="both",
                           help="double, single or both (default)")
     generate.add_argument("--language", metavar="NAME",
-                          help=f"{' or '.join(LANGUAGES)} (default: both, and the extension module)")
+                          help=f"{' or '.join(LANGUAGES)} (default: both, and the extension)")
     return parser
 
 
 def _generate(selection: Selection, folder: Path, check: bool) -> int:
     programs = _programs(selection)
     files = generated_files(selection, programs)
-    stale: tuple[str, ...] = ()
-    if selection == Selection():
-        stale = stale_files(files, folder)
-        files |= documentation(read(folder, README), programs)
+    whole = selection == Selection()
+    stale = stale_files(files, folder) if whole else ()
+    if whole and folder == Path(DEFAULT_OUTPUT) and (
+            readme := with_table(read(Path(), "README.md"), programs)):
+        files = {f"{DEFAULT_OUTPUT}/{path}": text for path, text in files.items()}
+        files["README.md"] = readme
+        stale = tuple(f"{DEFAULT_OUTPUT}/{path}" for path in stale)
+        return _deliver(selection, files, Path(), stale, check, DEFAULT_OUTPUT)
+    return _deliver(selection, files, folder, stale, check, str(folder))
+
+
+def _deliver(selection: Selection, files: Files, folder: Path, stale: tuple[str, ...],
+             check: bool, output: str) -> int:
+    """Write the files, or show what is out of date and the command that mends it."""
     if not check:
         changed = write(files, folder, stale)
-        print(f"{folder}: {len(files)} files, {len(changed)} changed")
+        print(f"{output}: {len(files)} files, {len(changed)} changed")
         return 0
     diffs = differences(files, folder, stale)
     if not diffs:
-        print(f"{folder}: {len(files)} files are current")
+        print(f"{output}: {len(files)} files are current")
         return 0
+    sys.stdout.reconfigure(errors="backslashreplace")
     sys.stdout.write("".join(diffs))
-    output = "" if folder == Path("generated") else f" --output {folder}"
-    print(f"{folder}: {len(diffs)} files are out of date; run `{selection.command}{output}`",
+    option = "" if output == DEFAULT_OUTPUT else f" --output {output}"
+    print(f"{output}: {len(diffs)} files are out of date; run `{selection.command}{option}`",
           file=sys.stderr)
     return 1
 

@@ -90,6 +90,14 @@ def shifted(t: sp.Matrix) -> sp.Matrix:
     return displacement(I3, t)
 
 
+def inverse_operator(operator: Callable[[sp.Matrix], sp.Matrix], D: sp.Matrix) -> sp.Matrix:
+    """operator(D)^-1 = operator(R^T) operator(-t), since operator(D) = operator(t) operator(R).
+
+    For [Ad] it is [[R^T, -R^T t~], [0, R^T]], for [Ad]* [[R^T, 0], [-R^T t~, R^T]]; what eq. (4)
+    and `product_CoAdinvc` of the page Coscrews print is not the inverse."""
+    return operator(turned(rotation(D).T)) * operator(shifted(-translation(D)))
+
+
 def rotation_about(axis: int, sine: sp.Expr, cosine: sp.Expr) -> sp.Matrix:
     """The rotation about x, y or z (axis 0, 1, 2) whose angle has this sine and cosine."""
     a = unit(axis)

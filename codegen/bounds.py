@@ -1,17 +1,18 @@
 """A-priori error bounds of a Program, from how its roundings reach its results.
 
-Every rounding is x̂ = x (1 + δ), |δ| <= u.  In a program of +, -, × each result is a polynomial in the
-inputs and the δ, and the roundings are tracked through it exactly up to second order:
+Every rounding is x̂ = x (1 + δ), |δ| <= u.  In a program of +, -, × each result is a polynomial in
+the inputs and the δ, and the roundings are tracked through it exactly up to second order:
 
 - first order: Σ |terms in one δ| <= c1 u S,
 - second order, where the first cancels (compensated programs): <= c2 u² S,
 
-S being the sum of the absolute values of the terms of the expanded polynomial.  The last rounding is
-kept apart, since it is relative to the result: |x̂ - x| <= u |x̂| + c1 u S (1 + O(u)).  The exact errors of
-sums and products that compensated programs compute are themselves terms in δ, so what they correct
-cancels here as it does there.
+S being the sum of the absolute values of the terms of the expanded polynomial.  The last rounding
+is kept apart, since it is relative to the result: |x̂ - x| <= u |x̂| + c1 u S (1 + O(u)).  The exact
+errors of sums and products that compensated programs compute are themselves terms in δ, so what they
+correct cancels here as it does there.
 
-Valid barring overflow and underflow.
+A wide program computes single-precision results in double, whose u is 2^-5 u² of single's: its
+first order counts as second.  Valid barring overflow and underflow.
 """
 
 from collections import defaultdict
@@ -56,8 +57,10 @@ def bounds_of(program: Program) -> tuple[Bound, ...] | None:
         if step.op not in _RULES:
             return None
         values[step.name] = _RULES[step.op](operands, number)
-    return tuple(_bound(_value(result, values), _last_rounding(result, program))
-                 for result in program.results)
+    found = [(_value(result, values), _last_rounding(result, program))
+             for result in program.results]
+    return tuple(_wide_bound(value) if program.wide else _bound(value, last)
+                 for value, last in found)
 
 
 def in_words(program: Program) -> str:
@@ -70,9 +73,9 @@ def in_words(program: Program) -> str:
     for order, unit in ((1, "u S"), (2, "u^2 S")):
         constants = [(bound.c1, bound.c2)[order - 1] for bound in bounds]
         if any(constants):
-            return (f"Error <= u |x| + {_by_part(program, constants)} {unit}, S the sum of the "
-                    "|terms| of the expanded formula; barring over- and underflow.")
-    return "Error <= u |x|, barring underflow."
+            return (f"Error <= u |result| + {_by_part(program, constants)} {unit}, S the sum of "
+                    "the |terms| of the expanded formula; barring over- and underflow.")
+    return "Error <= u |result|, barring over- and underflow."
 
 
 def _by_part(program: Program, constants: list[Fraction]) -> str:
@@ -103,17 +106,28 @@ def _last_rounding(result: Operand, program: Program) -> int | None:
 
 
 def _bound(value: _Series, last: int | None) -> Bound:
+    c1, c2 = (_constant(value, order, last) for order in (1, 2))
+    return Bound(last is not None, c1, c2, value.polynomial(()))
+
+
+_WIDER = Fraction(1, 32)  # u of double as a multiple of u² of single
+
+
+def _wide_bound(value: _Series) -> Bound:
+    computed = any(value.terms[deltas] for deltas in value.terms if deltas)
+    return Bound(computed, Fraction(0), _constant(value, 1, None) * _WIDER, value.polynomial(()))
+
+
+def _constant(value: _Series, order: int, last: int | None) -> Fraction:
+    """The largest ratio, over all monomials, of error terms of this order to the exact value's."""
     exact = value.polynomial(())
-    totals: dict[int, dict[Monomial, Fraction]] = {1: defaultdict(Fraction),
-                                                   2: defaultdict(Fraction)}
+    totals: dict[Monomial, Fraction] = defaultdict(Fraction)
     for deltas, polynomial in value.terms.items():
-        if deltas and last not in deltas:
+        if len(deltas) == order and last not in deltas:
             for monomial, coefficient in polynomial.items():
-                totals[len(deltas)][monomial] += abs(coefficient)
-    constants = [max((total / abs(exact[m]) if m in exact else _unbounded(m)
-                      for m, total in totals[order].items() if total), default=Fraction(0))
-                 for order in (1, 2)]
-    return Bound(last is not None, *constants, exact)
+                totals[monomial] += abs(coefficient)
+    return max((total / abs(exact[m]) if m in exact else _unbounded(m)
+                for m, total in totals.items() if total), default=Fraction(0))
 
 
 def _unbounded(monomial: Monomial) -> Fraction:
@@ -167,11 +181,17 @@ def _rounded(value: _Series, number: int) -> _Series:
     return _combined((1, value), (1, _roundoff(value, number)))
 
 
-_ROUNDING = (Op.ADD, Op.SUB, Op.MUL)
+_ROUNDING = (Op.ADD, Op.SUB, Op.MUL, Op.FMA, Op.FMS, Op.FNMA)
 
 _RULES = {
     Op.ADD: lambda x, n: _rounded(_combined((1, x[0]), (1, x[1])), n),
     Op.SUB: lambda x, n: _rounded(_combined((1, x[0]), (-1, x[1])), n),
     Op.MUL: lambda x, n: _rounded(_product(x[0], x[1]), n),
     Op.NEG: lambda x, n: _combined((-1, x[0])),
+    Op.FMA: lambda x, n: _rounded(_combined((1, _product(x[0], x[1])), (1, x[2])), n),
+    Op.FMS: lambda x, n: _rounded(_combined((1, _product(x[0], x[1])), (-1, x[2])), n),
+    Op.FNMA: lambda x, n: _rounded(_combined((1, x[2]), (-1, _product(x[0], x[1]))), n),
+    Op.SUM_ERROR: lambda x, n: _combined((1, x[0]), (1, x[1]), (-1, x[2])),
+    Op.DIFFERENCE_ERROR: lambda x, n: _combined((1, x[0]), (-1, x[1]), (-1, x[2])),
+    Op.PRODUCT_ERROR: lambda x, n: _combined((1, _product(x[0], x[1])), (-1, x[2])),
 }

@@ -9,10 +9,11 @@ class BuildExt(build_ext):
     def build_extensions(self) -> None:
         import numpy
 
-        unix = self.compiler.compiler_type == "unix"
+        microsoft = self.compiler.compiler_type == "msvc"
         for extension in self.extensions:
             extension.include_dirs.append(numpy.get_include())
             extension.extra_compile_args += (
-                ["-O3", "-ffp-contract=off", "-fno-fast-math", "-fvisibility=hidden"] if unix
-                else ["/O2", "/fp:precise"])
+                ["/O2", "/fp:precise", "/std:c11", "/utf-8"] if microsoft else
+                ["-O3", "-g0", "-ffp-contract=off", "-fno-fast-math", "-fvisibility=hidden"])
+            extension.libraries += [] if microsoft else ["m"]
         super().build_extensions()

@@ -5,17 +5,16 @@ from collections.abc import Mapping
 from coscrew_codegen.operations import FAMILIES, OPERATIONS, family_title
 from coscrew_codegen.program import Program, counts_in_words
 
-README = "../README.md"  # seen from the output folder
 BEGIN, END = "<!-- operations: begin -->", "<!-- operations: end -->"
 
 
-def documentation(readme: str | None, programs: Mapping[str, Program]) -> dict[str, str]:
-    """The README with its table renewed, if there is one and it has the marks."""
+def with_table(readme: str | None, programs: Mapping[str, Program]) -> str | None:
+    """The README with its table renewed; None if there is none, or it has not the marks."""
     if readme is None or BEGIN not in readme or END not in readme:
-        return {}
+        return None
     before, _, rest = readme.partition(BEGIN)
     after = rest.partition(END)[2]
-    return {README: f"{before}{BEGIN}\n{operations_table(programs)}{END}{after}"}
+    return f"{before}{BEGIN}\n{operations_table(programs)}{END}{after}"
 
 
 def operations_table(programs: Mapping[str, Program]) -> str:

@@ -2,6 +2,7 @@
 
 import hashlib
 from collections.abc import Iterator
+from functools import partial
 
 from coscrew_codegen.kernel import kernel_of
 from coscrew_codegen.operations import Operation, family_title
@@ -13,6 +14,7 @@ from coscrew_codegen.selection import Selection
 from coscrew_codegen.targets import c, c_storage, gufunc, numpy
 from coscrew_codegen.targets.precision import Precision
 from coscrew_codegen.tiers.plain import plain
+from coscrew_codegen.tiers.table import ACCURATE, TIERS, Tier, has_tiers
 
 Files = dict[str, str]  # by path in the output folder, with forward slashes
 Programs = dict[str, Program]
@@ -28,6 +30,8 @@ _ALIASES = (("SE3", "SE3_fromRt"), ("screw", "screw_from_lin_ang"),
             ("coscrew", "coscrew_from_lin_ang"))
 
 
+_UMBRELLAS = ("ksl", *(f"ksl_{tier.name}" for tier in TIERS))
+
 # NumPy's C names for the precisions: type number, DType.
 _NUMPY_C_NAMES = {"double": ("NPY_DOUBLE", "PyArray_DoubleDType"),
                   "single": ("NPY_FLOAT", "PyArray_FloatDType")}
@@ -42,11 +46,17 @@ def generated_files(selection: Selection, programs: Programs) -> Files:
     """Every file of the selection, by its path in the output folder."""
     files: Files = {}
     headers = _headers(selection, programs)
-    amalgamation = _amalgamation(selection, headers)
+    amalgamation = _amalgamation(selection, headers, "All headers of plain kernels")
     extension = selection.languages == ("c", "python")
     if "c" in selection.languages:
         files |= {f"c/include/ksl/{name}.h": text for name, text in headers.items()}
         files["c/coscrew.h"] = amalgamation
+        for tier in TIERS:
+            made = _tier_headers(selection, programs, tier)
+            files |= {f"c/include/ksl/{name}.h": text for name, text in made.items()}
+            files[f"c/coscrew_{tier.name}.h"] = _amalgamation(
+                selection, {"ksl_types": headers["ksl_types"], **made},
+                f"All headers of {tier.name} kernels")
     sources = _extension(selection, programs) if extension else {}
     provenance = _digest(amalgamation, *sources.values())
     if extension:
@@ -81,7 +91,9 @@ def _headers(selection: Selection, programs: Programs) -> dict[str, str]:
             guard=f"KSL_{family.upper()}_H", functions=functions,
             includes=("ksl_types", *_included(family, families)),
             allocations=[function for function in allocations if function])
-    headers["ksl"] = render("c/ksl.h", banner=selection.banner, includes=families)
+    headers["ksl"] = render(
+        "c/ksl.h", banner=selection.banner, includes=families, guard="KSL_H",
+        title="Everything: vectors, rotations, displacements, screws and coscrews.")
     return headers
 
 
@@ -109,11 +121,33 @@ def _included(family: str, families: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(found))
 
 
-def _amalgamation(selection: Selection, headers: dict[str, str]) -> str:
+def _tier_headers(selection: Selection, programs: Programs, tier: Tier) -> dict[str, str]:
+    """The headers of a tier behind plain: exact errors, one per family, one that includes all."""
+    exact = {"ksl_exact": render("c/ksl_exact.h", banner=selection.banner)}
+    headers = exact if tier.header == "ksl_exact" else {}
+    for family in selection.families:
+        functions = [
+            c.function(op, getattr(tier, precision.name)(programs[op.name]), precision, tier.name)
+            for precision in selection.precisions for op in selection.operations
+            if op.family == family and has_tiers(programs[op.name])]
+        if functions:
+            headers[f"{family}_{tier.name}"] = render(
+                "c/family.h", banner=selection.banner,
+                title=f"{family_title(family)}\n   {tier.title}",
+                guard=f"KSL_{family.upper()}_{tier.name.upper()}_H", functions=functions,
+                includes=(tier.header,), allocations=[])
+    umbrella = tuple(name for name in headers if name != "ksl_exact")
+    headers[f"ksl_{tier.name}"] = render(
+        "c/ksl.h", banner=selection.banner, includes=umbrella,
+        title=f"All kernels of the {tier.name} tier.", guard=f"KSL_{tier.name.upper()}_H")
+    return headers
+
+
+def _amalgamation(selection: Selection, headers: dict[str, str], title: str) -> str:
     sections = ["\n".join(line for line in text.splitlines()[1:]
                           if not line.startswith('#include "')) + "\n"
-                for name, text in headers.items() if name != "ksl"]
-    return render("c/coscrew.h", banner=selection.banner, sections=sections)
+                for name, text in headers.items() if name not in _UMBRELLAS]
+    return render("c/coscrew.h", banner=selection.banner, sections=sections, title=title)
 
 
 # the extension module
@@ -139,10 +173,17 @@ def _extension(selection: Selection, programs: Programs) -> dict[str, str]:
     return sources
 
 
+def _table(selection: Selection, name: str, suffix: str) -> str:
+    entries = [f"coscrew_{family}_{suffix}" for family in selection.families]
+    return c.listed(f"static const coscrew_gufunc *const {name}[] = {{", entries, "};")
+
+
 def _extension_module(selection: Selection, provenance: str) -> str:
     most = max(len(op.inputs) + len(op.outputs) for op in selection.operations)
     return render("gufunc/module.c", banner=selection.banner, families=selection.families,
                   most_arguments=most, provenance=provenance,
+                  baseline=_table(selection, "baseline", "gufuncs"),
+                  avx2=_table(selection, "avx2", "gufuncs_avx2"),
                   types=[_NUMPY_C_NAMES[precision.name][0] for precision in selection.precisions])
 
 
@@ -158,31 +199,67 @@ def _package(selection: Selection, programs: Programs, extension: bool,
               "precisions": [precision.name for precision in selection.precisions],
               "extension": extension, "provenance": provenance}
 
-    def stub_file(scalar: str, top: bool) -> str:
-        stubs = [numpy.stub(op, programs[op.name], scalar) for op in selection.operations]
-        return render("python/operations.pyi", stubs=stubs, top=top, **shared)
-
     package = {name: render(f"python/{name}", **shared)
-               for name in ("__init__.py", "_dispatch.py", "_arrays.py", "_kernel.py")}
-    package["__init__.pyi"] = stub_file("np.floating", top=True)
+               for name in ("__init__.py", "_dispatch.py", "_arrays.py", "_kernel.py", "_exact.py")}
+    stubs = partial(_stubs, selection, selection.operations, programs, shared)
+    package["__init__.pyi"] = stubs("np.floating", top=True)
     package["py.typed"] = ""
     for precision in selection.precisions:
+        package[f"{precision.name}/__init__.pyi"] = stubs(f"np.{precision.numpy_type}")
+    package |= _twin_modules(selection, selection.operations, programs, None)
+    return package | _accurate_package(selection, programs, shared)
+
+
+def _accurate_package(selection: Selection, programs: Programs,
+                      shared: dict[str, object]) -> dict[str, str]:
+    """The files of coscrew.accurate: twins in both precisions, and the choice between them."""
+    operations = tuple(op for op in selection.operations if has_tiers(programs[op.name]))
+    shared = {**shared, "names": [op.name for op in operations], "aliases": []}
+    package = {"__init__.py": render("python/accurate.py", **shared),
+               "__init__.pyi": _stubs(selection, operations, programs, shared, "np.floating")}
+    for precision in selection.precisions:
+        package[f"{precision.name}/__init__.pyi"] = _stubs(
+            selection, operations, programs, shared, f"np.{precision.numpy_type}")
+    package |= _twin_modules(selection, operations, programs, ACCURATE)
+    return {f"accurate/{name}": text for name, text in package.items()}
+
+
+def _stubs(selection: Selection, operations: tuple[Operation, ...], programs: Programs,
+           shared: dict[str, object], scalar: str, top: bool = False) -> str:
+    stubs = [numpy.stub(op, programs[op.name], scalar) for op in operations]
+    return render("python/operations.pyi", stubs=stubs, top=top, **shared)
+
+
+def _twin_modules(selection: Selection, operations: tuple[Operation, ...], programs: Programs,
+                  tier: Tier | None) -> dict[str, str]:
+    """The modules of both precisions, one per family, and what gathers them."""
+    modules: dict[str, str] = {}
+    families = tuple(f for f in selection.families if any(op.family == f for op in operations))
+    names = [op.name for op in operations]
+    for precision in selection.precisions:
         folder = precision.name
-        package[f"{folder}/__init__.pyi"] = stub_file(f"np.{precision.numpy_type}", top=False)
-        by_family = [{"name": family, "operations": [op.name for op in selection.operations
+        by_family = [{"name": family, "operations": [op.name for op in operations
                                                      if op.family == family]}
-                     for family in selection.families]
-        package[f"{folder}/__init__.py"] = render(
+                     for family in families]
+        modules[f"{folder}/__init__.py"] = render(
             "python/precision.py", banner=selection.banner, precision=precision,
-            families=by_family, aliases=aliases)
-        for family in selection.families:
-            package[f"{folder}/{family}.py"] = _twins(selection, programs, family, precision)
-    return package
+            package=f"coscrew.{tier.name}" if tier else "coscrew", families=by_family,
+            aliases=[(alias, name) for alias, name in _ALIASES if name in names])
+        for family in families:
+            modules[f"{folder}/{family}.py"] = _twins(
+                selection, [op for op in operations if op.family == family], programs, precision,
+                tier)
+    return modules
 
 
-def _twins(selection: Selection, programs: Programs, family: str, precision: Precision) -> str:
-    operations = [op for op in selection.operations if op.family == family]
-    functions = [numpy.function(op, programs[op.name], precision) for op in operations]
-    return render("python/family.py", banner=selection.banner, title=family_title(family),
-                  precision=precision, functions=functions,
-                  imported=numpy.imported(tuple(programs[op.name] for op in operations)))
+def _twins(selection: Selection, operations: list[Operation], programs: Programs,
+           precision: Precision, tier: Tier | None) -> str:
+    transformed = getattr(tier, precision.name) if tier else lambda program: program
+    chosen = [transformed(programs[op.name]) for op in operations]
+    functions = [numpy.function(op, program, precision)
+                 for op, program in zip(operations, chosen, strict=True)]
+    return render("python/family.py", banner=selection.banner,
+                  title=family_title(operations[0].family), precision=precision,
+                  functions=functions, imports=numpy.imports(tuple(chosen)),
+                  kernel="wide_kernel" if chosen[0].wide else f"{precision.name}_kernel",
+                  tier=tier.name if tier else "plain")

@@ -26,6 +26,12 @@ class Op(Enum):
     SQRT = "sqrt"
     SIN = "sin"
     COS = "cos"
+    FMA = "fma"  # a b + c, rounded once
+    FMS = "fms"  # a b - c, rounded once
+    FNMA = "fnma"  # c - a b, rounded once
+    SUM_ERROR = "sum error"  # a + b - s exactly, s the rounded sum
+    DIFFERENCE_ERROR = "difference error"  # a - b - s exactly, s the rounded difference
+    PRODUCT_ERROR = "product error"  # a b - p exactly, p the rounded product
     LESS = "less"  # a < b
     EQUAL = "equal"  # a == b
     SELECT = "select"  # a ? b : c
@@ -76,6 +82,7 @@ class Program:
     outputs: tuple[Argument, ...]
     instructions: tuple[Instruction, ...]
     results: tuple[Operand, ...]  # every component of every output, row by row
+    wide: bool = False  # computed in double though arguments are single, results rounded to single
 
     @property
     def counts(self) -> Mapping[Op, int]:
@@ -95,10 +102,13 @@ def by_component(program: Program) -> Iterator[tuple[Instruction, ...]]:
 
 
 def counts_in_words(program: Program) -> str:
-    """'24 mul, 18 add': operations by kind, additions and subtractions together."""
+    """'24 mul, 18 add': operations by kind, a subtraction counted as an addition."""
     counts = Counter(program.counts)
     counts[Op.ADD] += counts.pop(Op.SUB, 0)
-    order = (Op.MUL, Op.ADD, Op.DIV, Op.SQRT, Op.SIN, Op.COS, Op.NEG, Op.ABS, Op.LESS, Op.EQUAL,
+    counts[Op.FMA] += counts.pop(Op.FMS, 0) + counts.pop(Op.FNMA, 0)
+    counts[Op.SUM_ERROR] += counts.pop(Op.DIFFERENCE_ERROR, 0)
+    order = (Op.MUL, Op.ADD, Op.FMA, Op.PRODUCT_ERROR, Op.SUM_ERROR, Op.DIV, Op.SQRT, Op.SIN,
+             Op.COS, Op.NEG, Op.ABS, Op.LESS, Op.EQUAL,
              Op.SELECT)
     words = [f"{counts[op]} {op.value}" for op in order if counts[op]]
     return ", ".join(words) if words else "no arithmetic"

@@ -60,10 +60,13 @@ def in_parallel(commands: Sequence[Sequence[str | Path]]) -> None:
 
 
 @functools.cache
-def harness(folder: Path, compiler: str, flags: tuple[str, ...]) -> ctypes.CDLL:
-    """All kernels of both precisions as loops over rows, in a library made in this folder."""
-    stem = folder / "-".join((compiler, *(flag.strip("-") for flag in flags))).replace("=", "-")
-    sources = {stem.with_name(f"{stem.name}-{p.name}"): loops(p) for p in PRECISIONS}
+def harness(folder: Path, compiler: str, flags: tuple[str, ...], tier: str = "",
+            operations: tuple[Operation, ...] = OPERATIONS) -> ctypes.CDLL:
+    """The kernels of a tier, in both precisions, as loops over rows; a library in this folder."""
+    words = (compiler, *(flag.strip("-") for flag in flags), *filter(None, (tier,)))
+    stem = folder / "-".join(words).replace("=", "-")
+    sources = {stem.with_name(f"{stem.name}-{p.name}"): loops(p, tier, operations)
+               for p in PRECISIONS}
     for path, text in sources.items():
         path.with_suffix(".c").write_text(text)
     options = (*C11, *flags, "-fPIC", "-I", INCLUDE)
@@ -72,12 +75,14 @@ def harness(folder: Path, compiler: str, flags: tuple[str, ...]) -> ctypes.CDLL:
     return ctypes.CDLL(f"{stem}.so")
 
 
-def loops(precision: Precision) -> str:
+def loops(precision: Precision, tier: str, operations: tuple[Operation, ...]) -> str:
     """C: `void run_<kernel>(long n, rows of inputs and outputs)` for every operation."""
-    return "\n".join(["#include <ksl/ksl.h>", *(_loop(op, precision) for op in OPERATIONS)])
+    header = f"ksl_{tier}" if tier else "ksl"
+    return "\n".join([f"#include <ksl/{header}.h>",
+                      *(_loop(op, precision, tier) for op in operations)])
 
 
-def _loop(operation: Operation, precision: Precision) -> str:
+def _loop(operation: Operation, precision: Precision, tier: str) -> str:
     written = {a.name for a in operation.outputs}
 
     def rows(a: Argument) -> str:
@@ -87,18 +92,21 @@ def _loop(operation: Operation, precision: Precision) -> str:
 
     declared = ", ".join(["long n", *map(rows, distinct(operation))])
     name = c_name(operation.name, precision)
-    call = call_of(operation, precision, {a.name: f"{a.name}[i]" for a in distinct(operation)})
+    call = call_of(operation, precision, {a.name: f"{a.name}[i]" for a in distinct(operation)},
+                   tier)
     return (f"void run_{name}({declared});\nvoid run_{name}({declared}) {{\n"
             f"  for (long i = 0; i < n; i++) {{ {call} }}\n}}\n")
 
 
-def call_of(operation: Operation, precision: Precision, values: dict[str, str]) -> str:
+def call_of(operation: Operation, precision: Precision, values: dict[str, str],
+            tier: str = "") -> str:
     """The C statement that calls the kernel; `values` gives the lvalue of each argument."""
     passed = ", ".join(values[a.name] if operation.by_value or not is_struct(a)
                        else f"&{values[a.name]}" for a in parameters(operation))
     value = returned(operation)
     result = f"{values[value.name]} = " if value else ""
-    return f"{result}{c_name(operation.name, precision)}({passed});"
+    name = c_name(operation.name, precision) + (f"_{tier}" if tier else "")
+    return f"{result}{name}({passed});"
 
 
 def distinct(operation: Operation) -> tuple[Argument, ...]:

@@ -16,7 +16,8 @@ import sympy as sp
 from pycparser import CParser, c_ast
 
 INCLUDE = Path(__file__).parent.parent / "generated" / "c" / "include" / "ksl"
-FAMILIES = tuple(sorted({path.stem for path in INCLUDE.glob("*.h")} - {"ksl", "ksl_types"}))
+FAMILIES = tuple(sorted(path.stem for path in INCLUDE.glob("*.h")
+                        if not re.match(r"ksl|.*_(fused|accurate)$", path.stem)))  # plain kernels
 
 _MATH = {"fabs": sp.Abs, "sqrt": sp.sqrt, "sin": sp.sin, "cos": sp.cos}
 _BINARY = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,

@@ -1,4 +1,4 @@
-"""The compiled ufuncs: signatures, precisions, broadcasting, strides, refusals, subclasses, Dask."""
+"""The compiled ufuncs: signatures, precisions, broadcasting, strides, refusals, subclasses."""
 
 import os
 import subprocess

@@ -20,7 +20,6 @@ from tests.c_reader import FAMILIES as HEADERS
 from tests.c_reader import Header, Place, Value, functions_in, header, sign_flips
 
 THRESHOLDS = {DOUBLE: sp.Rational(1, 10**9), SINGLE: sp.Rational(1, 10**6)}
-FOR_ROTATIONS = ("product_Adinvs", "product_CoAdinvc")  # use R R^T = I; the others hold for any R
 SHAPES = {"vec3": (3,), "mat3x3": (3, 3), "SE3": (3, 4), "screw": (6,), "coscrew": (6,),
           "mat6x6": (6, 6)}  # of the C types, row by row
 
@@ -44,20 +43,9 @@ def difference(found: tuple[sp.Expr, ...], operation: Operation) -> sp.Expr | No
     """By how much the first wrong component is wrong, under any conditions; None if none is."""
     wanted = truth(operation)
     assert len(found) == len(wanted)
-    reduce = on_rotations if operation.name in FOR_ROTATIONS else sp.expand
-    differences = (reduce(branch[i] - branch[i + len(wanted)])
+    differences = (sp.expand(branch[i] - branch[i + len(wanted)])
                    for branch in branches(sp.Tuple(*found, *wanted)) for i in range(len(wanted)))
     return next((d for d in differences if d != 0), None)
-
-
-def on_rotations(expression: sp.Expr) -> sp.Expr:
-    """The polynomial in D = [R | t], reduced on the unit quaternions (w; x, y, z) of R."""
-    w, x, y, z = q = sp.symbols("w x y z")
-    R = ((1 - 2 * (y*y + z*z), 2 * (x*y - w*z), 2 * (x*z + w*y)),
-         (2 * (x*y + w*z), 1 - 2 * (x*x + z*z), 2 * (y*z - w*x)),
-         (2 * (x*z - w*y), 2 * (y*z + w*x), 1 - 2 * (x*x + y*y)))
-    entries = {sp.Symbol(f"D_{i}{j}"): R[i][j] for i in range(3) for j in range(3)}
-    return sp.rem(sp.expand(expression.xreplace(entries)), sum(n**2 for n in q) - 1, w)
 
 
 def branches(expressions: sp.Tuple) -> Iterator[sp.Tuple]:

@@ -5,6 +5,9 @@ import sympy as sp
 from coscrew_codegen.operations.operation import NORM_THRESHOLD
 
 
+SQUARES = "squares must neither over- nor underflow"
+
+
 def l2(x: sp.Matrix) -> sp.Expr:
     """sqrt(x·x)."""
     return sp.sqrt(x.dot(x))

@@ -37,6 +37,7 @@ class Operation:
     derivation: Callable[..., Value | tuple[Value, ...]] | None = None
     order: tuple[str, ...] = ()
     by_value: bool = False  # in C, arguments and result are passed by value
+    remark: str = ""  # what unfused arithmetic makes true besides
 
     @property
     def signature(self) -> str:

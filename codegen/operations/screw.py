@@ -1,6 +1,7 @@
 """Screws: twists, spatial velocities and accelerations, s = (v; ω)."""
 
 from coscrew_codegen.algebra import Ad, ad, ang, lin, rotation, stack, translation
+from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.operations.spatial import Space, space_operations
 from coscrew_codegen.quantity import COSCREW, MAT6X6, SCALAR, SCREW, SE3, VEC3, Argument
 
@@ -23,8 +24,9 @@ def _about(let, D, axis):
 OPERATIONS = (
     *space_operations(_SPACE),
     _SPACE.op("dot_cs", "power = f·v + τ·ω, in W", (_c, _s), (_power,), lambda c, s: c.dot(s)),
-    _SPACE.op("cross_ss", "so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2); exactly zero for s1 = s2",
-              (_s1, _s2), (_so,), lambda s1, s2: ad(s1) * s2),
+    Operation("cross_ss", FAMILY, "so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2)", (_s1, _s2), (_so,),
+              lambda s1, s2: ad(s1) * s2,
+              remark="Exactly zero for s1 = s2, unless products overflow."),
     _SPACE.op("cross_sst", "so = (ω1×v2 ; 0)", (_s1, _s2), (_so,),
               lambda s1, s2: stack(ang(s1).cross(lin(s2)), sp.zeros(3, 1))),
     _SPACE.op("hsra", "so = (t×R a ; R a), a = axis in the body's frame", (_D, _axis), (_so,),

@@ -10,10 +10,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from coscrew_codegen.algebra import (ang, inverse, lin, rotation, shifted, stack, translation,
-                                     turned)
+from coscrew_codegen.algebra import (ang, inverse_operator, lin, rotation, shifted, stack,
+                                     translation, turned)
 from coscrew_codegen.operations.linear import linear_space
-from coscrew_codegen.operations.norm import divided, leading_part, nonzero
+from coscrew_codegen.operations.norm import SQUARES, divided, leading_part, nonzero
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import (ANGULAR_FIRST, MAT3X3, MAT6X6, SCALAR, SE3, VEC3, Argument,
                                       Quantity)
@@ -67,9 +67,9 @@ def _norms(space: Space) -> tuple[Operation, ...]:
     def bound_normalized(let, x):
         return divided(x, let("d", nonzero(let("n", bound_norm(let, x)))))
 
-    zero = f"the zero {kind} stays zero"
+    zero = f"the zero {kind} stays zero; {SQUARES}"
     return (
-        space.op(f"{kind}_norm", f"|{xi.name}|: {space.norm_words}", (xi,), (norm,),
+        space.op(f"{kind}_norm", f"|{xi.name}|: {space.norm_words}; {SQUARES}", (xi,), (norm,),
                  norm_of, bound_norm),
         space.op(f"{kind}_normalize", f"self = self / |self|, with {kind}_norm; {zero}", (self,),
                  (self,), normalized, bound_normalized),
@@ -121,7 +121,7 @@ def _transforms(space: Space) -> tuple[Operation, ...]:
         op(letter, f"{words}(D) {i} = {words}(t) {words}(R) {i}", D,
            lambda D, x: operator(D) * x, by_displacement),
         op(f"inv{letter}", f"{words}(D)^-1 {i} = {words}(R^T) {words}(-t) {i}", D,
-           lambda D, x: operator(inverse(D)) * x, by_inverse),
+           lambda D, x: inverse_operator(operator, D) * x, by_inverse),
         op(f"{letter}inv", f"{words}(D) (-{i})", D, lambda D, x: -operator(D) * x,
            lambda let, D, x: by_displacement(let, D, -x)),
     )

@@ -1,9 +1,11 @@
 """The C target: functions, comments and names of both precisions.
 
 One operation a statement (declarators count as statements), so that no compiler that contracts
-within expressions can fuse a product into a sum.  Results are stored last: outputs may alias inputs.
+within expressions can fuse a product into a sum.  Results are stored last: outputs may alias
+inputs.
 """
 
+import re
 import textwrap
 from dataclasses import dataclass
 
@@ -12,7 +14,7 @@ from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import (Constant, Input, Instruction, Op, Operand, Program,
                                      by_component, counts_in_words)
 from coscrew_codegen.quantity import SCALAR, Argument, Quantity, in_words
-from coscrew_codegen.targets.precision import Precision
+from coscrew_codegen.targets.precision import DOUBLE, Precision
 
 WIDTH = 100
 
@@ -20,6 +22,9 @@ STRUCTS = ("vec3", "mat3x3", "SE3", "screw", "coscrew", "mat6x6")
 
 _SPELLING = {
     Op.ADD: "{} + {}", Op.SUB: "{} - {}", Op.MUL: "{} * {}", Op.DIV: "{} / {}", Op.NEG: "-{}",
+    Op.FMA: "fma{f}({}, {}, {})", Op.FMS: "fma{f}({}, {}, -{})", Op.FNMA: "fma{f}(-{}, {}, {})",
+    Op.SUM_ERROR: "ksl_sum_error({}, {}, {})", Op.PRODUCT_ERROR: "ksl_product_error({}, {}, {})",
+    Op.DIFFERENCE_ERROR: "ksl_difference_error({}, {}, {})",
     Op.ABS: "fabs{f}({})", Op.SQRT: "sqrt{f}({})", Op.SIN: "sin{f}({})", Op.COS: "cos{f}({})",
     Op.LESS: "{} < {}", Op.EQUAL: "{} == {}", Op.SELECT: "{} ? {} : {}",
 }
@@ -82,9 +87,10 @@ def parameters(operation: Operation) -> tuple[Argument, ...]:
     return tuple(arguments[name] for name in names)
 
 
-def function(operation: Operation, program: Program, precision: Precision) -> CFunction:
-    """The operation as a C function."""
-    return _Writer(operation, program, precision).function()
+def function(operation: Operation, program: Program, precision: Precision,
+             tier: str = "") -> CFunction:
+    """The operation as a C function, `_tier` behind its name."""
+    return _Writer(operation, program, precision, tier).function()
 
 
 def comment_of(lines: list[str]) -> str:
@@ -108,22 +114,25 @@ def listed(before: str, items: list[str], after: str, width: int = WIDTH) -> str
 
 
 class _Writer:
-    def __init__(self, operation: Operation, program: Program, precision: Precision):
+    def __init__(self, operation: Operation, program: Program, precision: Precision, tier: str):
         self.operation, self.program, self.precision = operation, program, precision
+        self.working = DOUBLE if program.wide else precision  # of intermediate results
+        self.name = c_name(operation.name, precision) + (f"_{tier}" if tier else "")
         self.written = {a.name for a in operation.outputs}
         self.value = returned(operation)
         self.inlined = {step.name: step for step in program.instructions
                         if step.op in (Op.LESS, Op.EQUAL)}
 
     def function(self) -> CFunction:
-        name = c_name(self.operation.name, self.precision)
         kind = c_type(self.value.quantity, self.precision) if self.value else "void"
         declared = [self._parameter(a) for a in parameters(self.operation)]
-        head = listed(f"{kind} {name}(", declared, ")", WIDTH - 16)
-        return CFunction(name, self._comment(), head, "\n".join(self._body()))
+        head = listed(f"{kind} {self.name}(", declared, ")", WIDTH - 16)
+        return CFunction(self.name, self._comment(), head, "\n".join(self._body()))
 
     def _comment(self) -> str:
-        return comment_of([f"{self.operation.statement}.",
+        fused = self.program.counts.keys() & {Op.FMA, Op.FMS, Op.FNMA}
+        remark = f"  {self.operation.remark}" if self.operation.remark and not fused else ""
+        return comment_of([f"{self.operation.statement}.{remark}",
                            f"{in_words(parameters(self.operation))}.",
                            f"{counts_in_words(self.program).capitalize()}.",
                            bounds.in_words(self.program)])
@@ -144,21 +153,31 @@ class _Writer:
         for steps in by_component(self.program):
             declarators = [f"{step.name} = {self._expression(step)}" for step in steps
                            if step.name not in self.inlined]
-            lines.append(listed(f"const {self.precision.c_type} ", declarators, ";", WIDTH - 2))
+            lines.append(listed(f"const {self.working.c_type} ", declarators, ";", WIDTH - 2))
         return [f"  {line}".replace("\n", "\n  ") for line in (*lines, *self._stores())]
 
     def _expression(self, step: Instruction) -> str:
         operands = [self._operand(x) for x in step.operands]
-        return _SPELLING[step.op].format(*operands, f=self.precision.suffix)
+        return _SPELLING[step.op].format(*operands, f=self.working.suffix)
 
     def _operand(self, operand: Operand) -> str:
         if isinstance(operand, Input):
-            argument = self.program.inputs[operand.argument]
-            return self._access(argument, operand.index)
+            widened = f"({self.working.c_type})" if self.program.wide else ""
+            return widened + self._input(operand)
         if isinstance(operand, Constant):
-            return self.precision.literal(operand) + self.precision.suffix
+            return self.working.literal(operand) + self.working.suffix
         return (self._expression(self.inlined[operand.name]) if operand.name in self.inlined
                 else operand.name)
+
+    def _input(self, operand: Input) -> str:
+        return self._access(self.program.inputs[operand.argument], operand.index)
+
+    def _result(self, operand: Operand) -> str:
+        """A result in the precision of the arguments; what was an input still is as it was."""
+        if isinstance(operand, Input):
+            return self._input(operand)
+        narrowed = f"({self.precision.c_type})" if self.program.wide else ""
+        return narrowed + self._operand(operand)
 
     def _access(self, argument: Argument, index: int) -> str:
         path = member(argument.quantity, index)
@@ -166,7 +185,7 @@ class _Writer:
         return argument.name + (path.replace(".", "->", 1) if pointed else path)
 
     def _stores(self) -> list[str]:
-        results = [self._operand(x) for x in self.program.results]
+        results = [self._result(x) for x in self.program.results]
         if self.value and not self.value.quantity.shape:
             return [f"return {results[0]};"]
         targets = [self._access(a, i) for a in self.operation.outputs
@@ -192,4 +211,4 @@ class _Writer:
 
 def _local_name(access: str) -> str:
     """D->m03 → D_m03, dc[1] → dc_1."""
-    return access.replace("->", "_").replace("][", "").replace(".", "_").replace("[", "_").rstrip("]")
+    return re.sub(r"->|\[|\.", "_", access.replace("][", "")).rstrip("]")

@@ -4,6 +4,7 @@ NumPy rounds every operation once and contracts nothing, so steps used once are 
 expressions; parentheses keep the Program's order.
 """
 
+import textwrap
 from collections import Counter
 from dataclasses import dataclass
 
@@ -13,19 +14,22 @@ from coscrew_codegen.program import (Constant, Input, Instruction, Op, Operand, 
                                      counts_in_words)
 from coscrew_codegen.quantity import Argument, in_words
 from coscrew_codegen.targets.c import WIDTH, listed
-from coscrew_codegen.targets.precision import Precision
+from coscrew_codegen.targets.precision import DOUBLE, Precision
 
 # spelling, and how tightly it binds
 _SPELLING = {
     Op.ADD: ("{} + {}", 1), Op.SUB: ("{} - {}", 1), Op.MUL: ("{} * {}", 2), Op.DIV: ("{} / {}", 2),
-    Op.NEG: ("-{}", 3), Op.ABS: ("absolute({})", 4), Op.SQRT: ("sqrt({})", 4),
+    Op.SUM_ERROR: ("sum_error({}, {}, {})", 4), Op.PRODUCT_ERROR: ("product_error({}, {}, {})", 4),
+    Op.DIFFERENCE_ERROR: ("difference_error({}, {}, {})", 4), Op.NEG: ("-{}", 3),
+    Op.ABS: ("absolute({})", 4), Op.SQRT: ("sqrt({})", 4),
     Op.SIN: ("sin({})", 4), Op.COS: ("cos({})", 4), Op.LESS: ("{} < {}", 0),
     Op.EQUAL: ("{} == {}", 0), Op.SELECT: ("where({}, {}, {})", 4),
 }
 _CALLS = 4
 
-FUNCTIONS = {Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SIN: "sin", Op.COS: "cos",
-             Op.SELECT: "where"}
+_NUMPY = {Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SIN: "sin", Op.COS: "cos", Op.SELECT: "where"}
+_EXACT = {Op.SUM_ERROR: "sum_error", Op.DIFFERENCE_ERROR: "difference_error",
+          Op.PRODUCT_ERROR: "product_error"}
 
 
 @dataclass(frozen=True)
@@ -67,15 +71,20 @@ def stub(operation: Operation, program: Program, scalar: str) -> Stub:
 def docstring_of(operation: Operation, program: Program) -> str:
     """Equation, shapes, units, cost: the docstring of the operation in Python."""
     arguments = tuple({a.name: a for a in (*operation.inputs, *operation.outputs)}.values())
-    return "\n".join((f"{operation.statement}.", "",
-                      f"{operation.signature}.  {in_words(arguments)}.",
-                      f"{counts_in_words(program).capitalize()}.  {bounds.in_words(program)}".rstrip()))
+    remark = f"  {operation.remark}" if operation.remark else ""
+    cost = f"{counts_in_words(program).capitalize()}.  {bounds.in_words(program)}".rstrip()
+    shapes = f"{operation.signature}.  {in_words(arguments)}."
+    paragraphs = (f"{operation.statement}.{remark}", "", shapes, cost)
+    return "\n".join(row for paragraph in paragraphs
+                     for row in textwrap.wrap(paragraph, WIDTH - 8) or [""])
 
 
-def imported(programs: tuple[Program, ...]) -> str:
-    """The NumPy functions these programs call, as an import list; empty if none."""
-    used = {FUNCTIONS[op] for program in programs for op in program.counts if op in FUNCTIONS}
-    return ", ".join(sorted(used))
+def imports(programs: tuple[Program, ...]) -> list[tuple[str, str]]:
+    """(module, names) of the functions these programs call."""
+    called = {op for program in programs for op in program.counts}
+    found = [("numpy", _NUMPY), ("coscrew._exact", _EXACT)]
+    return [(module, ", ".join(sorted(names[op] for op in called & set(names))))
+            for module, names in found if called & set(names)]
 
 
 def _indented(docstring: str) -> str:
@@ -85,7 +94,8 @@ def _indented(docstring: str) -> str:
 
 class _Writer:
     def __init__(self, operation: Operation, program: Program, precision: Precision):
-        self.operation, self.program, self.precision = operation, program, precision
+        self.operation, self.program = operation, program
+        self.working = DOUBLE if program.wide else precision
         uses = Counter(x.name for step in program.instructions for x in step.operands
                        if isinstance(x, Ref))
         uses.update(x.name for x in program.results if isinstance(x, Ref))
@@ -103,6 +113,8 @@ class _Writer:
         used = {x.argument for x in self.program.used_inputs()}
         lines = [self._unpacked(a) for n, a in enumerate(self.program.inputs)
                  if n in used and a.quantity.shape]
+        while (long := self._long_line()) is not None:
+            self._unnest(long)
         lines += [self._assigned(step) for step in self.program.instructions
                   if step.name not in self.nested]
         results = [self._operand(x, 0) for x in self.program.results]
@@ -112,9 +124,27 @@ class _Writer:
 
     def _unpacked(self, argument: Argument) -> str:
         names = [symbol.name for symbol in argument.symbols]
-        if len(names) <= 12:
-            return f"{', '.join(names)} = {argument.name}"
+        plain = f"{', '.join(names)} = {argument.name}"
+        if len(plain) <= WIDTH - 4:
+            return plain
         return listed("(", names, f") = {argument.name}", WIDTH - 4)
+
+    def _long_line(self) -> Instruction | None:
+        """An assignment that is too wide and has something nested in it."""
+        return next((step for step in self.program.instructions if step.name not in self.nested
+                     and len(self._assigned(step)) > WIDTH - 4 and self._nested_in(step)), None)
+
+    def _nested_in(self, step: Instruction) -> list[Instruction]:
+        found = [self.nested[x.name] for x in step.operands
+                 if isinstance(x, Ref) and x.name in self.nested]
+        return [inner for x in found for inner in (x, *self._nested_in(x))
+                if inner.op not in (Op.LESS, Op.EQUAL)]
+
+    def _unnest(self, step: Instruction) -> None:
+        """Give the widest expression nested in the step a line of its own."""
+        widest = max(self._nested_in(step), key=lambda inner: min(
+            len(self._expression(inner)[0]), WIDTH // 2))
+        del self.nested[widest.name]
 
     def _assigned(self, step: Instruction) -> str:
         return f"{step.name} = {self._expression(step)[0]}"
@@ -130,7 +160,8 @@ class _Writer:
         if isinstance(operand, Input):
             return self.program.inputs[operand.argument].symbols[operand.index].name
         if isinstance(operand, Constant):
-            return self.precision.literal(operand)
+            value = self.working.value(operand)  # integers as such, so that objects stay exact
+            return str(value) if value.denominator == 1 else self.working.literal(operand)
         if operand.name not in self.nested:
             return operand.name
         text, binding = self._expression(self.nested[operand.name])

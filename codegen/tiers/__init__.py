@@ -1,1 +1,6 @@
-"""Accuracy tiers: one function Kernel → Program each."""
+"""Accuracy tiers: one function each, from a kernel's plain program to the tier's.
+
+plain       fixed order, every operation rounded once             the names without a suffix
+fused       products fused into sums by fma                       C only
+accurate    single: computed in double, rounded once; double: compensated, carried as hi + lo
+"""

@@ -231,7 +231,7 @@ def _constant(value: sp.Rational) -> Constant:
 
 
 def _items(terms: list[Term]) -> list[Item]:
-    """Mirrored pairs come together first; what remains is grouped by the parts it multiplies."""
+    """Mirrored pairs, and what remains grouped by the parts it multiplies, by first terms."""
     waiting = list(terms)
     items: list[Item] = []
     while waiting:

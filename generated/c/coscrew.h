@@ -1,5 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
-/* All headers of include/ksl in one file, for vendoring.  It may be included together with them. */
+/* All headers of plain kernels in one file, for vendoring; it may be included together with
+   them. */
 
 /* Types of the spatial algebra, in double and single precision.
 
@@ -7,12 +8,13 @@
    column.  Screws s = (v; ω) and coscrews c = (f; τ) have the linear part on top, so that power is
    their dot product.
 
-   All functions: pointers must point to valid objects; an output may be the same object as an input;
-   nothing else is read or written.  Every operation is rounded once, in the order written, so that
-   results are the same bits everywhere: compile with -ffp-contract=off.
+   All functions: pointers must point to valid objects; an output may be the same object as an
+   input; nothing else is read or written.  Every operation is rounded once, in the order written, so
+   that results are the same bits everywhere: compile with -ffp-contract=off (and, where the target
+   has fused multiply-adds, with gcc's -fno-tree-vectorize: gcc 12 fuses in spite of the former).
 
    Error bounds are derived from that order, to first order in u: u = 2^-53 in double and 2^-24 in
-   single precision, x is the exact value of a component. */
+   single precision. */
 #ifndef KSL_TYPES_H
 #define KSL_TYPES_H
 
@@ -175,7 +177,7 @@ static inline void ksl_vec3_copy(const ksl_vec3_t *vi, ksl_vec3_t *vo) {
 /* self = a self.
    self: vector; a: number.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3_scale(ksl_vec3_t *self, const double a) {
   const double self_0_new = self->x * a;
   const double self_1_new = self->y * a;
@@ -214,8 +216,8 @@ static inline void ksl_vec3_invert(ksl_vec3_t *self) {
 /* y = a x + y.
    a: number; x, y: vector.
    3 mul, 3 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_axpy_vv(const double a, const ksl_vec3_t *x, ksl_vec3_t *y) {
   const double y_0_new_a = a * x->x, y_0_new = y_0_new_a + y->x;
   const double y_1_new_a = a * x->y, y_1_new = y_1_new_a + y->y;
@@ -228,7 +230,7 @@ static inline void ksl_axpy_vv(const double a, const ksl_vec3_t *x, ksl_vec3_t *
 /* y = x + y.
    x, y: vector.
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_vv(const ksl_vec3_t *x, ksl_vec3_t *y) {
   const double y_0_new = x->x + y->x;
   const double y_1_new = x->y + y->y;
@@ -241,7 +243,7 @@ static inline void ksl_xpy_vv(const ksl_vec3_t *x, ksl_vec3_t *y) {
 /* y = -x + y.
    x, y: vector.
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_vv(const ksl_vec3_t *x, ksl_vec3_t *y) {
   const double y_0_new = y->x - x->x;
   const double y_1_new = y->y - x->y;
@@ -254,7 +256,7 @@ static inline void ksl_nxpy_vv(const ksl_vec3_t *x, ksl_vec3_t *y) {
 /* vo = a vi.
    a: number; vi, vo: vector.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_av(const double a, const ksl_vec3_t *vi, ksl_vec3_t *vo) {
   const double vo_0 = a * vi->x;
   const double vo_1 = a * vi->y;
@@ -267,7 +269,7 @@ static inline void ksl_product_av(const double a, const ksl_vec3_t *vi, ksl_vec3
 /* vo = v1 + v2.
    v1, v2, vo: vector.
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
   const double vo_0 = v1->x + v2->x;
   const double vo_1 = v1->y + v2->y;
@@ -280,7 +282,7 @@ static inline void ksl_add_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_ve
 /* vo = v1 - v2.
    v1, v2, vo: vector.
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
   const double vo_0 = v1->x - v2->x;
   const double vo_1 = v1->y - v2->y;
@@ -293,7 +295,7 @@ static inline void ksl_subtract_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, k
 /* vo = k v.
    v, vo: vector; k: number.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3_scaled(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_0 = v->x * k;
   const double vo_1 = v->y * k;
@@ -322,7 +324,7 @@ static inline void ksl_vec3_swap(ksl_vec3_t *v1, ksl_vec3_t *v2) {
   v2->z = v1_z;
 }
 
-/* |v| = sqrt(v·v).
+/* |v| = sqrt(v·v); squares must neither over- nor underflow.
    v: vector.
    3 mul, 2 add, 1 sqrt. */
 static inline double ksl_vec3_l2norm(const ksl_vec3_t *v) {
@@ -331,7 +333,7 @@ static inline double ksl_vec3_l2norm(const ksl_vec3_t *v) {
   return norm;
 }
 
-/* self = self / |self|; the zero vector stays zero.
+/* self = self / |self|; the zero vector stays zero; squares must neither over- nor underflow.
    self: vector.
    3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select. */
 static inline void ksl_vec3_normalize(ksl_vec3_t *self) {
@@ -346,7 +348,7 @@ static inline void ksl_vec3_normalize(ksl_vec3_t *self) {
   self->z = self_2_new;
 }
 
-/* vo = v / |v|; the zero vector stays zero.
+/* vo = v / |v|; the zero vector stays zero; squares must neither over- nor underflow.
    v, vo: vector.
    3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select. */
 static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
@@ -364,8 +366,8 @@ static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
 /* v1·v2.
    v1, v2: vector.
    3 mul, 2 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline double ksl_dot_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double dot_a = v1->x * v2->x, dot_b = v1->y * v2->y, dot_c = dot_a + dot_b,
       dot_d = v1->z * v2->z, dot = dot_c + dot_d;
@@ -375,7 +377,7 @@ static inline double ksl_dot_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
 /* vo = k (-v).
    k: number; v, vo: vector.
    3 mul, 3 neg.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avinv(const double k, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double vo_0a = k * v->x, vo_0 = -vo_0a;
   const double vo_1a = k * v->y, vo_1 = -vo_1a;
@@ -385,24 +387,23 @@ static inline void ksl_product_avinv(const double k, const ksl_vec3_t *v, ksl_ve
   vo->z = vo_2;
 }
 
-/* vo = k^-1 v.
+/* vo = v / k.
    k: number; v, vo: vector.
-   3 mul, 1 div. */
+   3 div. */
 static inline void ksl_product_ainvv(const double k, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double r = 1.0 / k;
-  const double vo_0 = v->x * r;
-  const double vo_1 = v->y * r;
-  const double vo_2 = v->z * r;
+  const double vo_0 = v->x / k;
+  const double vo_1 = v->y / k;
+  const double vo_2 = v->z / k;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
 }
 
-/* vo = v1 × v2; exactly zero for v1 = v2.
+/* vo = v1 × v2.  Exactly zero for v1 = v2, unless products overflow.
    v1, v2, vo: vector.
    6 mul, 3 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_cross_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
   const double vo_0a = v1->y * v2->z, vo_0b = v1->z * v2->y, vo_0 = vo_0a - vo_0b;
   const double vo_1a = v1->z * v2->x, vo_1b = v1->x * v2->z, vo_1 = vo_1a - vo_1b;
@@ -415,8 +416,8 @@ static inline void ksl_cross_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_
 /* vo = v1 × (-v2).
    v1, v2, vo: vector.
    6 mul, 3 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_cross_vvinv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
   const double vo_0a = v1->z * v2->y, vo_0b = v1->y * v2->z, vo_0 = vo_0a - vo_0b;
   const double vo_1a = v1->x * v2->z, vo_1b = v1->z * v2->x, vo_1 = vo_1a - vo_1b;
@@ -429,7 +430,7 @@ static inline void ksl_cross_vvinv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, k
 /* vo = v + k e_x.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvx(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_0 = v->x + k;
   const double v_y = v->y;
@@ -442,7 +443,7 @@ static inline void ksl_add_vvx(const ksl_vec3_t *v, const double k, ksl_vec3_t *
 /* vo = v - k e_x.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvxinv(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_0 = v->x - k;
   const double v_y = v->y;
@@ -455,7 +456,7 @@ static inline void ksl_add_vvxinv(const ksl_vec3_t *v, const double k, ksl_vec3_
 /* vo = v + k e_y.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvy(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_1 = v->y + k;
   const double v_x = v->x;
@@ -468,7 +469,7 @@ static inline void ksl_add_vvy(const ksl_vec3_t *v, const double k, ksl_vec3_t *
 /* vo = v - k e_y.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvyinv(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_1 = v->y - k;
   const double v_x = v->x;
@@ -481,7 +482,7 @@ static inline void ksl_add_vvyinv(const ksl_vec3_t *v, const double k, ksl_vec3_
 /* vo = v + k e_z.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvz(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_2 = v->z + k;
   const double v_x = v->x;
@@ -494,7 +495,7 @@ static inline void ksl_add_vvz(const ksl_vec3_t *v, const double k, ksl_vec3_t *
 /* vo = v - k e_z.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvzinv(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_2 = v->z - k;
   const double v_x = v->x;
@@ -529,7 +530,7 @@ static inline void ksl_vec3f_copy(const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
 /* self = a self.
    self: vector; a: number.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3f_scale(ksl_vec3f_t *self, const float a) {
   const float self_0_new = self->x * a;
   const float self_1_new = self->y * a;
@@ -568,8 +569,8 @@ static inline void ksl_vec3f_invert(ksl_vec3f_t *self) {
 /* y = a x + y.
    a: number; x, y: vector.
    3 mul, 3 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_axpy_vvf(const float a, const ksl_vec3f_t *x, ksl_vec3f_t *y) {
   const float y_0_new_a = a * x->x, y_0_new = y_0_new_a + y->x;
   const float y_1_new_a = a * x->y, y_1_new = y_1_new_a + y->y;
@@ -582,7 +583,7 @@ static inline void ksl_axpy_vvf(const float a, const ksl_vec3f_t *x, ksl_vec3f_t
 /* y = x + y.
    x, y: vector.
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_vvf(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
   const float y_0_new = x->x + y->x;
   const float y_1_new = x->y + y->y;
@@ -595,7 +596,7 @@ static inline void ksl_xpy_vvf(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
 /* y = -x + y.
    x, y: vector.
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_vvf(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
   const float y_0_new = y->x - x->x;
   const float y_1_new = y->y - x->y;
@@ -608,7 +609,7 @@ static inline void ksl_nxpy_vvf(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
 /* vo = a vi.
    a: number; vi, vo: vector.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avf(const float a, const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
   const float vo_0 = a * vi->x;
   const float vo_1 = a * vi->y;
@@ -621,7 +622,7 @@ static inline void ksl_product_avf(const float a, const ksl_vec3f_t *vi, ksl_vec
 /* vo = v1 + v2.
    v1, v2, vo: vector.
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
   const float vo_0 = v1->x + v2->x;
   const float vo_1 = v1->y + v2->y;
@@ -634,7 +635,7 @@ static inline void ksl_add_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl
 /* vo = v1 - v2.
    v1, v2, vo: vector.
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
   const float vo_0 = v1->x - v2->x;
   const float vo_1 = v1->y - v2->y;
@@ -647,7 +648,7 @@ static inline void ksl_subtract_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2
 /* vo = k v.
    v, vo: vector; k: number.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3f_scaled(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_0 = v->x * k;
   const float vo_1 = v->y * k;
@@ -676,7 +677,7 @@ static inline void ksl_vec3f_swap(ksl_vec3f_t *v1, ksl_vec3f_t *v2) {
   v2->z = v1_z;
 }
 
-/* |v| = sqrt(v·v).
+/* |v| = sqrt(v·v); squares must neither over- nor underflow.
    v: vector.
    3 mul, 2 add, 1 sqrt. */
 static inline float ksl_vec3f_l2norm(const ksl_vec3f_t *v) {
@@ -685,7 +686,7 @@ static inline float ksl_vec3f_l2norm(const ksl_vec3f_t *v) {
   return norm;
 }
 
-/* self = self / |self|; the zero vector stays zero.
+/* self = self / |self|; the zero vector stays zero; squares must neither over- nor underflow.
    self: vector.
    3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select. */
 static inline void ksl_vec3f_normalize(ksl_vec3f_t *self) {
@@ -700,7 +701,7 @@ static inline void ksl_vec3f_normalize(ksl_vec3f_t *self) {
   self->z = self_2_new;
 }
 
-/* vo = v / |v|; the zero vector stays zero.
+/* vo = v / |v|; the zero vector stays zero; squares must neither over- nor underflow.
    v, vo: vector.
    3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select. */
 static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
@@ -718,8 +719,8 @@ static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
 /* v1·v2.
    v1, v2: vector.
    3 mul, 2 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline float ksl_dot_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
   const float dot_a = v1->x * v2->x, dot_b = v1->y * v2->y, dot_c = dot_a + dot_b,
       dot_d = v1->z * v2->z, dot = dot_c + dot_d;
@@ -729,7 +730,7 @@ static inline float ksl_dot_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
 /* vo = k (-v).
    k: number; v, vo: vector.
    3 mul, 3 neg.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avinvf(const float k, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float vo_0a = k * v->x, vo_0 = -vo_0a;
   const float vo_1a = k * v->y, vo_1 = -vo_1a;
@@ -739,24 +740,23 @@ static inline void ksl_product_avinvf(const float k, const ksl_vec3f_t *v, ksl_v
   vo->z = vo_2;
 }
 
-/* vo = k^-1 v.
+/* vo = v / k.
    k: number; v, vo: vector.
-   3 mul, 1 div. */
+   3 div. */
 static inline void ksl_product_ainvvf(const float k, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
-  const float r = 1.0f / k;
-  const float vo_0 = v->x * r;
-  const float vo_1 = v->y * r;
-  const float vo_2 = v->z * r;
+  const float vo_0 = v->x / k;
+  const float vo_1 = v->y / k;
+  const float vo_2 = v->z / k;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
 }
 
-/* vo = v1 × v2; exactly zero for v1 = v2.
+/* vo = v1 × v2.  Exactly zero for v1 = v2, unless products overflow.
    v1, v2, vo: vector.
    6 mul, 3 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_cross_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
   const float vo_0a = v1->y * v2->z, vo_0b = v1->z * v2->y, vo_0 = vo_0a - vo_0b;
   const float vo_1a = v1->z * v2->x, vo_1b = v1->x * v2->z, vo_1 = vo_1a - vo_1b;
@@ -769,8 +769,8 @@ static inline void ksl_cross_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, k
 /* vo = v1 × (-v2).
    v1, v2, vo: vector.
    6 mul, 3 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_cross_vvinvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
   const float vo_0a = v1->z * v2->y, vo_0b = v1->y * v2->z, vo_0 = vo_0a - vo_0b;
   const float vo_1a = v1->x * v2->z, vo_1b = v1->z * v2->x, vo_1 = vo_1a - vo_1b;
@@ -783,7 +783,7 @@ static inline void ksl_cross_vvinvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2
 /* vo = v + k e_x.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvxf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_0 = v->x + k;
   const float v_y = v->y;
@@ -796,7 +796,7 @@ static inline void ksl_add_vvxf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t
 /* vo = v - k e_x.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvxinvf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_0 = v->x - k;
   const float v_y = v->y;
@@ -809,7 +809,7 @@ static inline void ksl_add_vvxinvf(const ksl_vec3f_t *v, const float k, ksl_vec3
 /* vo = v + k e_y.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvyf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_1 = v->y + k;
   const float v_x = v->x;
@@ -822,7 +822,7 @@ static inline void ksl_add_vvyf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t
 /* vo = v - k e_y.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvyinvf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_1 = v->y - k;
   const float v_x = v->x;
@@ -835,7 +835,7 @@ static inline void ksl_add_vvyinvf(const ksl_vec3f_t *v, const float k, ksl_vec3
 /* vo = v + k e_z.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvzf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_2 = v->z + k;
   const float v_x = v->x;
@@ -848,7 +848,7 @@ static inline void ksl_add_vvzf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t
 /* vo = v - k e_z.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvzinvf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_2 = v->z - k;
   const float v_x = v->x;
@@ -1066,8 +1066,8 @@ static inline void ksl_mat3x3_transposed(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
 /* det R.
    R: rotation or other 3×3 matrix.
    9 mul, 5 add.
-   Error <= u |x| + 4 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline double ksl_mat3x3_determinant(const ksl_mat3x3_t *R) {
   const double n_0a = R->m11 * R->m22, n_0b = R->m12 * R->m21, n_0 = n_0a - n_0b;
   const double n_1a = R->m02 * R->m21, n_1b = R->m01 * R->m22, n_1 = n_1a - n_1b;
@@ -1261,8 +1261,8 @@ static inline void ksl_mat3x3f_transposed(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
 /* det R.
    R: rotation or other 3×3 matrix.
    9 mul, 5 add.
-   Error <= u |x| + 4 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline float ksl_mat3x3f_determinant(const ksl_mat3x3f_t *R) {
   const float n_0a = R->m11 * R->m22, n_0b = R->m12 * R->m21, n_0 = n_0a - n_0b;
   const float n_1a = R->m02 * R->m21, n_1b = R->m01 * R->m22, n_1 = n_1a - n_1b;
@@ -1469,8 +1469,8 @@ static inline void ksl_SE3_getRotation(const ksl_SE3_t *D, ksl_mat3x3_t *R) {
 /* self = self^-1 = [R^T | -R^T t].
    self: displacement [R | t], R rotation, t in m.
    9 mul, 6 add, 3 neg.
-   Error <= u |x| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_SE3_invert(ksl_SE3_t *self) {
   const double self_03_new_a = self->m00 * self->m03, self_03_new_b = self->m10 * self->m13,
       self_03_new_c = self_03_new_a + self_03_new_b, self_03_new_d = self->m20 * self->m23,
@@ -1501,8 +1501,8 @@ static inline void ksl_SE3_invert(ksl_SE3_t *self) {
 /* Do = D^-1 = [R^T | -R^T t].
    D, Do: displacement [R | t], R rotation, t in m.
    9 mul, 6 add, 3 neg.
-   Error <= u |x| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_SE3_inverted(const ksl_SE3_t *D, ksl_SE3_t *Do) {
   const double Do_03a = D->m00 * D->m03, Do_03b = D->m10 * D->m13, Do_03c = Do_03a + Do_03b,
       Do_03d = D->m20 * D->m23, Do_03e = Do_03c + Do_03d, Do_03 = -Do_03e;
@@ -1706,8 +1706,8 @@ static inline void ksl_SE3f_getRotation(const ksl_SE3f_t *D, ksl_mat3x3f_t *R) {
 /* self = self^-1 = [R^T | -R^T t].
    self: displacement [R | t], R rotation, t in m.
    9 mul, 6 add, 3 neg.
-   Error <= u |x| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_SE3f_invert(ksl_SE3f_t *self) {
   const float self_03_new_a = self->m00 * self->m03, self_03_new_b = self->m10 * self->m13,
       self_03_new_c = self_03_new_a + self_03_new_b, self_03_new_d = self->m20 * self->m23,
@@ -1738,8 +1738,8 @@ static inline void ksl_SE3f_invert(ksl_SE3f_t *self) {
 /* Do = D^-1 = [R^T | -R^T t].
    D, Do: displacement [R | t], R rotation, t in m.
    9 mul, 6 add, 3 neg.
-   Error <= u |x| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_SE3f_inverted(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
   const float Do_03a = D->m00 * D->m03, Do_03b = D->m10 * D->m13, Do_03c = Do_03a + Do_03b,
       Do_03d = D->m20 * D->m23, Do_03e = Do_03c + Do_03d, Do_03 = -Do_03e;
@@ -2251,8 +2251,8 @@ static inline ksl_mat6x6f_t *ksl_mat6x6f_alloc(int n) {
 /* vo = R v.
    R: rotation or other 3×3 matrix; v, vo: vector.
    9 mul, 6 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
       vo_0d = R->m02 * v->z, vo_0 = vo_0c + vo_0d;
@@ -2268,8 +2268,8 @@ static inline void ksl_product_drv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, k
 /* vo = R (-v).
    R: rotation or other 3×3 matrix; v, vo: vector.
    9 mul, 6 add, 3 neg.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drvinv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
       vo_0d = R->m02 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
@@ -2285,8 +2285,8 @@ static inline void ksl_product_drvinv(const ksl_mat3x3_t *R, const ksl_vec3_t *v
 /* vo = R^T v.
    R: rotation or other 3×3 matrix; v, vo: vector.
    9 mul, 6 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drinvv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
       vo_0d = R->m20 * v->z, vo_0 = vo_0c + vo_0d;
@@ -2302,8 +2302,8 @@ static inline void ksl_product_drinvv(const ksl_mat3x3_t *R, const ksl_vec3_t *v
 /* vo = R^T (-v).
    R: rotation or other 3×3 matrix; v, vo: vector.
    9 mul, 6 add, 3 neg.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drinvvinv(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
   const double vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
@@ -2320,8 +2320,8 @@ static inline void ksl_product_drinvvinv(const ksl_mat3x3_t *R, const ksl_vec3_t
 /* vo = R v + t.
    D: displacement [R | t], R rotation, t in m; v, vo: vector.
    9 mul, 9 add.
-   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_dv(const ksl_SE3_t *D, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double vo_0a = D->m00 * v->x, vo_0b = D->m01 * v->y, vo_0c = vo_0a + vo_0b,
       vo_0d = D->m02 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = vo_0e + D->m03;
@@ -2337,8 +2337,8 @@ static inline void ksl_product_dv(const ksl_SE3_t *D, const ksl_vec3_t *v, ksl_v
 /* vo = R^T (v - t).
    D: displacement [R | t], R rotation, t in m; v, vo: vector.
    9 mul, 9 add.
-   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_dinvv(const ksl_SE3_t *D, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double p_0 = v->x - D->m03;
   const double p_1 = v->y - D->m13;
@@ -2357,8 +2357,8 @@ static inline void ksl_product_dinvv(const ksl_SE3_t *D, const ksl_vec3_t *v, ks
 /* Ro = R1 R2.
    R1, R2, Ro: rotation or other 3×3 matrix.
    27 mul, 18 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
   const double Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
@@ -2393,8 +2393,8 @@ static inline void ksl_product_drdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *
 /* Ro = R1 R2^T.
    R1, R2, Ro: rotation or other 3×3 matrix.
    27 mul, 18 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrinv(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
   const double Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m01, Ro_00c = Ro_00a + Ro_00b,
@@ -2429,8 +2429,8 @@ static inline void ksl_product_drdrinv(const ksl_mat3x3_t *R1, const ksl_mat3x3_
 /* Ro = R1^T R2.
    R1, R2, Ro: rotation or other 3×3 matrix.
    27 mul, 18 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drinvdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
   const double Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m10 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
@@ -2465,8 +2465,8 @@ static inline void ksl_product_drinvdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_
 /* Do = D1 D2 = [R1 R2 | R1 t2 + t1].
    D1, D2, Do: displacement [R | t], R rotation, t in m.
    36 mul, 27 add.
-   Error <= u |x| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_dd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
   const double Do_00a = D1->m00 * D2->m00, Do_00b = D1->m01 * D2->m10, Do_00c = Do_00a + Do_00b,
       Do_00d = D1->m02 * D2->m20, Do_00 = Do_00c + Do_00d;
@@ -2509,8 +2509,8 @@ static inline void ksl_product_dd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_
 /* Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T.
    D1, D2, Do: displacement [R | t], R rotation, t in m.
    36 mul, 27 add.
-   Error <= u |x| + (R: 2, t: 6) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 2, t: 6) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddinv(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
   const double R_0a = D1->m00 * D2->m00, R_0b = D1->m01 * D2->m01, R_0c = R_0a + R_0b,
       R_0d = D1->m02 * D2->m02, R_0 = R_0c + R_0d;
@@ -2553,8 +2553,8 @@ static inline void ksl_product_ddinv(const ksl_SE3_t *D1, const ksl_SE3_t *D2, k
 /* Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)].
    D1, D2, Do: displacement [R | t], R rotation, t in m.
    36 mul, 27 add.
-   Error <= u |x| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_dinvd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
   const double p_0 = D2->m03 - D1->m03;
   const double p_1 = D2->m13 - D1->m13;
@@ -2600,8 +2600,8 @@ static inline void ksl_product_dinvd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, k
 /* Do = D [R | 0].
    D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
    27 mul, 18 add.
-   Error <= u |x| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddr(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ksl_SE3_t *Do) {
   const double Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m10, Do_00c = Do_00a + Do_00b,
       Do_00d = D->m02 * R->m20, Do_00 = Do_00c + Do_00d;
@@ -2641,8 +2641,8 @@ static inline void ksl_product_ddr(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ks
 /* Do = D [R^T | 0].
    D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
    27 mul, 18 add.
-   Error <= u |x| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrinv(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ksl_SE3_t *Do) {
   const double Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m01, Do_00c = Do_00a + Do_00b,
       Do_00d = D->m02 * R->m02, Do_00 = Do_00c + Do_00d;
@@ -2682,8 +2682,8 @@ static inline void ksl_product_ddrinv(const ksl_SE3_t *D, const ksl_mat3x3_t *R,
 /* Do = D [I | t].
    D, Do: displacement [R | t], R rotation, t in m; t: vector.
    9 mul, 9 add.
-   Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddt(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
   const double Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
       Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D->m03;
@@ -2717,8 +2717,8 @@ static inline void ksl_product_ddt(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_
 /* Do = D [I | -t].
    D, Do: displacement [R | t], R rotation, t in m; t: vector.
    9 mul, 9 add.
-   Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtinv(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
   const double Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
       Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = D->m03 - Do_03e;
@@ -2752,8 +2752,8 @@ static inline void ksl_product_ddtinv(const ksl_SE3_t *D, const ksl_vec3_t *t, k
 /* Do = D^-1 [I | t] = [R^T | R^T (t - t_D)].
    D, Do: displacement [R | t], R rotation, t in m; t: vector.
    9 mul, 9 add.
-   Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_dinvdt(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
   const double p_0 = t->x - D->m03;
   const double p_1 = t->y - D->m13;
@@ -2790,7 +2790,7 @@ static inline void ksl_product_dinvdt(const ksl_SE3_t *D, const ksl_vec3_t *t, k
 /* vo = R (k e_x).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtx(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
   const double vo_0 = R->m00 * k;
   const double vo_1 = R->m10 * k;
@@ -2803,8 +2803,8 @@ static inline void ksl_product_drvtx(const ksl_mat3x3_t *R, const double k, ksl_
 /* Ro = R R_x(θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrx(const ksl_mat3x3_t *R, const double dc[2], ksl_mat3x3_t *Ro) {
   const double Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a + Ro_01b;
   const double Ro_02a = R->m02 * dc[1], Ro_02b = R->m01 * dc[0], Ro_02 = Ro_02a - Ro_02b;
@@ -2829,8 +2829,8 @@ static inline void ksl_product_drdrx(const ksl_mat3x3_t *R, const double dc[2], 
 /* Do = D [R_x(θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrx(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
   const double Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a + Do_01b;
   const double Do_02a = D->m02 * dc[1], Do_02b = D->m01 * dc[0], Do_02 = Do_02a - Do_02b;
@@ -2861,8 +2861,8 @@ static inline void ksl_product_ddrx(const ksl_SE3_t *D, const double dc[2], ksl_
 /* Do = D [I | k e_x].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtx(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
   const double Do_03a = D->m00 * k, Do_03 = Do_03a + D->m03;
   const double Do_13a = D->m10 * k, Do_13 = Do_13a + D->m13;
@@ -2893,7 +2893,7 @@ static inline void ksl_product_ddtx(const ksl_SE3_t *D, const double k, ksl_SE3_
 /* vo = R (-k e_x).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul, 3 neg.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxinv(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
   const double vo_0a = R->m00 * k, vo_0 = -vo_0a;
   const double vo_1a = R->m10 * k, vo_1 = -vo_1a;
@@ -2906,8 +2906,8 @@ static inline void ksl_product_drvtxinv(const ksl_mat3x3_t *R, const double k, k
 /* Ro = R R_x(-θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrxinv(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
   const double Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a - Ro_01b;
@@ -2933,8 +2933,8 @@ static inline void ksl_product_drdrxinv(const ksl_mat3x3_t *R, const double dc[2
 /* Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrxinv(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
   const double Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a - Do_01b;
   const double Do_02a = D->m01 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
@@ -2965,8 +2965,8 @@ static inline void ksl_product_ddrxinv(const ksl_SE3_t *D, const double dc[2], k
 /* Do = D [I | -k e_x].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtxinv(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
   const double Do_03a = D->m00 * k, Do_03 = D->m03 - Do_03a;
   const double Do_13a = D->m10 * k, Do_13 = D->m13 - Do_13a;
@@ -2997,7 +2997,7 @@ static inline void ksl_product_ddtxinv(const ksl_SE3_t *D, const double k, ksl_S
 /* vo = R (k e_y).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvty(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
   const double vo_0 = R->m01 * k;
   const double vo_1 = R->m11 * k;
@@ -3010,8 +3010,8 @@ static inline void ksl_product_drvty(const ksl_mat3x3_t *R, const double k, ksl_
 /* Ro = R R_y(θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdry(const ksl_mat3x3_t *R, const double dc[2], ksl_mat3x3_t *Ro) {
   const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a - Ro_00b;
   const double Ro_02a = R->m00 * dc[0], Ro_02b = R->m02 * dc[1], Ro_02 = Ro_02a + Ro_02b;
@@ -3036,8 +3036,8 @@ static inline void ksl_product_drdry(const ksl_mat3x3_t *R, const double dc[2], 
 /* Do = D [R_y(θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddry(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
   const double Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a - Do_00b;
   const double Do_02a = D->m00 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
@@ -3068,8 +3068,8 @@ static inline void ksl_product_ddry(const ksl_SE3_t *D, const double dc[2], ksl_
 /* Do = D [I | k e_y].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddty(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
   const double Do_03a = D->m01 * k, Do_03 = Do_03a + D->m03;
   const double Do_13a = D->m11 * k, Do_13 = Do_13a + D->m13;
@@ -3100,7 +3100,7 @@ static inline void ksl_product_ddty(const ksl_SE3_t *D, const double k, ksl_SE3_
 /* vo = R (-k e_y).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul, 3 neg.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyinv(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
   const double vo_0a = R->m01 * k, vo_0 = -vo_0a;
   const double vo_1a = R->m11 * k, vo_1 = -vo_1a;
@@ -3113,8 +3113,8 @@ static inline void ksl_product_drvtyinv(const ksl_mat3x3_t *R, const double k, k
 /* Ro = R R_y(-θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdryinv(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
   const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a + Ro_00b;
@@ -3140,8 +3140,8 @@ static inline void ksl_product_drdryinv(const ksl_mat3x3_t *R, const double dc[2
 /* Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddryinv(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
   const double Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a + Do_00b;
   const double Do_02a = D->m02 * dc[1], Do_02b = D->m00 * dc[0], Do_02 = Do_02a - Do_02b;
@@ -3172,8 +3172,8 @@ static inline void ksl_product_ddryinv(const ksl_SE3_t *D, const double dc[2], k
 /* Do = D [I | -k e_y].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtyinv(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
   const double Do_03a = D->m01 * k, Do_03 = D->m03 - Do_03a;
   const double Do_13a = D->m11 * k, Do_13 = D->m13 - Do_13a;
@@ -3204,7 +3204,7 @@ static inline void ksl_product_ddtyinv(const ksl_SE3_t *D, const double k, ksl_S
 /* vo = R (k e_z).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtz(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
   const double vo_0 = R->m02 * k;
   const double vo_1 = R->m12 * k;
@@ -3217,8 +3217,8 @@ static inline void ksl_product_drvtz(const ksl_mat3x3_t *R, const double k, ksl_
 /* Ro = R R_z(θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrz(const ksl_mat3x3_t *R, const double dc[2], ksl_mat3x3_t *Ro) {
   const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a + Ro_00b;
   const double Ro_01a = R->m01 * dc[1], Ro_01b = R->m00 * dc[0], Ro_01 = Ro_01a - Ro_01b;
@@ -3243,8 +3243,8 @@ static inline void ksl_product_drdrz(const ksl_mat3x3_t *R, const double dc[2], 
 /* Do = D [R_z(θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrz(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
   const double Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a + Do_00b;
   const double Do_01a = D->m01 * dc[1], Do_01b = D->m00 * dc[0], Do_01 = Do_01a - Do_01b;
@@ -3275,8 +3275,8 @@ static inline void ksl_product_ddrz(const ksl_SE3_t *D, const double dc[2], ksl_
 /* Do = D [I | k e_z].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtz(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
   const double Do_03a = D->m02 * k, Do_03 = Do_03a + D->m03;
   const double Do_13a = D->m12 * k, Do_13 = Do_13a + D->m13;
@@ -3307,7 +3307,7 @@ static inline void ksl_product_ddtz(const ksl_SE3_t *D, const double k, ksl_SE3_
 /* vo = R (-k e_z).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul, 3 neg.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzinv(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
   const double vo_0a = R->m02 * k, vo_0 = -vo_0a;
   const double vo_1a = R->m12 * k, vo_1 = -vo_1a;
@@ -3320,8 +3320,8 @@ static inline void ksl_product_drvtzinv(const ksl_mat3x3_t *R, const double k, k
 /* Ro = R R_z(-θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrzinv(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
   const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a - Ro_00b;
@@ -3347,8 +3347,8 @@ static inline void ksl_product_drdrzinv(const ksl_mat3x3_t *R, const double dc[2
 /* Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrzinv(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
   const double Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a - Do_00b;
   const double Do_01a = D->m00 * dc[0], Do_01b = D->m01 * dc[1], Do_01 = Do_01a + Do_01b;
@@ -3379,8 +3379,8 @@ static inline void ksl_product_ddrzinv(const ksl_SE3_t *D, const double dc[2], k
 /* Do = D [I | -k e_z].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtzinv(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
   const double Do_03a = D->m02 * k, Do_03 = D->m03 - Do_03a;
   const double Do_13a = D->m12 * k, Do_13 = D->m13 - Do_13a;
@@ -3411,8 +3411,8 @@ static inline void ksl_product_ddtzinv(const ksl_SE3_t *D, const double k, ksl_S
 /* vo = R v.
    R: rotation or other 3×3 matrix; v, vo: vector.
    9 mul, 6 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
       vo_0d = R->m02 * v->z, vo_0 = vo_0c + vo_0d;
@@ -3428,8 +3428,8 @@ static inline void ksl_product_drvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v
 /* vo = R (-v).
    R: rotation or other 3×3 matrix; v, vo: vector.
    9 mul, 6 add, 3 neg.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drvinvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const float vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
@@ -3446,8 +3446,8 @@ static inline void ksl_product_drvinvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t
 /* vo = R^T v.
    R: rotation or other 3×3 matrix; v, vo: vector.
    9 mul, 6 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drinvvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const float vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
@@ -3464,8 +3464,8 @@ static inline void ksl_product_drinvvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t
 /* vo = R^T (-v).
    R: rotation or other 3×3 matrix; v, vo: vector.
    9 mul, 6 add, 3 neg.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drinvvinvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const float vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
@@ -3482,8 +3482,8 @@ static inline void ksl_product_drinvvinvf(const ksl_mat3x3f_t *R, const ksl_vec3
 /* vo = R v + t.
    D: displacement [R | t], R rotation, t in m; v, vo: vector.
    9 mul, 9 add.
-   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_dvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float vo_0a = D->m00 * v->x, vo_0b = D->m01 * v->y, vo_0c = vo_0a + vo_0b,
       vo_0d = D->m02 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = vo_0e + D->m03;
@@ -3499,8 +3499,8 @@ static inline void ksl_product_dvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v, ks
 /* vo = R^T (v - t).
    D: displacement [R | t], R rotation, t in m; v, vo: vector.
    9 mul, 9 add.
-   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_dinvvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float p_0 = v->x - D->m03;
   const float p_1 = v->y - D->m13;
@@ -3519,8 +3519,8 @@ static inline void ksl_product_dinvvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v,
 /* Ro = R1 R2.
    R1, R2, Ro: rotation or other 3×3 matrix.
    27 mul, 18 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
   const float Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
@@ -3555,8 +3555,8 @@ static inline void ksl_product_drdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_
 /* Ro = R1 R2^T.
    R1, R2, Ro: rotation or other 3×3 matrix.
    27 mul, 18 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrinvf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
   const float Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m01, Ro_00c = Ro_00a + Ro_00b,
@@ -3591,8 +3591,8 @@ static inline void ksl_product_drdrinvf(const ksl_mat3x3f_t *R1, const ksl_mat3x
 /* Ro = R1^T R2.
    R1, R2, Ro: rotation or other 3×3 matrix.
    27 mul, 18 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drinvdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
   const float Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m10 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
@@ -3627,8 +3627,8 @@ static inline void ksl_product_drinvdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x
 /* Do = D1 D2 = [R1 R2 | R1 t2 + t1].
    D1, D2, Do: displacement [R | t], R rotation, t in m.
    36 mul, 27 add.
-   Error <= u |x| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, ksl_SE3f_t *Do) {
   const float Do_00a = D1->m00 * D2->m00, Do_00b = D1->m01 * D2->m10, Do_00c = Do_00a + Do_00b,
       Do_00d = D1->m02 * D2->m20, Do_00 = Do_00c + Do_00d;
@@ -3671,8 +3671,8 @@ static inline void ksl_product_ddf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, k
 /* Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T.
    D1, D2, Do: displacement [R | t], R rotation, t in m.
    36 mul, 27 add.
-   Error <= u |x| + (R: 2, t: 6) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 2, t: 6) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddinvf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, ksl_SE3f_t *Do) {
   const float R_0a = D1->m00 * D2->m00, R_0b = D1->m01 * D2->m01, R_0c = R_0a + R_0b,
       R_0d = D1->m02 * D2->m02, R_0 = R_0c + R_0d;
@@ -3715,8 +3715,8 @@ static inline void ksl_product_ddinvf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2
 /* Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)].
    D1, D2, Do: displacement [R | t], R rotation, t in m.
    36 mul, 27 add.
-   Error <= u |x| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_dinvdf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, ksl_SE3f_t *Do) {
   const float p_0 = D2->m03 - D1->m03;
   const float p_1 = D2->m13 - D1->m13;
@@ -3762,8 +3762,8 @@ static inline void ksl_product_dinvdf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2
 /* Do = D [R | 0].
    D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
    27 mul, 18 add.
-   Error <= u |x| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrf(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R, ksl_SE3f_t *Do) {
   const float Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m10, Do_00c = Do_00a + Do_00b,
       Do_00d = D->m02 * R->m20, Do_00 = Do_00c + Do_00d;
@@ -3803,8 +3803,8 @@ static inline void ksl_product_ddrf(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
 /* Do = D [R^T | 0].
    D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
    27 mul, 18 add.
-   Error <= u |x| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrinvf(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
     ksl_SE3f_t *Do) {
   const float Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m01, Do_00c = Do_00a + Do_00b,
@@ -3845,8 +3845,8 @@ static inline void ksl_product_ddrinvf(const ksl_SE3f_t *D, const ksl_mat3x3f_t 
 /* Do = D [I | t].
    D, Do: displacement [R | t], R rotation, t in m; t: vector.
    9 mul, 9 add.
-   Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, ksl_SE3f_t *Do) {
   const float Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
       Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D->m03;
@@ -3880,8 +3880,8 @@ static inline void ksl_product_ddtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, k
 /* Do = D [I | -t].
    D, Do: displacement [R | t], R rotation, t in m; t: vector.
    9 mul, 9 add.
-   Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtinvf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, ksl_SE3f_t *Do) {
   const float Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
       Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = D->m03 - Do_03e;
@@ -3915,8 +3915,8 @@ static inline void ksl_product_ddtinvf(const ksl_SE3f_t *D, const ksl_vec3f_t *t
 /* Do = D^-1 [I | t] = [R^T | R^T (t - t_D)].
    D, Do: displacement [R | t], R rotation, t in m; t: vector.
    9 mul, 9 add.
-   Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_dinvdtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, ksl_SE3f_t *Do) {
   const float p_0 = t->x - D->m03;
   const float p_1 = t->y - D->m13;
@@ -3953,7 +3953,7 @@ static inline void ksl_product_dinvdtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t
 /* vo = R (k e_x).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
   const float vo_0 = R->m00 * k;
   const float vo_1 = R->m10 * k;
@@ -3966,8 +3966,8 @@ static inline void ksl_product_drvtxf(const ksl_mat3x3f_t *R, const float k, ksl
 /* Ro = R R_x(θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrxf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const float Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a + Ro_01b;
@@ -3993,8 +3993,8 @@ static inline void ksl_product_drdrxf(const ksl_mat3x3f_t *R, const float dc[2],
 /* Do = D [R_x(θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrxf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
   const float Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a + Do_01b;
   const float Do_02a = D->m02 * dc[1], Do_02b = D->m01 * dc[0], Do_02 = Do_02a - Do_02b;
@@ -4025,8 +4025,8 @@ static inline void ksl_product_ddrxf(const ksl_SE3f_t *D, const float dc[2], ksl
 /* Do = D [I | k e_x].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtxf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
   const float Do_03a = D->m00 * k, Do_03 = Do_03a + D->m03;
   const float Do_13a = D->m10 * k, Do_13 = Do_13a + D->m13;
@@ -4057,7 +4057,7 @@ static inline void ksl_product_ddtxf(const ksl_SE3f_t *D, const float k, ksl_SE3
 /* vo = R (-k e_x).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul, 3 neg.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxinvf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
   const float vo_0a = R->m00 * k, vo_0 = -vo_0a;
   const float vo_1a = R->m10 * k, vo_1 = -vo_1a;
@@ -4070,8 +4070,8 @@ static inline void ksl_product_drvtxinvf(const ksl_mat3x3f_t *R, const float k, 
 /* Ro = R R_x(-θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrxinvf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const float Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a - Ro_01b;
@@ -4097,8 +4097,8 @@ static inline void ksl_product_drdrxinvf(const ksl_mat3x3f_t *R, const float dc[
 /* Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrxinvf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
   const float Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a - Do_01b;
   const float Do_02a = D->m01 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
@@ -4129,8 +4129,8 @@ static inline void ksl_product_ddrxinvf(const ksl_SE3f_t *D, const float dc[2], 
 /* Do = D [I | -k e_x].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtxinvf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
   const float Do_03a = D->m00 * k, Do_03 = D->m03 - Do_03a;
   const float Do_13a = D->m10 * k, Do_13 = D->m13 - Do_13a;
@@ -4161,7 +4161,7 @@ static inline void ksl_product_ddtxinvf(const ksl_SE3f_t *D, const float k, ksl_
 /* vo = R (k e_y).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
   const float vo_0 = R->m01 * k;
   const float vo_1 = R->m11 * k;
@@ -4174,8 +4174,8 @@ static inline void ksl_product_drvtyf(const ksl_mat3x3f_t *R, const float k, ksl
 /* Ro = R R_y(θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdryf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a - Ro_00b;
@@ -4201,8 +4201,8 @@ static inline void ksl_product_drdryf(const ksl_mat3x3f_t *R, const float dc[2],
 /* Do = D [R_y(θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddryf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
   const float Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a - Do_00b;
   const float Do_02a = D->m00 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
@@ -4233,8 +4233,8 @@ static inline void ksl_product_ddryf(const ksl_SE3f_t *D, const float dc[2], ksl
 /* Do = D [I | k e_y].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtyf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
   const float Do_03a = D->m01 * k, Do_03 = Do_03a + D->m03;
   const float Do_13a = D->m11 * k, Do_13 = Do_13a + D->m13;
@@ -4265,7 +4265,7 @@ static inline void ksl_product_ddtyf(const ksl_SE3f_t *D, const float k, ksl_SE3
 /* vo = R (-k e_y).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul, 3 neg.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyinvf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
   const float vo_0a = R->m01 * k, vo_0 = -vo_0a;
   const float vo_1a = R->m11 * k, vo_1 = -vo_1a;
@@ -4278,8 +4278,8 @@ static inline void ksl_product_drvtyinvf(const ksl_mat3x3f_t *R, const float k, 
 /* Ro = R R_y(-θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdryinvf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a + Ro_00b;
@@ -4305,8 +4305,8 @@ static inline void ksl_product_drdryinvf(const ksl_mat3x3f_t *R, const float dc[
 /* Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddryinvf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
   const float Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a + Do_00b;
   const float Do_02a = D->m02 * dc[1], Do_02b = D->m00 * dc[0], Do_02 = Do_02a - Do_02b;
@@ -4337,8 +4337,8 @@ static inline void ksl_product_ddryinvf(const ksl_SE3f_t *D, const float dc[2], 
 /* Do = D [I | -k e_y].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtyinvf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
   const float Do_03a = D->m01 * k, Do_03 = D->m03 - Do_03a;
   const float Do_13a = D->m11 * k, Do_13 = D->m13 - Do_13a;
@@ -4369,7 +4369,7 @@ static inline void ksl_product_ddtyinvf(const ksl_SE3f_t *D, const float k, ksl_
 /* vo = R (k e_z).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
   const float vo_0 = R->m02 * k;
   const float vo_1 = R->m12 * k;
@@ -4382,8 +4382,8 @@ static inline void ksl_product_drvtzf(const ksl_mat3x3f_t *R, const float k, ksl
 /* Ro = R R_z(θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrzf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a + Ro_00b;
@@ -4409,8 +4409,8 @@ static inline void ksl_product_drdrzf(const ksl_mat3x3f_t *R, const float dc[2],
 /* Do = D [R_z(θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrzf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
   const float Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a + Do_00b;
   const float Do_01a = D->m01 * dc[1], Do_01b = D->m00 * dc[0], Do_01 = Do_01a - Do_01b;
@@ -4441,8 +4441,8 @@ static inline void ksl_product_ddrzf(const ksl_SE3f_t *D, const float dc[2], ksl
 /* Do = D [I | k e_z].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtzf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
   const float Do_03a = D->m02 * k, Do_03 = Do_03a + D->m03;
   const float Do_13a = D->m12 * k, Do_13 = Do_13a + D->m13;
@@ -4473,7 +4473,7 @@ static inline void ksl_product_ddtzf(const ksl_SE3f_t *D, const float k, ksl_SE3
 /* vo = R (-k e_z).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul, 3 neg.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzinvf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
   const float vo_0a = R->m02 * k, vo_0 = -vo_0a;
   const float vo_1a = R->m12 * k, vo_1 = -vo_1a;
@@ -4486,8 +4486,8 @@ static inline void ksl_product_drvtzinvf(const ksl_mat3x3f_t *R, const float k, 
 /* Ro = R R_z(-θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrzinvf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a - Ro_00b;
@@ -4513,8 +4513,8 @@ static inline void ksl_product_drdrzinvf(const ksl_mat3x3f_t *R, const float dc[
 /* Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrzinvf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
   const float Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a - Do_00b;
   const float Do_01a = D->m00 * dc[0], Do_01b = D->m01 * dc[1], Do_01 = Do_01a + Do_01b;
@@ -4545,8 +4545,8 @@ static inline void ksl_product_ddrzinvf(const ksl_SE3f_t *D, const float dc[2], 
 /* Do = D [I | -k e_z].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtzinvf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
   const float Do_03a = D->m02 * k, Do_03 = D->m03 - Do_03a;
   const float Do_13a = D->m12 * k, Do_13 = D->m13 - Do_13a;
@@ -4643,7 +4643,7 @@ static inline void ksl_screw_copy(const ksl_screw_t *si, ksl_screw_t *so) {
 /* self = a self.
    self: screw (v in m/s; ω in rad/s); a: number.
    6 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_screw_scale(ksl_screw_t *self, const double a) {
   const double self_0_new = self->m0 * a;
   const double self_1_new = self->m1 * a;
@@ -4700,8 +4700,8 @@ static inline void ksl_screw_invert(ksl_screw_t *self) {
 /* y = a x + y.
    a: number; x, y: screw (v in m/s; ω in rad/s).
    6 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_axpy_ss(const double a, const ksl_screw_t *x, ksl_screw_t *y) {
   const double y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
   const double y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
@@ -4720,7 +4720,7 @@ static inline void ksl_axpy_ss(const double a, const ksl_screw_t *x, ksl_screw_t
 /* y = x + y.
    x, y: screw (v in m/s; ω in rad/s).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
   const double y_0_new = x->m0 + y->m0;
   const double y_1_new = x->m1 + y->m1;
@@ -4739,7 +4739,7 @@ static inline void ksl_xpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
 /* y = -x + y.
    x, y: screw (v in m/s; ω in rad/s).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
   const double y_0_new = y->m0 - x->m0;
   const double y_1_new = y->m1 - x->m1;
@@ -4758,7 +4758,7 @@ static inline void ksl_nxpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
 /* so = a si.
    a: number; si, so: screw (v in m/s; ω in rad/s).
    6 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_as(const double a, const ksl_screw_t *si, ksl_screw_t *so) {
   const double so_0 = a * si->m0;
   const double so_1 = a * si->m1;
@@ -4777,7 +4777,7 @@ static inline void ksl_product_as(const double a, const ksl_screw_t *si, ksl_scr
 /* so = s1 + s2.
    s1, s2, so: screw (v in m/s; ω in rad/s).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
   const double so_0 = s1->m0 + s2->m0;
   const double so_1 = s1->m1 + s2->m1;
@@ -4796,7 +4796,7 @@ static inline void ksl_add_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_
 /* so = s1 - s2.
    s1, s2, so: screw (v in m/s; ω in rad/s).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
   const double so_0 = s1->m0 - s2->m0;
   const double so_1 = s1->m1 - s2->m1;
@@ -4812,7 +4812,8 @@ static inline void ksl_subtract_ss(const ksl_screw_t *s1, const ksl_screw_t *s2,
   so->m5 = so_5;
 }
 
-/* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
+/* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6); squares must neither over-
+     nor underflow.
    si: screw (v in m/s; ω in rad/s).
    6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select. */
 static inline double ksl_screw_norm(const ksl_screw_t *si) {
@@ -4825,7 +4826,8 @@ static inline double ksl_screw_norm(const ksl_screw_t *si) {
   return norm;
 }
 
-/* self = self / |self|, with screw_norm; the zero screw stays zero.
+/* self = self / |self|, with screw_norm; the zero screw stays zero; squares must neither over-
+     nor underflow.
    self: screw (v in m/s; ω in rad/s).
    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
 static inline void ksl_screw_normalize(ksl_screw_t *self) {
@@ -4850,7 +4852,8 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
   self->m5 = self_5_new;
 }
 
-/* so = si / |si|, with screw_norm; the zero screw stays zero.
+/* so = si / |si|, with screw_norm; the zero screw stays zero; squares must neither over- nor
+     underflow.
    si, so: screw (v in m/s; ω in rad/s).
    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
 static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) {
@@ -4936,7 +4939,7 @@ static inline void ksl_screw_from_angular_first(const double x[6], ksl_screw_t *
 /* so = (s1.lin + s2.lin ; s1.ang).
    s1, s2, so: screw (v in m/s; ω in rad/s).
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
   const double so_0 = s1->m0 + s2->m0;
   const double so_1 = s1->m1 + s2->m1;
@@ -4955,7 +4958,7 @@ static inline void ksl_add_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl
 /* so = [Ad](t) si.
    t: vector; si, so: screw (v in m/s; ω in rad/s).
    6 mul, 6 add.
-   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adts(const ksl_vec3_t *t, const ksl_screw_t *si, ksl_screw_t *so) {
   const double so_0a = t->y * si->m5, so_0b = t->z * si->m4, so_0c = so_0a - so_0b,
@@ -4978,7 +4981,7 @@ static inline void ksl_product_Adts(const ksl_vec3_t *t, const ksl_screw_t *si, 
 /* so = [Ad](t)^-1 si.
    t: vector; si, so: screw (v in m/s; ω in rad/s).
    6 mul, 6 add.
-   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adtinvs(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
@@ -5002,7 +5005,7 @@ static inline void ksl_product_Adtinvs(const ksl_vec3_t *t, const ksl_screw_t *s
 /* so = [Ad](t) (-si).
    t: vector; si, so: screw (v in m/s; ω in rad/s).
    6 mul, 6 add, 3 neg.
-   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adtsinv(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
@@ -5026,8 +5029,8 @@ static inline void ksl_product_Adtsinv(const ksl_vec3_t *t, const ksl_screw_t *s
 /* so = [Ad](R) si.
    R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
    18 mul, 12 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_Adrs(const ksl_mat3x3_t *R, const ksl_screw_t *si, ksl_screw_t *so) {
   const double so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
       so_0d = R->m02 * si->m2, so_0 = so_0c + so_0d;
@@ -5052,8 +5055,8 @@ static inline void ksl_product_Adrs(const ksl_mat3x3_t *R, const ksl_screw_t *si
 /* so = [Ad](R)^-1 si.
    R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
    18 mul, 12 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_Adrinvs(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
   const double so_0a = R->m00 * si->m0, so_0b = R->m10 * si->m1, so_0c = so_0a + so_0b,
@@ -5079,8 +5082,8 @@ static inline void ksl_product_Adrinvs(const ksl_mat3x3_t *R, const ksl_screw_t 
 /* so = [Ad](R) (-si).
    R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
    18 mul, 12 add, 6 neg.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_Adrsinv(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
   const double so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
@@ -5106,7 +5109,7 @@ static inline void ksl_product_Adrsinv(const ksl_mat3x3_t *R, const ksl_screw_t 
 /* so = [Ad](D) si = [Ad](t) [Ad](R) si.
    D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
    24 mul, 18 add.
-   Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Ads(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
   const double w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
@@ -5138,7 +5141,7 @@ static inline void ksl_product_Ads(const ksl_SE3_t *D, const ksl_screw_t *si, ks
 /* so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si.
    D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
    24 mul, 18 add.
-   Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adinvs(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
   const double w_0a = D->m23 * si->m4, w_0b = D->m13 * si->m5, w_0c = w_0a - w_0b,
@@ -5170,7 +5173,7 @@ static inline void ksl_product_Adinvs(const ksl_SE3_t *D, const ksl_screw_t *si,
 /* so = [Ad](D) (-si).
    D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
    24 mul, 18 add, 6 neg.
-   Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adsinv(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
   const double w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
@@ -5250,7 +5253,7 @@ static inline void ksl_hstz(const ksl_SE3_t *D, ksl_screw_t *so) {
 /* so = h_rx: column 3 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrx(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = D->m20 * D->m13, so_0b = D->m10 * D->m23, so_0 = so_0a - so_0b;
@@ -5270,7 +5273,7 @@ static inline void ksl_hsrx(const ksl_SE3_t *D, ksl_screw_t *so) {
 /* so = h_ry: column 4 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsry(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = D->m21 * D->m13, so_0b = D->m11 * D->m23, so_0 = so_0a - so_0b;
@@ -5290,7 +5293,7 @@ static inline void ksl_hsry(const ksl_SE3_t *D, ksl_screw_t *so) {
 /* so = h_rz: column 5 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrz(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = D->m22 * D->m13, so_0b = D->m12 * D->m23, so_0 = so_0a - so_0b;
@@ -5358,7 +5361,7 @@ static inline void ksl_hstzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
 /* so = -h_rx: -column 3 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = D->m10 * D->m23, so_0b = D->m20 * D->m13, so_0 = so_0a - so_0b;
@@ -5378,7 +5381,7 @@ static inline void ksl_hsrxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
 /* so = -h_ry: -column 4 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryinv(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = D->m11 * D->m23, so_0b = D->m21 * D->m13, so_0 = so_0a - so_0b;
@@ -5398,7 +5401,7 @@ static inline void ksl_hsryinv(const ksl_SE3_t *D, ksl_screw_t *so) {
 /* so = -h_rz: -column 5 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = D->m12 * D->m23, so_0b = D->m22 * D->m13, so_0 = so_0a - so_0b;
@@ -5418,8 +5421,8 @@ static inline void ksl_hsrzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
 /* M = [Ad](D).
    D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
    18 mul, 9 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_Ad(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
   const double M_03a = D->m20 * D->m13, M_03b = D->m10 * D->m23, M_03 = M_03a - M_03b;
   const double M_04a = D->m21 * D->m13, M_04b = D->m11 * D->m23, M_04 = M_04a - M_04b;
@@ -5480,8 +5483,8 @@ static inline void ksl_Ad(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
 /* power = f·v + τ·ω, in W.
    c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s).
    6 mul, 5 add.
-   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline double ksl_dot_cs(const ksl_coscrew_t *c, const ksl_screw_t *s) {
   const double power_a = c->m0 * s->m0, power_b = c->m1 * s->m1, power_c = power_a + power_b,
       power_d = c->m2 * s->m2, power_e = power_c + power_d, power_f = c->m3 * s->m3,
@@ -5490,10 +5493,11 @@ static inline double ksl_dot_cs(const ksl_coscrew_t *c, const ksl_screw_t *s) {
   return power;
 }
 
-/* so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2); exactly zero for s1 = s2.
+/* so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2).  Exactly zero for s1 = s2, unless products
+     overflow.
    s1, s2, so: screw (v in m/s; ω in rad/s).
    18 mul, 12 add.
-   Error <= u |x| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
   const double so_0a = s1->m1 * s2->m5, so_0b = s1->m5 * s2->m1, so_0c = so_0a - so_0b,
@@ -5516,7 +5520,7 @@ static inline void ksl_cross_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ks
 /* so = (ω1×v2 ; 0).
    s1, s2, so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
   const double so_0a = s1->m4 * s2->m2, so_0b = s1->m5 * s2->m1, so_0 = so_0a - so_0b;
@@ -5533,7 +5537,7 @@ static inline void ksl_cross_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, k
 /* so = (t×R a ; R a), a = axis in the body's frame.
    D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
    15 mul, 9 add.
-   Error <= u |x| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsra(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
   const double a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
@@ -5556,7 +5560,7 @@ static inline void ksl_hsra(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_scre
 /* so = (R a ; 0), a = axis in the body's frame.
    D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
    9 mul, 6 add.
-   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsta(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
   const double so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
@@ -5663,7 +5667,7 @@ static inline void ksl_screwf_copy(const ksl_screwf_t *si, ksl_screwf_t *so) {
 /* self = a self.
    self: screw (v in m/s; ω in rad/s); a: number.
    6 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_screwf_scale(ksl_screwf_t *self, const float a) {
   const float self_0_new = self->m0 * a;
   const float self_1_new = self->m1 * a;
@@ -5720,8 +5724,8 @@ static inline void ksl_screwf_invert(ksl_screwf_t *self) {
 /* y = a x + y.
    a: number; x, y: screw (v in m/s; ω in rad/s).
    6 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_axpy_ssf(const float a, const ksl_screwf_t *x, ksl_screwf_t *y) {
   const float y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
   const float y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
@@ -5740,7 +5744,7 @@ static inline void ksl_axpy_ssf(const float a, const ksl_screwf_t *x, ksl_screwf
 /* y = x + y.
    x, y: screw (v in m/s; ω in rad/s).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
   const float y_0_new = x->m0 + y->m0;
   const float y_1_new = x->m1 + y->m1;
@@ -5759,7 +5763,7 @@ static inline void ksl_xpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
 /* y = -x + y.
    x, y: screw (v in m/s; ω in rad/s).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
   const float y_0_new = y->m0 - x->m0;
   const float y_1_new = y->m1 - x->m1;
@@ -5778,7 +5782,7 @@ static inline void ksl_nxpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
 /* so = a si.
    a: number; si, so: screw (v in m/s; ω in rad/s).
    6 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_asf(const float a, const ksl_screwf_t *si, ksl_screwf_t *so) {
   const float so_0 = a * si->m0;
   const float so_1 = a * si->m1;
@@ -5797,7 +5801,7 @@ static inline void ksl_product_asf(const float a, const ksl_screwf_t *si, ksl_sc
 /* so = s1 + s2.
    s1, s2, so: screw (v in m/s; ω in rad/s).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, ksl_screwf_t *so) {
   const float so_0 = s1->m0 + s2->m0;
   const float so_1 = s1->m1 + s2->m1;
@@ -5816,7 +5820,7 @@ static inline void ksl_add_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, k
 /* so = s1 - s2.
    s1, s2, so: screw (v in m/s; ω in rad/s).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
   const float so_0 = s1->m0 - s2->m0;
@@ -5833,7 +5837,8 @@ static inline void ksl_subtract_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *
   so->m5 = so_5;
 }
 
-/* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
+/* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6); squares must neither over-
+     nor underflow.
    si: screw (v in m/s; ω in rad/s).
    6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select. */
 static inline float ksl_screwf_norm(const ksl_screwf_t *si) {
@@ -5846,7 +5851,8 @@ static inline float ksl_screwf_norm(const ksl_screwf_t *si) {
   return norm;
 }
 
-/* self = self / |self|, with screw_norm; the zero screw stays zero.
+/* self = self / |self|, with screw_norm; the zero screw stays zero; squares must neither over-
+     nor underflow.
    self: screw (v in m/s; ω in rad/s).
    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
 static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
@@ -5871,7 +5877,8 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   self->m5 = self_5_new;
 }
 
-/* so = si / |si|, with screw_norm; the zero screw stays zero.
+/* so = si / |si|, with screw_norm; the zero screw stays zero; squares must neither over- nor
+     underflow.
    si, so: screw (v in m/s; ω in rad/s).
    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
 static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *so) {
@@ -5957,7 +5964,7 @@ static inline void ksl_screwf_from_angular_first(const float x[6], ksl_screwf_t 
 /* so = (s1.lin + s2.lin ; s1.ang).
    s1, s2, so: screw (v in m/s; ω in rad/s).
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, ksl_screwf_t *so) {
   const float so_0 = s1->m0 + s2->m0;
   const float so_1 = s1->m1 + s2->m1;
@@ -5976,7 +5983,7 @@ static inline void ksl_add_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, 
 /* so = [Ad](t) si.
    t: vector; si, so: screw (v in m/s; ω in rad/s).
    6 mul, 6 add.
-   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adtsf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
@@ -6000,7 +6007,7 @@ static inline void ksl_product_Adtsf(const ksl_vec3f_t *t, const ksl_screwf_t *s
 /* so = [Ad](t)^-1 si.
    t: vector; si, so: screw (v in m/s; ω in rad/s).
    6 mul, 6 add.
-   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adtinvsf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
@@ -6024,7 +6031,7 @@ static inline void ksl_product_Adtinvsf(const ksl_vec3f_t *t, const ksl_screwf_t
 /* so = [Ad](t) (-si).
    t: vector; si, so: screw (v in m/s; ω in rad/s).
    6 mul, 6 add, 3 neg.
-   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adtsinvf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
@@ -6048,8 +6055,8 @@ static inline void ksl_product_Adtsinvf(const ksl_vec3f_t *t, const ksl_screwf_t
 /* so = [Ad](R) si.
    R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
    18 mul, 12 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_Adrsf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const float so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
@@ -6075,8 +6082,8 @@ static inline void ksl_product_Adrsf(const ksl_mat3x3f_t *R, const ksl_screwf_t 
 /* so = [Ad](R)^-1 si.
    R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
    18 mul, 12 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_Adrinvsf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const float so_0a = R->m00 * si->m0, so_0b = R->m10 * si->m1, so_0c = so_0a + so_0b,
@@ -6102,8 +6109,8 @@ static inline void ksl_product_Adrinvsf(const ksl_mat3x3f_t *R, const ksl_screwf
 /* so = [Ad](R) (-si).
    R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
    18 mul, 12 add, 6 neg.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_Adrsinvf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const float so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
@@ -6129,7 +6136,7 @@ static inline void ksl_product_Adrsinvf(const ksl_mat3x3f_t *R, const ksl_screwf
 /* so = [Ad](D) si = [Ad](t) [Ad](R) si.
    D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
    24 mul, 18 add.
-   Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adsf(const ksl_SE3f_t *D, const ksl_screwf_t *si, ksl_screwf_t *so) {
   const float w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
@@ -6158,7 +6165,7 @@ static inline void ksl_product_Adsf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
 /* so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si.
    D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
    24 mul, 18 add.
-   Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adinvsf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
@@ -6191,7 +6198,7 @@ static inline void ksl_product_Adinvsf(const ksl_SE3f_t *D, const ksl_screwf_t *
 /* so = [Ad](D) (-si).
    D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
    24 mul, 18 add, 6 neg.
-   Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adsinvf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
@@ -6269,7 +6276,7 @@ static inline void ksl_hstzf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 /* so = h_rx: column 3 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float so_0a = D->m20 * D->m13, so_0b = D->m10 * D->m23, so_0 = so_0a - so_0b;
@@ -6289,7 +6296,7 @@ static inline void ksl_hsrxf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 /* so = h_ry: column 4 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float so_0a = D->m21 * D->m13, so_0b = D->m11 * D->m23, so_0 = so_0a - so_0b;
@@ -6309,7 +6316,7 @@ static inline void ksl_hsryf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 /* so = h_rz: column 5 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float so_0a = D->m22 * D->m13, so_0b = D->m12 * D->m23, so_0 = so_0a - so_0b;
@@ -6377,7 +6384,7 @@ static inline void ksl_hstzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 /* so = -h_rx: -column 3 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float so_0a = D->m10 * D->m23, so_0b = D->m20 * D->m13, so_0 = so_0a - so_0b;
@@ -6397,7 +6404,7 @@ static inline void ksl_hsrxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 /* so = -h_ry: -column 4 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float so_0a = D->m11 * D->m23, so_0b = D->m21 * D->m13, so_0 = so_0a - so_0b;
@@ -6417,7 +6424,7 @@ static inline void ksl_hsryinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 /* so = -h_rz: -column 5 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float so_0a = D->m12 * D->m23, so_0b = D->m22 * D->m13, so_0 = so_0a - so_0b;
@@ -6437,8 +6444,8 @@ static inline void ksl_hsrzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 /* M = [Ad](D).
    D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
    18 mul, 9 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_Adf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
   const float M_03a = D->m20 * D->m13, M_03b = D->m10 * D->m23, M_03 = M_03a - M_03b;
   const float M_04a = D->m21 * D->m13, M_04b = D->m11 * D->m23, M_04 = M_04a - M_04b;
@@ -6499,8 +6506,8 @@ static inline void ksl_Adf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
 /* power = f·v + τ·ω, in W.
    c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s).
    6 mul, 5 add.
-   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline float ksl_dot_csf(const ksl_coscrewf_t *c, const ksl_screwf_t *s) {
   const float power_a = c->m0 * s->m0, power_b = c->m1 * s->m1, power_c = power_a + power_b,
       power_d = c->m2 * s->m2, power_e = power_c + power_d, power_f = c->m3 * s->m3,
@@ -6509,10 +6516,11 @@ static inline float ksl_dot_csf(const ksl_coscrewf_t *c, const ksl_screwf_t *s) 
   return power;
 }
 
-/* so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2); exactly zero for s1 = s2.
+/* so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2).  Exactly zero for s1 = s2, unless products
+     overflow.
    s1, s2, so: screw (v in m/s; ω in rad/s).
    18 mul, 12 add.
-   Error <= u |x| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, ksl_screwf_t *so) {
   const float so_0a = s1->m1 * s2->m5, so_0b = s1->m5 * s2->m1, so_0c = so_0a - so_0b,
@@ -6535,7 +6543,7 @@ static inline void ksl_cross_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
 /* so = (ω1×v2 ; 0).
    s1, s2, so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
@@ -6553,7 +6561,7 @@ static inline void ksl_cross_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2
 /* so = (t×R a ; R a), a = axis in the body's frame.
    D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
    15 mul, 9 add.
-   Error <= u |x| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsraf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
   const float a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
@@ -6576,7 +6584,7 @@ static inline void ksl_hsraf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_s
 /* so = (R a ; 0), a = axis in the body's frame.
    D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
    9 mul, 6 add.
-   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hstaf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
   const float so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
@@ -6707,7 +6715,7 @@ static inline void ksl_coscrew_copy(const ksl_coscrew_t *ci, ksl_coscrew_t *co) 
 /* self = a self.
    self: coscrew (f in N; τ in N m); a: number.
    6 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_coscrew_scale(ksl_coscrew_t *self, const double a) {
   const double self_0_new = self->m0 * a;
   const double self_1_new = self->m1 * a;
@@ -6764,8 +6772,8 @@ static inline void ksl_coscrew_invert(ksl_coscrew_t *self) {
 /* y = a x + y.
    a: number; x, y: coscrew (f in N; τ in N m).
    6 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_axpy_cc(const double a, const ksl_coscrew_t *x, ksl_coscrew_t *y) {
   const double y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
   const double y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
@@ -6784,7 +6792,7 @@ static inline void ksl_axpy_cc(const double a, const ksl_coscrew_t *x, ksl_coscr
 /* y = x + y.
    x, y: coscrew (f in N; τ in N m).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
   const double y_0_new = x->m0 + y->m0;
   const double y_1_new = x->m1 + y->m1;
@@ -6803,7 +6811,7 @@ static inline void ksl_xpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
 /* y = -x + y.
    x, y: coscrew (f in N; τ in N m).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
   const double y_0_new = y->m0 - x->m0;
   const double y_1_new = y->m1 - x->m1;
@@ -6822,7 +6830,7 @@ static inline void ksl_nxpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
 /* co = a ci.
    a: number; ci, co: coscrew (f in N; τ in N m).
    6 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_ac(const double a, const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
   const double co_0 = a * ci->m0;
   const double co_1 = a * ci->m1;
@@ -6841,7 +6849,7 @@ static inline void ksl_product_ac(const double a, const ksl_coscrew_t *ci, ksl_c
 /* co = c1 + c2.
    c1, c2, co: coscrew (f in N; τ in N m).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2, ksl_coscrew_t *co) {
   const double co_0 = c1->m0 + c2->m0;
   const double co_1 = c1->m1 + c2->m1;
@@ -6860,7 +6868,7 @@ static inline void ksl_add_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2, 
 /* co = c1 - c2.
    c1, c2, co: coscrew (f in N; τ in N m).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
     ksl_coscrew_t *co) {
   const double co_0 = c1->m0 - c2->m0;
@@ -6877,7 +6885,8 @@ static inline void ksl_subtract_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t 
   co->m5 = co_5;
 }
 
-/* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
+/* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6); squares must neither over-
+     nor underflow.
    ci: coscrew (f in N; τ in N m).
    6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select. */
 static inline double ksl_coscrew_norm(const ksl_coscrew_t *ci) {
@@ -6890,7 +6899,8 @@ static inline double ksl_coscrew_norm(const ksl_coscrew_t *ci) {
   return norm;
 }
 
-/* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
+/* self = self / |self|, with coscrew_norm; the zero coscrew stays zero; squares must neither
+     over- nor underflow.
    self: coscrew (f in N; τ in N m).
    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
 static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
@@ -6915,7 +6925,8 @@ static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
   self->m5 = self_5_new;
 }
 
-/* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
+/* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero; squares must neither over- nor
+     underflow.
    ci, co: coscrew (f in N; τ in N m).
    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
 static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
@@ -7001,7 +7012,7 @@ static inline void ksl_coscrew_from_angular_first(const double x[6], ksl_coscrew
 /* co = (c1.lin + c2.lin ; c1.ang).
    c1, c2, co: coscrew (f in N; τ in N m).
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_cct(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
     ksl_coscrew_t *co) {
   const double co_0 = c1->m0 + c2->m0;
@@ -7021,7 +7032,7 @@ static inline void ksl_add_cct(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
 /* co = [Ad]*(t) ci.
    t: vector; ci, co: coscrew (f in N; τ in N m).
    6 mul, 6 add.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdtc(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
@@ -7045,7 +7056,7 @@ static inline void ksl_product_CoAdtc(const ksl_vec3_t *t, const ksl_coscrew_t *
 /* co = [Ad]*(t)^-1 ci.
    t: vector; ci, co: coscrew (f in N; τ in N m).
    6 mul, 6 add.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdtinvc(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
@@ -7069,7 +7080,7 @@ static inline void ksl_product_CoAdtinvc(const ksl_vec3_t *t, const ksl_coscrew_
 /* co = [Ad]*(t) (-ci).
    t: vector; ci, co: coscrew (f in N; τ in N m).
    6 mul, 6 add, 3 neg.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdtcinv(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
@@ -7093,8 +7104,8 @@ static inline void ksl_product_CoAdtcinv(const ksl_vec3_t *t, const ksl_coscrew_
 /* co = [Ad]*(R) ci.
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
    18 mul, 12 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_CoAdrc(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
@@ -7120,8 +7131,8 @@ static inline void ksl_product_CoAdrc(const ksl_mat3x3_t *R, const ksl_coscrew_t
 /* co = [Ad]*(R)^-1 ci.
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
    18 mul, 12 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_CoAdrinvc(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_0a = R->m00 * ci->m0, co_0b = R->m10 * ci->m1, co_0c = co_0a + co_0b,
@@ -7147,8 +7158,8 @@ static inline void ksl_product_CoAdrinvc(const ksl_mat3x3_t *R, const ksl_coscre
 /* co = [Ad]*(R) (-ci).
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
    18 mul, 12 add, 6 neg.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_CoAdrcinv(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
@@ -7174,7 +7185,7 @@ static inline void ksl_product_CoAdrcinv(const ksl_mat3x3_t *R, const ksl_coscre
 /* co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
    24 mul, 18 add.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdc(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
@@ -7207,7 +7218,7 @@ static inline void ksl_product_CoAdc(const ksl_SE3_t *D, const ksl_coscrew_t *ci
 /* co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
    24 mul, 18 add.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdinvc(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
@@ -7240,7 +7251,7 @@ static inline void ksl_product_CoAdinvc(const ksl_SE3_t *D, const ksl_coscrew_t 
 /* co = [Ad]*(D) (-ci).
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
    24 mul, 18 add, 6 neg.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdcinv(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
@@ -7273,7 +7284,7 @@ static inline void ksl_product_CoAdcinv(const ksl_SE3_t *D, const ksl_coscrew_t 
 /* co = h_tx: column 0 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_3a = D->m20 * D->m13, co_3b = D->m10 * D->m23, co_3 = co_3a - co_3b;
@@ -7293,7 +7304,7 @@ static inline void ksl_hctx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 /* co = h_ty: column 1 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hcty(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_3a = D->m21 * D->m13, co_3b = D->m11 * D->m23, co_3 = co_3a - co_3b;
@@ -7313,7 +7324,7 @@ static inline void ksl_hcty(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 /* co = h_tz: column 2 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctz(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_3a = D->m22 * D->m13, co_3b = D->m12 * D->m23, co_3 = co_3a - co_3b;
@@ -7381,7 +7392,7 @@ static inline void ksl_hcrz(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 /* co = -h_tx: -column 0 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m00;
@@ -7401,7 +7412,7 @@ static inline void ksl_hctxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 /* co = -h_ty: -column 1 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctyinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m01;
@@ -7421,7 +7432,7 @@ static inline void ksl_hctyinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 /* co = -h_tz: -column 2 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m02;
@@ -7489,8 +7500,8 @@ static inline void ksl_hcrzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 /* M = [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
    18 mul, 9 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_CoAd(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
   const double M_30a = D->m20 * D->m13, M_30b = D->m10 * D->m23, M_30 = M_30a - M_30b;
   const double M_31a = D->m21 * D->m13, M_31b = D->m11 * D->m23, M_31 = M_31a - M_31b;
@@ -7551,8 +7562,8 @@ static inline void ksl_CoAd(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
 /* power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).
    c: coscrew (f in N; τ in N m); x: six components with the angular part on top.
    6 mul, 5 add.
-   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline double ksl_reciprocal_product(const ksl_coscrew_t *c, const double x[6]) {
   const double power_a = c->m0 * x[3], power_b = c->m1 * x[4], power_c = power_a + power_b,
       power_d = c->m2 * x[5], power_e = power_c + power_d, power_f = c->m3 * x[0],
@@ -7564,7 +7575,7 @@ static inline double ksl_reciprocal_product(const ksl_coscrew_t *c, const double
 /* co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
    s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
    18 mul, 12 add.
-   Error <= u |x| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sc(const ksl_screw_t *s, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double co_0a = s->m4 * c->m2, co_0b = s->m5 * c->m1, co_0 = co_0a - co_0b;
@@ -7587,7 +7598,7 @@ static inline void ksl_cross_sc(const ksl_screw_t *s, const ksl_coscrew_t *c, ks
 /* co = (0 ; ω×τ).
    s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sca(const ksl_screw_t *s, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double co_3a = s->m4 * c->m5, co_3b = s->m5 * c->m4, co_3 = co_3a - co_3b;
@@ -7604,7 +7615,7 @@ static inline void ksl_cross_sca(const ksl_screw_t *s, const ksl_coscrew_t *c, k
 /* co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
@@ -7634,7 +7645,7 @@ static inline void ksl_constraint_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c
 /* co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
@@ -7664,7 +7675,7 @@ static inline void ksl_constraint_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c
 /* co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
@@ -7694,7 +7705,7 @@ static inline void ksl_constraint_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c
 /* co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
@@ -7724,7 +7735,7 @@ static inline void ksl_constraint_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c
 /* co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
@@ -7754,7 +7765,7 @@ static inline void ksl_constraint_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c
 /* co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
@@ -7784,7 +7795,7 @@ static inline void ksl_constraint_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    9 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_0 = D->m00 * c->m0;
@@ -7804,7 +7815,7 @@ static inline void ksl_working_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    9 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_0 = D->m01 * c->m1;
@@ -7824,7 +7835,7 @@ static inline void ksl_working_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    9 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_0 = D->m02 * c->m2;
@@ -7844,7 +7855,7 @@ static inline void ksl_working_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_3 = D->m00 * c->m3;
   const double w_4 = D->m10 * c->m3;
@@ -7860,7 +7871,7 @@ static inline void ksl_working_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_3 = D->m01 * c->m4;
   const double w_4 = D->m11 * c->m4;
@@ -7876,7 +7887,7 @@ static inline void ksl_working_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_3 = D->m02 * c->m5;
   const double w_4 = D->m12 * c->m5;
@@ -7979,7 +7990,7 @@ static inline void ksl_coscrewf_copy(const ksl_coscrewf_t *ci, ksl_coscrewf_t *c
 /* self = a self.
    self: coscrew (f in N; τ in N m); a: number.
    6 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_coscrewf_scale(ksl_coscrewf_t *self, const float a) {
   const float self_0_new = self->m0 * a;
   const float self_1_new = self->m1 * a;
@@ -8036,8 +8047,8 @@ static inline void ksl_coscrewf_invert(ksl_coscrewf_t *self) {
 /* y = a x + y.
    a: number; x, y: coscrew (f in N; τ in N m).
    6 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_axpy_ccf(const float a, const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
   const float y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
   const float y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
@@ -8056,7 +8067,7 @@ static inline void ksl_axpy_ccf(const float a, const ksl_coscrewf_t *x, ksl_cosc
 /* y = x + y.
    x, y: coscrew (f in N; τ in N m).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
   const float y_0_new = x->m0 + y->m0;
   const float y_1_new = x->m1 + y->m1;
@@ -8075,7 +8086,7 @@ static inline void ksl_xpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
 /* y = -x + y.
    x, y: coscrew (f in N; τ in N m).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
   const float y_0_new = y->m0 - x->m0;
   const float y_1_new = y->m1 - x->m1;
@@ -8094,7 +8105,7 @@ static inline void ksl_nxpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
 /* co = a ci.
    a: number; ci, co: coscrew (f in N; τ in N m).
    6 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_acf(const float a, const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
   const float co_0 = a * ci->m0;
   const float co_1 = a * ci->m1;
@@ -8113,7 +8124,7 @@ static inline void ksl_product_acf(const float a, const ksl_coscrewf_t *ci, ksl_
 /* co = c1 + c2.
    c1, c2, co: coscrew (f in N; τ in N m).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
   const float co_0 = c1->m0 + c2->m0;
@@ -8133,7 +8144,7 @@ static inline void ksl_add_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c
 /* co = c1 - c2.
    c1, c2, co: coscrew (f in N; τ in N m).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
   const float co_0 = c1->m0 - c2->m0;
@@ -8150,7 +8161,8 @@ static inline void ksl_subtract_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf
   co->m5 = co_5;
 }
 
-/* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
+/* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6); squares must neither over-
+     nor underflow.
    ci: coscrew (f in N; τ in N m).
    6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select. */
 static inline float ksl_coscrewf_norm(const ksl_coscrewf_t *ci) {
@@ -8163,7 +8175,8 @@ static inline float ksl_coscrewf_norm(const ksl_coscrewf_t *ci) {
   return norm;
 }
 
-/* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
+/* self = self / |self|, with coscrew_norm; the zero coscrew stays zero; squares must neither
+     over- nor underflow.
    self: coscrew (f in N; τ in N m).
    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
 static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
@@ -8188,7 +8201,8 @@ static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
   self->m5 = self_5_new;
 }
 
-/* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
+/* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero; squares must neither over- nor
+     underflow.
    ci, co: coscrew (f in N; τ in N m).
    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
 static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
@@ -8274,7 +8288,7 @@ static inline void ksl_coscrewf_from_angular_first(const float x[6], ksl_coscrew
 /* co = (c1.lin + c2.lin ; c1.ang).
    c1, c2, co: coscrew (f in N; τ in N m).
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_cctf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
   const float co_0 = c1->m0 + c2->m0;
@@ -8294,7 +8308,7 @@ static inline void ksl_add_cctf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *
 /* co = [Ad]*(t) ci.
    t: vector; ci, co: coscrew (f in N; τ in N m).
    6 mul, 6 add.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdtcf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
@@ -8318,7 +8332,7 @@ static inline void ksl_product_CoAdtcf(const ksl_vec3f_t *t, const ksl_coscrewf_
 /* co = [Ad]*(t)^-1 ci.
    t: vector; ci, co: coscrew (f in N; τ in N m).
    6 mul, 6 add.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdtinvcf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
@@ -8342,7 +8356,7 @@ static inline void ksl_product_CoAdtinvcf(const ksl_vec3f_t *t, const ksl_coscre
 /* co = [Ad]*(t) (-ci).
    t: vector; ci, co: coscrew (f in N; τ in N m).
    6 mul, 6 add, 3 neg.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdtcinvf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
@@ -8366,8 +8380,8 @@ static inline void ksl_product_CoAdtcinvf(const ksl_vec3f_t *t, const ksl_coscre
 /* co = [Ad]*(R) ci.
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
    18 mul, 12 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_CoAdrcf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
@@ -8393,8 +8407,8 @@ static inline void ksl_product_CoAdrcf(const ksl_mat3x3f_t *R, const ksl_coscrew
 /* co = [Ad]*(R)^-1 ci.
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
    18 mul, 12 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_CoAdrinvcf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float co_0a = R->m00 * ci->m0, co_0b = R->m10 * ci->m1, co_0c = co_0a + co_0b,
@@ -8420,8 +8434,8 @@ static inline void ksl_product_CoAdrinvcf(const ksl_mat3x3f_t *R, const ksl_cosc
 /* co = [Ad]*(R) (-ci).
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
    18 mul, 12 add, 6 neg.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_CoAdrcinvf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
@@ -8447,7 +8461,7 @@ static inline void ksl_product_CoAdrcinvf(const ksl_mat3x3f_t *R, const ksl_cosc
 /* co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
    24 mul, 18 add.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdcf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
@@ -8477,7 +8491,7 @@ static inline void ksl_product_CoAdcf(const ksl_SE3f_t *D, const ksl_coscrewf_t 
 /* co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
    24 mul, 18 add.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdinvcf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
@@ -8510,7 +8524,7 @@ static inline void ksl_product_CoAdinvcf(const ksl_SE3f_t *D, const ksl_coscrewf
 /* co = [Ad]*(D) (-ci).
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
    24 mul, 18 add, 6 neg.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdcinvf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
@@ -8540,7 +8554,7 @@ static inline void ksl_product_CoAdcinvf(const ksl_SE3f_t *D, const ksl_coscrewf
 /* co = h_tx: column 0 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_3a = D->m20 * D->m13, co_3b = D->m10 * D->m23, co_3 = co_3a - co_3b;
@@ -8560,7 +8574,7 @@ static inline void ksl_hctxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 /* co = h_ty: column 1 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctyf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_3a = D->m21 * D->m13, co_3b = D->m11 * D->m23, co_3 = co_3a - co_3b;
@@ -8580,7 +8594,7 @@ static inline void ksl_hctyf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 /* co = h_tz: column 2 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctzf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_3a = D->m22 * D->m13, co_3b = D->m12 * D->m23, co_3 = co_3a - co_3b;
@@ -8648,7 +8662,7 @@ static inline void ksl_hcrzf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 /* co = -h_tx: -column 0 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m00;
@@ -8668,7 +8682,7 @@ static inline void ksl_hctxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 /* co = -h_ty: -column 1 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctyinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m01;
@@ -8688,7 +8702,7 @@ static inline void ksl_hctyinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 /* co = -h_tz: -column 2 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m02;
@@ -8756,8 +8770,8 @@ static inline void ksl_hcrzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 /* M = [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
    18 mul, 9 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_CoAdf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
   const float M_30a = D->m20 * D->m13, M_30b = D->m10 * D->m23, M_30 = M_30a - M_30b;
   const float M_31a = D->m21 * D->m13, M_31b = D->m11 * D->m23, M_31 = M_31a - M_31b;
@@ -8818,8 +8832,8 @@ static inline void ksl_CoAdf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
 /* power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).
    c: coscrew (f in N; τ in N m); x: six components with the angular part on top.
    6 mul, 5 add.
-   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline float ksl_reciprocal_productf(const ksl_coscrewf_t *c, const float x[6]) {
   const float power_a = c->m0 * x[3], power_b = c->m1 * x[4], power_c = power_a + power_b,
       power_d = c->m2 * x[5], power_e = power_c + power_d, power_f = c->m3 * x[0],
@@ -8831,7 +8845,7 @@ static inline float ksl_reciprocal_productf(const ksl_coscrewf_t *c, const float
 /* co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
    s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
    18 mul, 12 add.
-   Error <= u |x| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_scf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -8855,7 +8869,7 @@ static inline void ksl_cross_scf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
 /* co = (0 ; ω×τ).
    s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_scaf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -8873,7 +8887,7 @@ static inline void ksl_cross_scaf(const ksl_screwf_t *s, const ksl_coscrewf_t *c
 /* co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -8900,7 +8914,7 @@ static inline void ksl_constraint_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 /* co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -8927,7 +8941,7 @@ static inline void ksl_constraint_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 /* co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -8954,7 +8968,7 @@ static inline void ksl_constraint_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 /* co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -8981,7 +8995,7 @@ static inline void ksl_constraint_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 /* co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -9008,7 +9022,7 @@ static inline void ksl_constraint_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 /* co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -9035,7 +9049,7 @@ static inline void ksl_constraint_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    9 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -9056,7 +9070,7 @@ static inline void ksl_working_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    9 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -9077,7 +9091,7 @@ static inline void ksl_working_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    9 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -9098,7 +9112,7 @@ static inline void ksl_working_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_3 = D->m00 * c->m3;
@@ -9115,7 +9129,7 @@ static inline void ksl_working_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_3 = D->m01 * c->m4;
@@ -9132,7 +9146,7 @@ static inline void ksl_working_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_3 = D->m02 * c->m5;

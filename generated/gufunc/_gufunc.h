@@ -13,8 +13,7 @@
 #include <numpy/dtype_api.h>
 #include <numpy/ufuncobject.h>
 
-/* On x86-64 every loop is compiled twice, also for AVX2, and the processor at hand decides.  The bits
-   are the same: nothing is contracted. */
+/* On x86-64 every loop is compiled twice, also for AVX2; the processor decides, the bits agree. */
 #if defined(__x86_64__) && defined(__GNUC__)
 #define COSCREW_HAS_AVX2 1
 #else
@@ -24,7 +23,9 @@
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)
 #pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
 #elif defined(COSCREW_FOR_AVX2)
-#pragma GCC target("avx2")
+#pragma GCC target("avx2,no-fma,no-avx512f") /* gcc's vectoriser fuses in spite of its flag */
+#elif COSCREW_HAS_AVX2 && !defined(__clang__)
+#pragma GCC target("no-fma,no-avx512f")
 #endif
 
 #include "../c/coscrew.h"
@@ -33,6 +34,14 @@
 #define TABLE(family) coscrew_##family##_gufuncs_avx2
 #else
 #define TABLE(family) coscrew_##family##_gufuncs
+#endif
+
+#if defined(__clang__)
+#define INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
+#define INDEPENDENT _Pragma("GCC ivdep")
+#else
+#define INDEPENDENT
 #endif
 
 #if defined(__GNUC__)
@@ -58,79 +67,92 @@ extern const coscrew_gufunc coscrew_trig_gufuncs[], coscrew_trig_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_screw_gufuncs[], coscrew_screw_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_coscrew_gufuncs[], coscrew_coscrew_gufuncs_avx2[];
 
-INLINED void load_scalar_double(double *x, const char *p, const npy_intp *s) {
+INLINED void load_scalar_double(
+    double *x, const char *p, const npy_intp *s) {
   (void)s;
   x[0] = *(const double *)(p);
 }
 
-INLINED void store_scalar_double(const double *x, char *p, const npy_intp *s) {
+INLINED void store_scalar_double(
+    const double *x, char *p, const npy_intp *s) {
   (void)s;
   *(double *)(p) = x[0];
 }
 
-INLINED void load_scalar_single(float *x, const char *p, const npy_intp *s) {
+INLINED void load_scalar_single(
+    float *x, const char *p, const npy_intp *s) {
   (void)s;
   x[0] = *(const float *)(p);
 }
 
-INLINED void store_scalar_single(const float *x, char *p, const npy_intp *s) {
+INLINED void store_scalar_single(
+    const float *x, char *p, const npy_intp *s) {
   (void)s;
   *(float *)(p) = x[0];
 }
 
-INLINED void load_dc_double(double *x, const char *p, const npy_intp *s) {
+INLINED void load_dc_double(
+    double *x, const char *p, const npy_intp *s) {
   (void)s;
   x[0] = *(const double *)(p);
   x[1] = *(const double *)(p + 1 * s[0]);
 }
 
-INLINED void store_dc_double(const double *x, char *p, const npy_intp *s) {
+INLINED void store_dc_double(
+    const double *x, char *p, const npy_intp *s) {
   (void)s;
   *(double *)(p) = x[0];
   *(double *)(p + 1 * s[0]) = x[1];
 }
 
-INLINED void load_dc_single(float *x, const char *p, const npy_intp *s) {
+INLINED void load_dc_single(
+    float *x, const char *p, const npy_intp *s) {
   (void)s;
   x[0] = *(const float *)(p);
   x[1] = *(const float *)(p + 1 * s[0]);
 }
 
-INLINED void store_dc_single(const float *x, char *p, const npy_intp *s) {
+INLINED void store_dc_single(
+    const float *x, char *p, const npy_intp *s) {
   (void)s;
   *(float *)(p) = x[0];
   *(float *)(p + 1 * s[0]) = x[1];
 }
 
-INLINED void load_vec3_double(ksl_vec3_t *x, const char *p, const npy_intp *s) {
+INLINED void load_vec3_double(
+    ksl_vec3_t *x, const char *p, const npy_intp *s) {
   (void)s;
   x->x = *(const double *)(p);
   x->y = *(const double *)(p + 1 * s[0]);
   x->z = *(const double *)(p + 2 * s[0]);
 }
 
-INLINED void store_vec3_double(const ksl_vec3_t *x, char *p, const npy_intp *s) {
+INLINED void store_vec3_double(
+    const ksl_vec3_t *x, char *p, const npy_intp *s) {
   (void)s;
   *(double *)(p) = x->x;
   *(double *)(p + 1 * s[0]) = x->y;
   *(double *)(p + 2 * s[0]) = x->z;
 }
 
-INLINED void load_vec3_single(ksl_vec3f_t *x, const char *p, const npy_intp *s) {
+INLINED void load_vec3_single(
+    ksl_vec3f_t *x, const char *p, const npy_intp *s) {
   (void)s;
   x->x = *(const float *)(p);
   x->y = *(const float *)(p + 1 * s[0]);
   x->z = *(const float *)(p + 2 * s[0]);
 }
 
-INLINED void store_vec3_single(const ksl_vec3f_t *x, char *p, const npy_intp *s) {
+INLINED void store_vec3_single(
+    const ksl_vec3f_t *x, char *p, const npy_intp *s) {
   (void)s;
   *(float *)(p) = x->x;
   *(float *)(p + 1 * s[0]) = x->y;
   *(float *)(p + 2 * s[0]) = x->z;
 }
 
-INLINED void load_mat3x3_double(ksl_mat3x3_t *x, const char *p, const npy_intp *s) {
+INLINED void load_mat3x3_double(
+    ksl_mat3x3_t *x, const char *p, const npy_intp *s) {
   (void)s;
   x->m00 = *(const double *)(p);
   x->m01 = *(const double *)(p + 1 * s[1]);
@@ -143,7 +165,8 @@ INLINED void load_mat3x3_double(ksl_mat3x3_t *x, const char *p, const npy_intp *
   x->m22 = *(const double *)(p + 2 * s[0] + 2 * s[1]);
 }
 
-INLINED void store_mat3x3_double(const ksl_mat3x3_t *x, char *p, const npy_intp *s) {
+INLINED void store_mat3x3_double(
+    const ksl_mat3x3_t *x, char *p, const npy_intp *s) {
   (void)s;
   *(double *)(p) = x->m00;
   *(double *)(p + 1 * s[1]) = x->m01;
@@ -156,7 +179,8 @@ INLINED void store_mat3x3_double(const ksl_mat3x3_t *x, char *p, const npy_intp 
   *(double *)(p + 2 * s[0] + 2 * s[1]) = x->m22;
 }
 
-INLINED void load_mat3x3_single(ksl_mat3x3f_t *x, const char *p, const npy_intp *s) {
+INLINED void load_mat3x3_single(
+    ksl_mat3x3f_t *x, const char *p, const npy_intp *s) {
   (void)s;
   x->m00 = *(const float *)(p);
   x->m01 = *(const float *)(p + 1 * s[1]);
@@ -169,7 +193,8 @@ INLINED void load_mat3x3_single(ksl_mat3x3f_t *x, const char *p, const npy_intp 
   x->m22 = *(const float *)(p + 2 * s[0] + 2 * s[1]);
 }
 
-INLINED void store_mat3x3_single(const ksl_mat3x3f_t *x, char *p, const npy_intp *s) {
+INLINED void store_mat3x3_single(
+    const ksl_mat3x3f_t *x, char *p, const npy_intp *s) {
   (void)s;
   *(float *)(p) = x->m00;
   *(float *)(p + 1 * s[1]) = x->m01;
@@ -182,7 +207,8 @@ INLINED void store_mat3x3_single(const ksl_mat3x3f_t *x, char *p, const npy_intp
   *(float *)(p + 2 * s[0] + 2 * s[1]) = x->m22;
 }
 
-INLINED void load_SE3_double(ksl_SE3_t *x, const char *p, const npy_intp *s) {
+INLINED void load_SE3_double(
+    ksl_SE3_t *x, const char *p, const npy_intp *s) {
   (void)s;
   x->m00 = *(const double *)(p);
   x->m01 = *(const double *)(p + 1 * s[1]);
@@ -198,7 +224,8 @@ INLINED void load_SE3_double(ksl_SE3_t *x, const char *p, const npy_intp *s) {
   x->m23 = *(const double *)(p + 2 * s[0] + 3 * s[1]);
 }
 
-INLINED void store_SE3_double(const ksl_SE3_t *x, char *p, const npy_intp *s) {
+INLINED void store_SE3_double(
+    const ksl_SE3_t *x, char *p, const npy_intp *s) {
   (void)s;
   *(double *)(p) = x->m00;
   *(double *)(p + 1 * s[1]) = x->m01;
@@ -214,7 +241,8 @@ INLINED void store_SE3_double(const ksl_SE3_t *x, char *p, const npy_intp *s) {
   *(double *)(p + 2 * s[0] + 3 * s[1]) = x->m23;
 }
 
-INLINED void load_SE3_single(ksl_SE3f_t *x, const char *p, const npy_intp *s) {
+INLINED void load_SE3_single(
+    ksl_SE3f_t *x, const char *p, const npy_intp *s) {
   (void)s;
   x->m00 = *(const float *)(p);
   x->m01 = *(const float *)(p + 1 * s[1]);
@@ -230,7 +258,8 @@ INLINED void load_SE3_single(ksl_SE3f_t *x, const char *p, const npy_intp *s) {
   x->m23 = *(const float *)(p + 2 * s[0] + 3 * s[1]);
 }
 
-INLINED void store_SE3_single(const ksl_SE3f_t *x, char *p, const npy_intp *s) {
+INLINED void store_SE3_single(
+    const ksl_SE3f_t *x, char *p, const npy_intp *s) {
   (void)s;
   *(float *)(p) = x->m00;
   *(float *)(p + 1 * s[1]) = x->m01;
@@ -246,7 +275,8 @@ INLINED void store_SE3_single(const ksl_SE3f_t *x, char *p, const npy_intp *s) {
   *(float *)(p + 2 * s[0] + 3 * s[1]) = x->m23;
 }
 
-INLINED void load_screw_double(ksl_screw_t *x, const char *p, const npy_intp *s) {
+INLINED void load_screw_double(
+    ksl_screw_t *x, const char *p, const npy_intp *s) {
   (void)s;
   x->m0 = *(const double *)(p);
   x->m1 = *(const double *)(p + 1 * s[0]);
@@ -256,7 +286,8 @@ INLINED void load_screw_double(ksl_screw_t *x, const char *p, const npy_intp *s)
   x->m5 = *(const double *)(p + 5 * s[0]);
 }
 
-INLINED void store_screw_double(const ksl_screw_t *x, char *p, const npy_intp *s) {
+INLINED void store_screw_double(
+    const ksl_screw_t *x, char *p, const npy_intp *s) {
   (void)s;
   *(double *)(p) = x->m0;
   *(double *)(p + 1 * s[0]) = x->m1;
@@ -266,7 +297,8 @@ INLINED void store_screw_double(const ksl_screw_t *x, char *p, const npy_intp *s
   *(double *)(p + 5 * s[0]) = x->m5;
 }
 
-INLINED void load_screw_single(ksl_screwf_t *x, const char *p, const npy_intp *s) {
+INLINED void load_screw_single(
+    ksl_screwf_t *x, const char *p, const npy_intp *s) {
   (void)s;
   x->m0 = *(const float *)(p);
   x->m1 = *(const float *)(p + 1 * s[0]);
@@ -276,7 +308,8 @@ INLINED void load_screw_single(ksl_screwf_t *x, const char *p, const npy_intp *s
   x->m5 = *(const float *)(p + 5 * s[0]);
 }
 
-INLINED void store_screw_single(const ksl_screwf_t *x, char *p, const npy_intp *s) {
+INLINED void store_screw_single(
+    const ksl_screwf_t *x, char *p, const npy_intp *s) {
   (void)s;
   *(float *)(p) = x->m0;
   *(float *)(p + 1 * s[0]) = x->m1;
@@ -286,7 +319,8 @@ INLINED void store_screw_single(const ksl_screwf_t *x, char *p, const npy_intp *
   *(float *)(p + 5 * s[0]) = x->m5;
 }
 
-INLINED void load_coscrew_double(ksl_coscrew_t *x, const char *p, const npy_intp *s) {
+INLINED void load_coscrew_double(
+    ksl_coscrew_t *x, const char *p, const npy_intp *s) {
   (void)s;
   x->m0 = *(const double *)(p);
   x->m1 = *(const double *)(p + 1 * s[0]);
@@ -296,7 +330,8 @@ INLINED void load_coscrew_double(ksl_coscrew_t *x, const char *p, const npy_intp
   x->m5 = *(const double *)(p + 5 * s[0]);
 }
 
-INLINED void store_coscrew_double(const ksl_coscrew_t *x, char *p, const npy_intp *s) {
+INLINED void store_coscrew_double(
+    const ksl_coscrew_t *x, char *p, const npy_intp *s) {
   (void)s;
   *(double *)(p) = x->m0;
   *(double *)(p + 1 * s[0]) = x->m1;
@@ -306,7 +341,8 @@ INLINED void store_coscrew_double(const ksl_coscrew_t *x, char *p, const npy_int
   *(double *)(p + 5 * s[0]) = x->m5;
 }
 
-INLINED void load_coscrew_single(ksl_coscrewf_t *x, const char *p, const npy_intp *s) {
+INLINED void load_coscrew_single(
+    ksl_coscrewf_t *x, const char *p, const npy_intp *s) {
   (void)s;
   x->m0 = *(const float *)(p);
   x->m1 = *(const float *)(p + 1 * s[0]);
@@ -316,7 +352,8 @@ INLINED void load_coscrew_single(ksl_coscrewf_t *x, const char *p, const npy_int
   x->m5 = *(const float *)(p + 5 * s[0]);
 }
 
-INLINED void store_coscrew_single(const ksl_coscrewf_t *x, char *p, const npy_intp *s) {
+INLINED void store_coscrew_single(
+    const ksl_coscrewf_t *x, char *p, const npy_intp *s) {
   (void)s;
   *(float *)(p) = x->m0;
   *(float *)(p + 1 * s[0]) = x->m1;
@@ -326,7 +363,8 @@ INLINED void store_coscrew_single(const ksl_coscrewf_t *x, char *p, const npy_in
   *(float *)(p + 5 * s[0]) = x->m5;
 }
 
-INLINED void load_angular_first_double(double *x, const char *p, const npy_intp *s) {
+INLINED void load_angular_first_double(
+    double *x, const char *p, const npy_intp *s) {
   (void)s;
   x[0] = *(const double *)(p);
   x[1] = *(const double *)(p + 1 * s[0]);
@@ -336,7 +374,8 @@ INLINED void load_angular_first_double(double *x, const char *p, const npy_intp 
   x[5] = *(const double *)(p + 5 * s[0]);
 }
 
-INLINED void store_angular_first_double(const double *x, char *p, const npy_intp *s) {
+INLINED void store_angular_first_double(
+    const double *x, char *p, const npy_intp *s) {
   (void)s;
   *(double *)(p) = x[0];
   *(double *)(p + 1 * s[0]) = x[1];
@@ -346,7 +385,8 @@ INLINED void store_angular_first_double(const double *x, char *p, const npy_intp
   *(double *)(p + 5 * s[0]) = x[5];
 }
 
-INLINED void load_angular_first_single(float *x, const char *p, const npy_intp *s) {
+INLINED void load_angular_first_single(
+    float *x, const char *p, const npy_intp *s) {
   (void)s;
   x[0] = *(const float *)(p);
   x[1] = *(const float *)(p + 1 * s[0]);
@@ -356,7 +396,8 @@ INLINED void load_angular_first_single(float *x, const char *p, const npy_intp *
   x[5] = *(const float *)(p + 5 * s[0]);
 }
 
-INLINED void store_angular_first_single(const float *x, char *p, const npy_intp *s) {
+INLINED void store_angular_first_single(
+    const float *x, char *p, const npy_intp *s) {
   (void)s;
   *(float *)(p) = x[0];
   *(float *)(p + 1 * s[0]) = x[1];
@@ -366,7 +407,8 @@ INLINED void store_angular_first_single(const float *x, char *p, const npy_intp 
   *(float *)(p + 5 * s[0]) = x[5];
 }
 
-INLINED void load_mat6x6_double(ksl_mat6x6_t *x, const char *p, const npy_intp *s) {
+INLINED void load_mat6x6_double(
+    ksl_mat6x6_t *x, const char *p, const npy_intp *s) {
   (void)s;
   x->at[0][0] = *(const double *)(p);
   x->at[1][0] = *(const double *)(p + 1 * s[1]);
@@ -406,7 +448,8 @@ INLINED void load_mat6x6_double(ksl_mat6x6_t *x, const char *p, const npy_intp *
   x->at[5][5] = *(const double *)(p + 5 * s[0] + 5 * s[1]);
 }
 
-INLINED void store_mat6x6_double(const ksl_mat6x6_t *x, char *p, const npy_intp *s) {
+INLINED void store_mat6x6_double(
+    const ksl_mat6x6_t *x, char *p, const npy_intp *s) {
   (void)s;
   *(double *)(p) = x->at[0][0];
   *(double *)(p + 1 * s[1]) = x->at[1][0];
@@ -446,7 +489,8 @@ INLINED void store_mat6x6_double(const ksl_mat6x6_t *x, char *p, const npy_intp 
   *(double *)(p + 5 * s[0] + 5 * s[1]) = x->at[5][5];
 }
 
-INLINED void load_mat6x6_single(ksl_mat6x6f_t *x, const char *p, const npy_intp *s) {
+INLINED void load_mat6x6_single(
+    ksl_mat6x6f_t *x, const char *p, const npy_intp *s) {
   (void)s;
   x->at[0][0] = *(const float *)(p);
   x->at[1][0] = *(const float *)(p + 1 * s[1]);
@@ -486,7 +530,8 @@ INLINED void load_mat6x6_single(ksl_mat6x6f_t *x, const char *p, const npy_intp 
   x->at[5][5] = *(const float *)(p + 5 * s[0] + 5 * s[1]);
 }
 
-INLINED void store_mat6x6_single(const ksl_mat6x6f_t *x, char *p, const npy_intp *s) {
+INLINED void store_mat6x6_single(
+    const ksl_mat6x6f_t *x, char *p, const npy_intp *s) {
   (void)s;
   *(float *)(p) = x->at[0][0];
   *(float *)(p + 1 * s[1]) = x->at[1][0];

@@ -1,19 +1,21 @@
 /* Made by `coscrew generate`; changes are overwritten. */
-/* Gufunc loops of the mat6x6 operations.  NumPy copies overlapping operands before it calls a
-   loop, so the pointers are restrict. */
+/* Gufunc loops of the mat6x6 operations.  NumPy copies operands that overlap, unless an output
+   is an input element by element; so no element depends on another. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 
 /* (6,6)->(6,6) */
-INLINED void mat6x6_copy_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void mat6x6_copy_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_mat6x6_t M;
   load_mat6x6_double(&M, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat6x6_t Mo;
     if (step[0] != 0) {
@@ -24,30 +26,35 @@ INLINED void mat6x6_copy_double_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void mat6x6_copy_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void mat6x6_copy_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 288, 288, 48, 8, 48, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_copy_double_over(data, n[0], dense_1, dense_1 + 2);
+    mat6x6_copy_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 288, 48, 8, 48, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat6x6_copy_double_over(data, n[0], dense_2, dense_2 + 2);
+    mat6x6_copy_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   mat6x6_copy_double_over(data, n[0], step, step + 2);
 }
 
 /* (6,6)->(6,6) */
-INLINED void mat6x6_copy_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void mat6x6_copy_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_mat6x6f_t M;
   load_mat6x6_single(&M, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat6x6f_t Mo;
     if (step[0] != 0) {
@@ -58,27 +65,33 @@ INLINED void mat6x6_copy_single_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void mat6x6_copy_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void mat6x6_copy_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 144, 144, 24, 4, 24, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_copy_single_over(data, n[0], dense_1, dense_1 + 2);
+    mat6x6_copy_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 144, 24, 4, 24, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat6x6_copy_single_over(data, n[0], dense_2, dense_2 + 2);
+    mat6x6_copy_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   mat6x6_copy_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction mat6x6_copy_loops[] = { mat6x6_copy_double, mat6x6_copy_single };
+static PyUFuncGenericFunction mat6x6_copy_loops[] = {
+    mat6x6_copy_double, mat6x6_copy_single};
 
 /* (6,6)->(6,6) */
-INLINED void mat6x6_setIdentity_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void mat6x6_setIdentity_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat6x6_t self;
     load_mat6x6_double(&self, p0 + i * step[0], core + 0);
@@ -87,20 +100,24 @@ INLINED void mat6x6_setIdentity_double_over(char **data, npy_intp n, const npy_i
   }
 }
 
-static void mat6x6_setIdentity_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void mat6x6_setIdentity_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 288, 288, 48, 8, 48, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_setIdentity_double_over(data, n[0], dense_1, dense_1 + 2);
+    mat6x6_setIdentity_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   mat6x6_setIdentity_double_over(data, n[0], step, step + 2);
 }
 
 /* (6,6)->(6,6) */
-INLINED void mat6x6_setIdentity_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void mat6x6_setIdentity_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat6x6f_t self;
     load_mat6x6_single(&self, p0 + i * step[0], core + 0);
@@ -109,27 +126,32 @@ INLINED void mat6x6_setIdentity_single_over(char **data, npy_intp n, const npy_i
   }
 }
 
-static void mat6x6_setIdentity_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void mat6x6_setIdentity_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 144, 144, 24, 4, 24, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_setIdentity_single_over(data, n[0], dense_1, dense_1 + 2);
+    mat6x6_setIdentity_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   mat6x6_setIdentity_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction mat6x6_setIdentity_loops[] = { mat6x6_setIdentity_double, mat6x6_setIdentity_single };
+static PyUFuncGenericFunction mat6x6_setIdentity_loops[] = {
+    mat6x6_setIdentity_double, mat6x6_setIdentity_single};
 
 /* (6,6)->(6,6) */
-INLINED void mat6x6_transposed_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void mat6x6_transposed_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_mat6x6_t M;
   load_mat6x6_double(&M, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat6x6_t Mo;
     if (step[0] != 0) {
@@ -140,30 +162,35 @@ INLINED void mat6x6_transposed_double_over(char **data, npy_intp n, const npy_in
   }
 }
 
-static void mat6x6_transposed_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void mat6x6_transposed_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 288, 288, 48, 8, 48, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_transposed_double_over(data, n[0], dense_1, dense_1 + 2);
+    mat6x6_transposed_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 288, 48, 8, 48, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat6x6_transposed_double_over(data, n[0], dense_2, dense_2 + 2);
+    mat6x6_transposed_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   mat6x6_transposed_double_over(data, n[0], step, step + 2);
 }
 
 /* (6,6)->(6,6) */
-INLINED void mat6x6_transposed_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void mat6x6_transposed_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_mat6x6f_t M;
   load_mat6x6_single(&M, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat6x6f_t Mo;
     if (step[0] != 0) {
@@ -174,22 +201,26 @@ INLINED void mat6x6_transposed_single_over(char **data, npy_intp n, const npy_in
   }
 }
 
-static void mat6x6_transposed_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void mat6x6_transposed_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 144, 144, 24, 4, 24, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_transposed_single_over(data, n[0], dense_1, dense_1 + 2);
+    mat6x6_transposed_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 144, 24, 4, 24, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat6x6_transposed_single_over(data, n[0], dense_2, dense_2 + 2);
+    mat6x6_transposed_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   mat6x6_transposed_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction mat6x6_transposed_loops[] = { mat6x6_transposed_double, mat6x6_transposed_single };
+static PyUFuncGenericFunction mat6x6_transposed_loops[] = {
+    mat6x6_transposed_double, mat6x6_transposed_single};
 
 const coscrew_gufunc TABLE(mat6x6)[] = {
   {"mat6x6_copy", "(6,6)->(6,6)",

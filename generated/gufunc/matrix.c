@@ -1,20 +1,22 @@
 /* Made by `coscrew generate`; changes are overwritten. */
-/* Gufunc loops of the matrix operations.  NumPy copies overlapping operands before it calls a
-   loop, so the pointers are restrict. */
+/* Gufunc loops of the matrix operations.  NumPy copies operands that overlap, unless an output
+   is an input element by element; so no element depends on another. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 
 /* (3,3),(3)->(3) */
-INLINED void product_drv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R;
   load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t v;
     ksl_vec3_t vo;
@@ -27,31 +29,36 @@ INLINED void product_drv_double_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void product_drv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 24, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_drv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_drv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),(3)->(3) */
-INLINED void product_drv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R;
   load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t v;
     ksl_vec3f_t vo;
@@ -64,33 +71,39 @@ INLINED void product_drv_single_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void product_drv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 12, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_drv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_drv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_drv_loops[] = { product_drv_double, product_drv_single };
+static PyUFuncGenericFunction product_drv_loops[] = {
+    product_drv_double, product_drv_single};
 
 /* (3,3),(3)->(3) */
-INLINED void product_drvinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drvinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R;
   load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t v;
     ksl_vec3_t vo;
@@ -103,31 +116,36 @@ INLINED void product_drvinv_double_over(char **data, npy_intp n, const npy_intp 
   }
 }
 
-static void product_drvinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drvinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 24, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_drvinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_drvinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),(3)->(3) */
-INLINED void product_drvinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drvinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R;
   load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t v;
     ksl_vec3f_t vo;
@@ -140,33 +158,39 @@ INLINED void product_drvinv_single_over(char **data, npy_intp n, const npy_intp 
   }
 }
 
-static void product_drvinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drvinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 12, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_drvinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_drvinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_drvinv_loops[] = { product_drvinv_double, product_drvinv_single };
+static PyUFuncGenericFunction product_drvinv_loops[] = {
+    product_drvinv_double, product_drvinv_single};
 
 /* (3,3),(3)->(3) */
-INLINED void product_drinvv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drinvv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R;
   load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t v;
     ksl_vec3_t vo;
@@ -179,31 +203,36 @@ INLINED void product_drinvv_double_over(char **data, npy_intp n, const npy_intp 
   }
 }
 
-static void product_drinvv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drinvv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 24, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drinvv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_drinvv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drinvv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_drinvv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drinvv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),(3)->(3) */
-INLINED void product_drinvv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drinvv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R;
   load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t v;
     ksl_vec3f_t vo;
@@ -216,33 +245,39 @@ INLINED void product_drinvv_single_over(char **data, npy_intp n, const npy_intp 
   }
 }
 
-static void product_drinvv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drinvv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 12, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drinvv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_drinvv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drinvv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_drinvv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drinvv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_drinvv_loops[] = { product_drinvv_double, product_drinvv_single };
+static PyUFuncGenericFunction product_drinvv_loops[] = {
+    product_drinvv_double, product_drinvv_single};
 
 /* (3,3),(3)->(3) */
-INLINED void product_drinvvinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drinvvinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R;
   load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t v;
     ksl_vec3_t vo;
@@ -255,31 +290,36 @@ INLINED void product_drinvvinv_double_over(char **data, npy_intp n, const npy_in
   }
 }
 
-static void product_drinvvinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drinvvinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 24, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drinvvinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_drinvvinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drinvvinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_drinvvinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drinvvinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),(3)->(3) */
-INLINED void product_drinvvinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drinvvinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R;
   load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t v;
     ksl_vec3f_t vo;
@@ -292,33 +332,39 @@ INLINED void product_drinvvinv_single_over(char **data, npy_intp n, const npy_in
   }
 }
 
-static void product_drinvvinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drinvvinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 12, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drinvvinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_drinvvinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drinvvinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_drinvvinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drinvvinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_drinvvinv_loops[] = { product_drinvvinv_double, product_drinvvinv_single };
+static PyUFuncGenericFunction product_drinvvinv_loops[] = {
+    product_drinvvinv_double, product_drinvvinv_single};
 
 /* (3,4),(3)->(3) */
-INLINED void product_dv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_dv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t v;
     ksl_vec3_t vo;
@@ -331,31 +377,36 @@ INLINED void product_dv_double_over(char **data, npy_intp n, const npy_intp *ste
   }
 }
 
-static void product_dv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_dv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 24, 24, 32, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_dv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_dv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 32, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_dv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_dv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_dv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),(3)->(3) */
-INLINED void product_dv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_dv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t v;
     ksl_vec3f_t vo;
@@ -368,33 +419,39 @@ INLINED void product_dv_single_over(char **data, npy_intp n, const npy_intp *ste
   }
 }
 
-static void product_dv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_dv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 12, 12, 16, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_dv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_dv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 12, 16, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_dv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_dv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_dv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_dv_loops[] = { product_dv_double, product_dv_single };
+static PyUFuncGenericFunction product_dv_loops[] = {
+    product_dv_double, product_dv_single};
 
 /* (3,4),(3)->(3) */
-INLINED void product_dinvv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_dinvv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t v;
     ksl_vec3_t vo;
@@ -407,31 +464,36 @@ INLINED void product_dinvv_double_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_dinvv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_dinvv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 24, 24, 32, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_dinvv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_dinvv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 32, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_dinvv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_dinvv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_dinvv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),(3)->(3) */
-INLINED void product_dinvv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_dinvv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t v;
     ksl_vec3f_t vo;
@@ -444,33 +506,39 @@ INLINED void product_dinvv_single_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_dinvv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_dinvv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 12, 12, 16, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_dinvv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_dinvv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 12, 16, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_dinvv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_dinvv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_dinvv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_dinvv_loops[] = { product_dinvv_double, product_dinvv_single };
+static PyUFuncGenericFunction product_dinvv_loops[] = {
+    product_dinvv_double, product_dinvv_single};
 
 /* (3,3),(3,3)->(3,3) */
-INLINED void product_drdr_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drdr_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R1;
   load_mat3x3_double(&R1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat3x3_t R2;
     ksl_mat3x3_t Ro;
@@ -483,31 +551,36 @@ INLINED void product_drdr_double_over(char **data, npy_intp n, const npy_intp *s
   }
 }
 
-static void product_drdr_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drdr_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 72, 72, 24, 8, 24, 8, 24, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdr_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_drdr_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 72, 72, 24, 8, 24, 8, 24, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdr_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_drdr_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdr_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),(3,3)->(3,3) */
-INLINED void product_drdr_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drdr_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R1;
   load_mat3x3_single(&R1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat3x3f_t R2;
     ksl_mat3x3f_t Ro;
@@ -520,33 +593,39 @@ INLINED void product_drdr_single_over(char **data, npy_intp n, const npy_intp *s
   }
 }
 
-static void product_drdr_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drdr_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 36, 36, 12, 4, 12, 4, 12, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdr_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_drdr_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 36, 36, 12, 4, 12, 4, 12, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdr_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_drdr_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdr_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_drdr_loops[] = { product_drdr_double, product_drdr_single };
+static PyUFuncGenericFunction product_drdr_loops[] = {
+    product_drdr_double, product_drdr_single};
 
 /* (3,3),(3,3)->(3,3) */
-INLINED void product_drdrinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drdrinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R1;
   load_mat3x3_double(&R1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat3x3_t R2;
     ksl_mat3x3_t Ro;
@@ -559,31 +638,36 @@ INLINED void product_drdrinv_double_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_drdrinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drdrinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 72, 72, 24, 8, 24, 8, 24, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdrinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_drdrinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 72, 72, 24, 8, 24, 8, 24, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdrinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_drdrinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdrinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),(3,3)->(3,3) */
-INLINED void product_drdrinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drdrinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R1;
   load_mat3x3_single(&R1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat3x3f_t R2;
     ksl_mat3x3f_t Ro;
@@ -596,33 +680,39 @@ INLINED void product_drdrinv_single_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_drdrinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drdrinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 36, 36, 12, 4, 12, 4, 12, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdrinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_drdrinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 36, 36, 12, 4, 12, 4, 12, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdrinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_drdrinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdrinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_drdrinv_loops[] = { product_drdrinv_double, product_drdrinv_single };
+static PyUFuncGenericFunction product_drdrinv_loops[] = {
+    product_drdrinv_double, product_drdrinv_single};
 
 /* (3,3),(3,3)->(3,3) */
-INLINED void product_drinvdr_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drinvdr_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R1;
   load_mat3x3_double(&R1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat3x3_t R2;
     ksl_mat3x3_t Ro;
@@ -635,31 +725,36 @@ INLINED void product_drinvdr_double_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_drinvdr_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drinvdr_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 72, 72, 24, 8, 24, 8, 24, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drinvdr_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_drinvdr_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 72, 72, 24, 8, 24, 8, 24, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drinvdr_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_drinvdr_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drinvdr_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),(3,3)->(3,3) */
-INLINED void product_drinvdr_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drinvdr_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R1;
   load_mat3x3_single(&R1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat3x3f_t R2;
     ksl_mat3x3f_t Ro;
@@ -672,33 +767,39 @@ INLINED void product_drinvdr_single_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_drinvdr_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drinvdr_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 36, 36, 12, 4, 12, 4, 12, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drinvdr_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_drinvdr_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 36, 36, 12, 4, 12, 4, 12, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drinvdr_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_drinvdr_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drinvdr_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_drinvdr_loops[] = { product_drinvdr_double, product_drinvdr_single };
+static PyUFuncGenericFunction product_drinvdr_loops[] = {
+    product_drinvdr_double, product_drinvdr_single};
 
 /* (3,4),(3,4)->(3,4) */
-INLINED void product_dd_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_dd_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D1;
   load_SE3_double(&D1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_SE3_t D2;
     ksl_SE3_t Do;
@@ -711,31 +812,36 @@ INLINED void product_dd_double_over(char **data, npy_intp n, const npy_intp *ste
   }
 }
 
-static void product_dd_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_dd_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 96, 96, 32, 8, 32, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_dd_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_dd_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 96, 96, 32, 8, 32, 8, 32, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_dd_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_dd_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_dd_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),(3,4)->(3,4) */
-INLINED void product_dd_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_dd_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D1;
   load_SE3_single(&D1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_SE3f_t D2;
     ksl_SE3f_t Do;
@@ -748,33 +854,39 @@ INLINED void product_dd_single_over(char **data, npy_intp n, const npy_intp *ste
   }
 }
 
-static void product_dd_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_dd_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 48, 48, 16, 4, 16, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_dd_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_dd_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 48, 16, 4, 16, 4, 16, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_dd_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_dd_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_dd_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_dd_loops[] = { product_dd_double, product_dd_single };
+static PyUFuncGenericFunction product_dd_loops[] = {
+    product_dd_double, product_dd_single};
 
 /* (3,4),(3,4)->(3,4) */
-INLINED void product_ddinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D1;
   load_SE3_double(&D1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_SE3_t D2;
     ksl_SE3_t Do;
@@ -787,31 +899,36 @@ INLINED void product_ddinv_double_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_ddinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 96, 96, 32, 8, 32, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 96, 96, 32, 8, 32, 8, 32, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),(3,4)->(3,4) */
-INLINED void product_ddinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D1;
   load_SE3_single(&D1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_SE3f_t D2;
     ksl_SE3f_t Do;
@@ -824,33 +941,39 @@ INLINED void product_ddinv_single_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_ddinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 48, 48, 16, 4, 16, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 48, 16, 4, 16, 4, 16, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_ddinv_loops[] = { product_ddinv_double, product_ddinv_single };
+static PyUFuncGenericFunction product_ddinv_loops[] = {
+    product_ddinv_double, product_ddinv_single};
 
 /* (3,4),(3,4)->(3,4) */
-INLINED void product_dinvd_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_dinvd_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D1;
   load_SE3_double(&D1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_SE3_t D2;
     ksl_SE3_t Do;
@@ -863,31 +986,36 @@ INLINED void product_dinvd_double_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_dinvd_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_dinvd_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 96, 96, 32, 8, 32, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_dinvd_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_dinvd_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 96, 96, 32, 8, 32, 8, 32, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_dinvd_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_dinvd_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_dinvd_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),(3,4)->(3,4) */
-INLINED void product_dinvd_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_dinvd_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D1;
   load_SE3_single(&D1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_SE3f_t D2;
     ksl_SE3f_t Do;
@@ -900,33 +1028,39 @@ INLINED void product_dinvd_single_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_dinvd_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_dinvd_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 48, 48, 16, 4, 16, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_dinvd_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_dinvd_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 48, 16, 4, 16, 4, 16, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_dinvd_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_dinvd_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_dinvd_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_dinvd_loops[] = { product_dinvd_double, product_dinvd_single };
+static PyUFuncGenericFunction product_dinvd_loops[] = {
+    product_dinvd_double, product_dinvd_single};
 
 /* (3,4),(3,3)->(3,4) */
-INLINED void product_ddr_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddr_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat3x3_t R;
     ksl_SE3_t Do;
@@ -939,31 +1073,36 @@ INLINED void product_ddr_double_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void product_ddr_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddr_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 72, 96, 32, 8, 24, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddr_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddr_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 72, 96, 32, 8, 24, 8, 32, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddr_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddr_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddr_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),(3,3)->(3,4) */
-INLINED void product_ddr_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddr_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat3x3f_t R;
     ksl_SE3f_t Do;
@@ -976,33 +1115,39 @@ INLINED void product_ddr_single_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void product_ddr_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddr_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 36, 48, 16, 4, 12, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddr_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddr_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 36, 48, 16, 4, 12, 4, 16, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddr_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddr_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddr_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_ddr_loops[] = { product_ddr_double, product_ddr_single };
+static PyUFuncGenericFunction product_ddr_loops[] = {
+    product_ddr_double, product_ddr_single};
 
 /* (3,4),(3,3)->(3,4) */
-INLINED void product_ddrinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddrinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat3x3_t R;
     ksl_SE3_t Do;
@@ -1015,31 +1160,36 @@ INLINED void product_ddrinv_double_over(char **data, npy_intp n, const npy_intp 
   }
 }
 
-static void product_ddrinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddrinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 72, 96, 32, 8, 24, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddrinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddrinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 72, 96, 32, 8, 24, 8, 32, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddrinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddrinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddrinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),(3,3)->(3,4) */
-INLINED void product_ddrinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddrinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat3x3f_t R;
     ksl_SE3f_t Do;
@@ -1052,33 +1202,39 @@ INLINED void product_ddrinv_single_over(char **data, npy_intp n, const npy_intp 
   }
 }
 
-static void product_ddrinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddrinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 36, 48, 16, 4, 12, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddrinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddrinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 36, 48, 16, 4, 12, 4, 16, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddrinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddrinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddrinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_ddrinv_loops[] = { product_ddrinv_double, product_ddrinv_single };
+static PyUFuncGenericFunction product_ddrinv_loops[] = {
+    product_ddrinv_double, product_ddrinv_single};
 
 /* (3,4),(3)->(3,4) */
-INLINED void product_ddt_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddt_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t t;
     ksl_SE3_t Do;
@@ -1091,31 +1247,36 @@ INLINED void product_ddt_double_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void product_ddt_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddt_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 24, 96, 32, 8, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddt_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddt_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 96, 32, 8, 8, 32, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddt_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddt_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddt_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),(3)->(3,4) */
-INLINED void product_ddt_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddt_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t t;
     ksl_SE3f_t Do;
@@ -1128,33 +1289,39 @@ INLINED void product_ddt_single_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void product_ddt_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddt_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 12, 48, 16, 4, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddt_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddt_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 48, 16, 4, 4, 16, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddt_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddt_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddt_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_ddt_loops[] = { product_ddt_double, product_ddt_single };
+static PyUFuncGenericFunction product_ddt_loops[] = {
+    product_ddt_double, product_ddt_single};
 
 /* (3,4),(3)->(3,4) */
-INLINED void product_ddtinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddtinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t t;
     ksl_SE3_t Do;
@@ -1167,31 +1334,36 @@ INLINED void product_ddtinv_double_over(char **data, npy_intp n, const npy_intp 
   }
 }
 
-static void product_ddtinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddtinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 24, 96, 32, 8, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddtinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 96, 32, 8, 8, 32, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddtinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),(3)->(3,4) */
-INLINED void product_ddtinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddtinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t t;
     ksl_SE3f_t Do;
@@ -1204,33 +1376,39 @@ INLINED void product_ddtinv_single_over(char **data, npy_intp n, const npy_intp 
   }
 }
 
-static void product_ddtinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddtinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 12, 48, 16, 4, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddtinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 48, 16, 4, 4, 16, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddtinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_ddtinv_loops[] = { product_ddtinv_double, product_ddtinv_single };
+static PyUFuncGenericFunction product_ddtinv_loops[] = {
+    product_ddtinv_double, product_ddtinv_single};
 
 /* (3,4),(3)->(3,4) */
-INLINED void product_dinvdt_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_dinvdt_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t t;
     ksl_SE3_t Do;
@@ -1243,31 +1421,36 @@ INLINED void product_dinvdt_double_over(char **data, npy_intp n, const npy_intp 
   }
 }
 
-static void product_dinvdt_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_dinvdt_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 24, 96, 32, 8, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_dinvdt_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_dinvdt_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 96, 32, 8, 8, 32, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_dinvdt_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_dinvdt_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_dinvdt_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),(3)->(3,4) */
-INLINED void product_dinvdt_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_dinvdt_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t t;
     ksl_SE3f_t Do;
@@ -1280,33 +1463,39 @@ INLINED void product_dinvdt_single_over(char **data, npy_intp n, const npy_intp 
   }
 }
 
-static void product_dinvdt_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_dinvdt_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 12, 48, 16, 4, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_dinvdt_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_dinvdt_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 48, 16, 4, 4, 16, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_dinvdt_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_dinvdt_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_dinvdt_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_dinvdt_loops[] = { product_dinvdt_double, product_dinvdt_single };
+static PyUFuncGenericFunction product_dinvdt_loops[] = {
+    product_dinvdt_double, product_dinvdt_single};
 
 /* (3,3),()->(3) */
-INLINED void product_drvtx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drvtx_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R;
   load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double k;
     ksl_vec3_t vo;
@@ -1319,31 +1508,36 @@ INLINED void product_drvtx_double_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_drvtx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drvtx_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvtx_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_drvtx_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvtx_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_drvtx_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvtx_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),()->(3) */
-INLINED void product_drvtx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drvtx_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R;
   load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float k;
     ksl_vec3f_t vo;
@@ -1356,33 +1550,39 @@ INLINED void product_drvtx_single_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_drvtx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drvtx_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvtx_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_drvtx_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvtx_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_drvtx_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvtx_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_drvtx_loops[] = { product_drvtx_double, product_drvtx_single };
+static PyUFuncGenericFunction product_drvtx_loops[] = {
+    product_drvtx_double, product_drvtx_single};
 
 /* (3,3),(2)->(3,3) */
-INLINED void product_drdrx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drdrx_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R;
   load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double dc[2];
     ksl_mat3x3_t Ro;
@@ -1395,31 +1595,36 @@ INLINED void product_drdrx_double_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_drdrx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drdrx_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 16, 72, 24, 8, 8, 24, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdrx_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_drdrx_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 16, 72, 24, 8, 8, 24, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdrx_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_drdrx_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdrx_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),(2)->(3,3) */
-INLINED void product_drdrx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drdrx_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R;
   load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float dc[2];
     ksl_mat3x3f_t Ro;
@@ -1432,33 +1637,39 @@ INLINED void product_drdrx_single_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_drdrx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drdrx_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 8, 36, 12, 4, 4, 12, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdrx_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_drdrx_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 36, 12, 4, 4, 12, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdrx_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_drdrx_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdrx_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_drdrx_loops[] = { product_drdrx_double, product_drdrx_single };
+static PyUFuncGenericFunction product_drdrx_loops[] = {
+    product_drdrx_double, product_drdrx_single};
 
 /* (3,4),(2)->(3,4) */
-INLINED void product_ddrx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddrx_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double dc[2];
     ksl_SE3_t Do;
@@ -1471,31 +1682,36 @@ INLINED void product_ddrx_double_over(char **data, npy_intp n, const npy_intp *s
   }
 }
 
-static void product_ddrx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddrx_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 16, 96, 32, 8, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddrx_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddrx_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 16, 96, 32, 8, 8, 32, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddrx_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddrx_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddrx_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),(2)->(3,4) */
-INLINED void product_ddrx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddrx_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float dc[2];
     ksl_SE3f_t Do;
@@ -1508,33 +1724,39 @@ INLINED void product_ddrx_single_over(char **data, npy_intp n, const npy_intp *s
   }
 }
 
-static void product_ddrx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddrx_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 8, 48, 16, 4, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddrx_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddrx_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 48, 16, 4, 4, 16, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddrx_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddrx_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddrx_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_ddrx_loops[] = { product_ddrx_double, product_ddrx_single };
+static PyUFuncGenericFunction product_ddrx_loops[] = {
+    product_ddrx_double, product_ddrx_single};
 
 /* (3,4),()->(3,4) */
-INLINED void product_ddtx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddtx_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double k;
     ksl_SE3_t Do;
@@ -1547,31 +1769,36 @@ INLINED void product_ddtx_double_over(char **data, npy_intp n, const npy_intp *s
   }
 }
 
-static void product_ddtx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddtx_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 8, 96, 32, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtx_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddtx_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 96, 32, 8, 32, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtx_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddtx_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtx_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),()->(3,4) */
-INLINED void product_ddtx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddtx_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float k;
     ksl_SE3f_t Do;
@@ -1584,33 +1811,39 @@ INLINED void product_ddtx_single_over(char **data, npy_intp n, const npy_intp *s
   }
 }
 
-static void product_ddtx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddtx_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 4, 48, 16, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtx_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddtx_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 4, 48, 16, 4, 16, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtx_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddtx_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtx_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_ddtx_loops[] = { product_ddtx_double, product_ddtx_single };
+static PyUFuncGenericFunction product_ddtx_loops[] = {
+    product_ddtx_double, product_ddtx_single};
 
 /* (3,3),()->(3) */
-INLINED void product_drvtxinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drvtxinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R;
   load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double k;
     ksl_vec3_t vo;
@@ -1623,31 +1856,36 @@ INLINED void product_drvtxinv_double_over(char **data, npy_intp n, const npy_int
   }
 }
 
-static void product_drvtxinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drvtxinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvtxinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_drvtxinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvtxinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_drvtxinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvtxinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),()->(3) */
-INLINED void product_drvtxinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drvtxinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R;
   load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float k;
     ksl_vec3f_t vo;
@@ -1660,33 +1898,39 @@ INLINED void product_drvtxinv_single_over(char **data, npy_intp n, const npy_int
   }
 }
 
-static void product_drvtxinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drvtxinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvtxinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_drvtxinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvtxinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_drvtxinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvtxinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_drvtxinv_loops[] = { product_drvtxinv_double, product_drvtxinv_single };
+static PyUFuncGenericFunction product_drvtxinv_loops[] = {
+    product_drvtxinv_double, product_drvtxinv_single};
 
 /* (3,3),(2)->(3,3) */
-INLINED void product_drdrxinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drdrxinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R;
   load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double dc[2];
     ksl_mat3x3_t Ro;
@@ -1699,31 +1943,36 @@ INLINED void product_drdrxinv_double_over(char **data, npy_intp n, const npy_int
   }
 }
 
-static void product_drdrxinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drdrxinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 16, 72, 24, 8, 8, 24, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdrxinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_drdrxinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 16, 72, 24, 8, 8, 24, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdrxinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_drdrxinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdrxinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),(2)->(3,3) */
-INLINED void product_drdrxinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drdrxinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R;
   load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float dc[2];
     ksl_mat3x3f_t Ro;
@@ -1736,33 +1985,39 @@ INLINED void product_drdrxinv_single_over(char **data, npy_intp n, const npy_int
   }
 }
 
-static void product_drdrxinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drdrxinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 8, 36, 12, 4, 4, 12, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdrxinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_drdrxinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 36, 12, 4, 4, 12, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdrxinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_drdrxinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdrxinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_drdrxinv_loops[] = { product_drdrxinv_double, product_drdrxinv_single };
+static PyUFuncGenericFunction product_drdrxinv_loops[] = {
+    product_drdrxinv_double, product_drdrxinv_single};
 
 /* (3,4),(2)->(3,4) */
-INLINED void product_ddrxinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddrxinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double dc[2];
     ksl_SE3_t Do;
@@ -1775,31 +2030,36 @@ INLINED void product_ddrxinv_double_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_ddrxinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddrxinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 16, 96, 32, 8, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddrxinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddrxinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 16, 96, 32, 8, 8, 32, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddrxinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddrxinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddrxinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),(2)->(3,4) */
-INLINED void product_ddrxinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddrxinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float dc[2];
     ksl_SE3f_t Do;
@@ -1812,33 +2072,39 @@ INLINED void product_ddrxinv_single_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_ddrxinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddrxinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 8, 48, 16, 4, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddrxinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddrxinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 48, 16, 4, 4, 16, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddrxinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddrxinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddrxinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_ddrxinv_loops[] = { product_ddrxinv_double, product_ddrxinv_single };
+static PyUFuncGenericFunction product_ddrxinv_loops[] = {
+    product_ddrxinv_double, product_ddrxinv_single};
 
 /* (3,4),()->(3,4) */
-INLINED void product_ddtxinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddtxinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double k;
     ksl_SE3_t Do;
@@ -1851,31 +2117,36 @@ INLINED void product_ddtxinv_double_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_ddtxinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddtxinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 8, 96, 32, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtxinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddtxinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 96, 32, 8, 32, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtxinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddtxinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtxinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),()->(3,4) */
-INLINED void product_ddtxinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddtxinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float k;
     ksl_SE3f_t Do;
@@ -1888,33 +2159,39 @@ INLINED void product_ddtxinv_single_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_ddtxinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddtxinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 4, 48, 16, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtxinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddtxinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 4, 48, 16, 4, 16, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtxinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddtxinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtxinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_ddtxinv_loops[] = { product_ddtxinv_double, product_ddtxinv_single };
+static PyUFuncGenericFunction product_ddtxinv_loops[] = {
+    product_ddtxinv_double, product_ddtxinv_single};
 
 /* (3,3),()->(3) */
-INLINED void product_drvty_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drvty_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R;
   load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double k;
     ksl_vec3_t vo;
@@ -1927,31 +2204,36 @@ INLINED void product_drvty_double_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_drvty_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drvty_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvty_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_drvty_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvty_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_drvty_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvty_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),()->(3) */
-INLINED void product_drvty_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drvty_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R;
   load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float k;
     ksl_vec3f_t vo;
@@ -1964,33 +2246,39 @@ INLINED void product_drvty_single_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_drvty_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drvty_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvty_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_drvty_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvty_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_drvty_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvty_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_drvty_loops[] = { product_drvty_double, product_drvty_single };
+static PyUFuncGenericFunction product_drvty_loops[] = {
+    product_drvty_double, product_drvty_single};
 
 /* (3,3),(2)->(3,3) */
-INLINED void product_drdry_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drdry_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R;
   load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double dc[2];
     ksl_mat3x3_t Ro;
@@ -2003,31 +2291,36 @@ INLINED void product_drdry_double_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_drdry_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drdry_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 16, 72, 24, 8, 8, 24, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdry_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_drdry_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 16, 72, 24, 8, 8, 24, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdry_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_drdry_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdry_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),(2)->(3,3) */
-INLINED void product_drdry_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drdry_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R;
   load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float dc[2];
     ksl_mat3x3f_t Ro;
@@ -2040,33 +2333,39 @@ INLINED void product_drdry_single_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_drdry_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drdry_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 8, 36, 12, 4, 4, 12, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdry_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_drdry_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 36, 12, 4, 4, 12, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdry_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_drdry_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdry_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_drdry_loops[] = { product_drdry_double, product_drdry_single };
+static PyUFuncGenericFunction product_drdry_loops[] = {
+    product_drdry_double, product_drdry_single};
 
 /* (3,4),(2)->(3,4) */
-INLINED void product_ddry_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddry_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double dc[2];
     ksl_SE3_t Do;
@@ -2079,31 +2378,36 @@ INLINED void product_ddry_double_over(char **data, npy_intp n, const npy_intp *s
   }
 }
 
-static void product_ddry_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddry_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 16, 96, 32, 8, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddry_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddry_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 16, 96, 32, 8, 8, 32, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddry_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddry_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddry_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),(2)->(3,4) */
-INLINED void product_ddry_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddry_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float dc[2];
     ksl_SE3f_t Do;
@@ -2116,33 +2420,39 @@ INLINED void product_ddry_single_over(char **data, npy_intp n, const npy_intp *s
   }
 }
 
-static void product_ddry_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddry_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 8, 48, 16, 4, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddry_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddry_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 48, 16, 4, 4, 16, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddry_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddry_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddry_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_ddry_loops[] = { product_ddry_double, product_ddry_single };
+static PyUFuncGenericFunction product_ddry_loops[] = {
+    product_ddry_double, product_ddry_single};
 
 /* (3,4),()->(3,4) */
-INLINED void product_ddty_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddty_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double k;
     ksl_SE3_t Do;
@@ -2155,31 +2465,36 @@ INLINED void product_ddty_double_over(char **data, npy_intp n, const npy_intp *s
   }
 }
 
-static void product_ddty_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddty_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 8, 96, 32, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddty_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddty_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 96, 32, 8, 32, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddty_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddty_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddty_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),()->(3,4) */
-INLINED void product_ddty_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddty_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float k;
     ksl_SE3f_t Do;
@@ -2192,33 +2507,39 @@ INLINED void product_ddty_single_over(char **data, npy_intp n, const npy_intp *s
   }
 }
 
-static void product_ddty_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddty_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 4, 48, 16, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddty_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddty_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 4, 48, 16, 4, 16, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddty_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddty_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddty_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_ddty_loops[] = { product_ddty_double, product_ddty_single };
+static PyUFuncGenericFunction product_ddty_loops[] = {
+    product_ddty_double, product_ddty_single};
 
 /* (3,3),()->(3) */
-INLINED void product_drvtyinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drvtyinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R;
   load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double k;
     ksl_vec3_t vo;
@@ -2231,31 +2552,36 @@ INLINED void product_drvtyinv_double_over(char **data, npy_intp n, const npy_int
   }
 }
 
-static void product_drvtyinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drvtyinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvtyinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_drvtyinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvtyinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_drvtyinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvtyinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),()->(3) */
-INLINED void product_drvtyinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drvtyinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R;
   load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float k;
     ksl_vec3f_t vo;
@@ -2268,33 +2594,39 @@ INLINED void product_drvtyinv_single_over(char **data, npy_intp n, const npy_int
   }
 }
 
-static void product_drvtyinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drvtyinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvtyinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_drvtyinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvtyinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_drvtyinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvtyinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_drvtyinv_loops[] = { product_drvtyinv_double, product_drvtyinv_single };
+static PyUFuncGenericFunction product_drvtyinv_loops[] = {
+    product_drvtyinv_double, product_drvtyinv_single};
 
 /* (3,3),(2)->(3,3) */
-INLINED void product_drdryinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drdryinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R;
   load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double dc[2];
     ksl_mat3x3_t Ro;
@@ -2307,31 +2639,36 @@ INLINED void product_drdryinv_double_over(char **data, npy_intp n, const npy_int
   }
 }
 
-static void product_drdryinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drdryinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 16, 72, 24, 8, 8, 24, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdryinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_drdryinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 16, 72, 24, 8, 8, 24, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdryinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_drdryinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdryinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),(2)->(3,3) */
-INLINED void product_drdryinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drdryinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R;
   load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float dc[2];
     ksl_mat3x3f_t Ro;
@@ -2344,33 +2681,39 @@ INLINED void product_drdryinv_single_over(char **data, npy_intp n, const npy_int
   }
 }
 
-static void product_drdryinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drdryinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 8, 36, 12, 4, 4, 12, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdryinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_drdryinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 36, 12, 4, 4, 12, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdryinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_drdryinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdryinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_drdryinv_loops[] = { product_drdryinv_double, product_drdryinv_single };
+static PyUFuncGenericFunction product_drdryinv_loops[] = {
+    product_drdryinv_double, product_drdryinv_single};
 
 /* (3,4),(2)->(3,4) */
-INLINED void product_ddryinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddryinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double dc[2];
     ksl_SE3_t Do;
@@ -2383,31 +2726,36 @@ INLINED void product_ddryinv_double_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_ddryinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddryinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 16, 96, 32, 8, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddryinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddryinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 16, 96, 32, 8, 8, 32, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddryinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddryinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddryinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),(2)->(3,4) */
-INLINED void product_ddryinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddryinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float dc[2];
     ksl_SE3f_t Do;
@@ -2420,33 +2768,39 @@ INLINED void product_ddryinv_single_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_ddryinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddryinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 8, 48, 16, 4, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddryinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddryinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 48, 16, 4, 4, 16, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddryinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddryinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddryinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_ddryinv_loops[] = { product_ddryinv_double, product_ddryinv_single };
+static PyUFuncGenericFunction product_ddryinv_loops[] = {
+    product_ddryinv_double, product_ddryinv_single};
 
 /* (3,4),()->(3,4) */
-INLINED void product_ddtyinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddtyinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double k;
     ksl_SE3_t Do;
@@ -2459,31 +2813,36 @@ INLINED void product_ddtyinv_double_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_ddtyinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddtyinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 8, 96, 32, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtyinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddtyinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 96, 32, 8, 32, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtyinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddtyinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtyinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),()->(3,4) */
-INLINED void product_ddtyinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddtyinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float k;
     ksl_SE3f_t Do;
@@ -2496,33 +2855,39 @@ INLINED void product_ddtyinv_single_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_ddtyinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddtyinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 4, 48, 16, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtyinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddtyinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 4, 48, 16, 4, 16, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtyinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddtyinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtyinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_ddtyinv_loops[] = { product_ddtyinv_double, product_ddtyinv_single };
+static PyUFuncGenericFunction product_ddtyinv_loops[] = {
+    product_ddtyinv_double, product_ddtyinv_single};
 
 /* (3,3),()->(3) */
-INLINED void product_drvtz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drvtz_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R;
   load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double k;
     ksl_vec3_t vo;
@@ -2535,31 +2900,36 @@ INLINED void product_drvtz_double_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_drvtz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drvtz_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvtz_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_drvtz_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvtz_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_drvtz_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvtz_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),()->(3) */
-INLINED void product_drvtz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drvtz_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R;
   load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float k;
     ksl_vec3f_t vo;
@@ -2572,33 +2942,39 @@ INLINED void product_drvtz_single_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_drvtz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drvtz_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvtz_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_drvtz_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvtz_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_drvtz_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvtz_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_drvtz_loops[] = { product_drvtz_double, product_drvtz_single };
+static PyUFuncGenericFunction product_drvtz_loops[] = {
+    product_drvtz_double, product_drvtz_single};
 
 /* (3,3),(2)->(3,3) */
-INLINED void product_drdrz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drdrz_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R;
   load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double dc[2];
     ksl_mat3x3_t Ro;
@@ -2611,31 +2987,36 @@ INLINED void product_drdrz_double_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_drdrz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drdrz_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 16, 72, 24, 8, 8, 24, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdrz_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_drdrz_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 16, 72, 24, 8, 8, 24, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdrz_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_drdrz_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdrz_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),(2)->(3,3) */
-INLINED void product_drdrz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drdrz_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R;
   load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float dc[2];
     ksl_mat3x3f_t Ro;
@@ -2648,33 +3029,39 @@ INLINED void product_drdrz_single_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_drdrz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drdrz_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 8, 36, 12, 4, 4, 12, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdrz_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_drdrz_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 36, 12, 4, 4, 12, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdrz_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_drdrz_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdrz_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_drdrz_loops[] = { product_drdrz_double, product_drdrz_single };
+static PyUFuncGenericFunction product_drdrz_loops[] = {
+    product_drdrz_double, product_drdrz_single};
 
 /* (3,4),(2)->(3,4) */
-INLINED void product_ddrz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddrz_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double dc[2];
     ksl_SE3_t Do;
@@ -2687,31 +3074,36 @@ INLINED void product_ddrz_double_over(char **data, npy_intp n, const npy_intp *s
   }
 }
 
-static void product_ddrz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddrz_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 16, 96, 32, 8, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddrz_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddrz_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 16, 96, 32, 8, 8, 32, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddrz_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddrz_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddrz_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),(2)->(3,4) */
-INLINED void product_ddrz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddrz_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float dc[2];
     ksl_SE3f_t Do;
@@ -2724,33 +3116,39 @@ INLINED void product_ddrz_single_over(char **data, npy_intp n, const npy_intp *s
   }
 }
 
-static void product_ddrz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddrz_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 8, 48, 16, 4, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddrz_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddrz_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 48, 16, 4, 4, 16, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddrz_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddrz_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddrz_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_ddrz_loops[] = { product_ddrz_double, product_ddrz_single };
+static PyUFuncGenericFunction product_ddrz_loops[] = {
+    product_ddrz_double, product_ddrz_single};
 
 /* (3,4),()->(3,4) */
-INLINED void product_ddtz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddtz_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double k;
     ksl_SE3_t Do;
@@ -2763,31 +3161,36 @@ INLINED void product_ddtz_double_over(char **data, npy_intp n, const npy_intp *s
   }
 }
 
-static void product_ddtz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddtz_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 8, 96, 32, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtz_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddtz_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 96, 32, 8, 32, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtz_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddtz_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtz_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),()->(3,4) */
-INLINED void product_ddtz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddtz_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float k;
     ksl_SE3f_t Do;
@@ -2800,33 +3203,39 @@ INLINED void product_ddtz_single_over(char **data, npy_intp n, const npy_intp *s
   }
 }
 
-static void product_ddtz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddtz_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 4, 48, 16, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtz_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddtz_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 4, 48, 16, 4, 16, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtz_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddtz_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtz_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_ddtz_loops[] = { product_ddtz_double, product_ddtz_single };
+static PyUFuncGenericFunction product_ddtz_loops[] = {
+    product_ddtz_double, product_ddtz_single};
 
 /* (3,3),()->(3) */
-INLINED void product_drvtzinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drvtzinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R;
   load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double k;
     ksl_vec3_t vo;
@@ -2839,31 +3248,36 @@ INLINED void product_drvtzinv_double_over(char **data, npy_intp n, const npy_int
   }
 }
 
-static void product_drvtzinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drvtzinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvtzinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_drvtzinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvtzinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_drvtzinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvtzinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),()->(3) */
-INLINED void product_drvtzinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drvtzinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R;
   load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float k;
     ksl_vec3f_t vo;
@@ -2876,33 +3290,39 @@ INLINED void product_drvtzinv_single_over(char **data, npy_intp n, const npy_int
   }
 }
 
-static void product_drvtzinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drvtzinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvtzinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_drvtzinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvtzinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_drvtzinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drvtzinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_drvtzinv_loops[] = { product_drvtzinv_double, product_drvtzinv_single };
+static PyUFuncGenericFunction product_drvtzinv_loops[] = {
+    product_drvtzinv_double, product_drvtzinv_single};
 
 /* (3,3),(2)->(3,3) */
-INLINED void product_drdrzinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drdrzinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R;
   load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double dc[2];
     ksl_mat3x3_t Ro;
@@ -2915,31 +3335,36 @@ INLINED void product_drdrzinv_double_over(char **data, npy_intp n, const npy_int
   }
 }
 
-static void product_drdrzinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drdrzinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 16, 72, 24, 8, 8, 24, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdrzinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_drdrzinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 16, 72, 24, 8, 8, 24, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdrzinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_drdrzinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdrzinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),(2)->(3,3) */
-INLINED void product_drdrzinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_drdrzinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R;
   load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float dc[2];
     ksl_mat3x3f_t Ro;
@@ -2952,33 +3377,39 @@ INLINED void product_drdrzinv_single_over(char **data, npy_intp n, const npy_int
   }
 }
 
-static void product_drdrzinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_drdrzinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 8, 36, 12, 4, 4, 12, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdrzinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_drdrzinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 36, 12, 4, 4, 12, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdrzinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_drdrzinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_drdrzinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_drdrzinv_loops[] = { product_drdrzinv_double, product_drdrzinv_single };
+static PyUFuncGenericFunction product_drdrzinv_loops[] = {
+    product_drdrzinv_double, product_drdrzinv_single};
 
 /* (3,4),(2)->(3,4) */
-INLINED void product_ddrzinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddrzinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double dc[2];
     ksl_SE3_t Do;
@@ -2991,31 +3422,36 @@ INLINED void product_ddrzinv_double_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_ddrzinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddrzinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 16, 96, 32, 8, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddrzinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddrzinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 16, 96, 32, 8, 8, 32, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddrzinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddrzinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddrzinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),(2)->(3,4) */
-INLINED void product_ddrzinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddrzinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float dc[2];
     ksl_SE3f_t Do;
@@ -3028,33 +3464,39 @@ INLINED void product_ddrzinv_single_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_ddrzinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddrzinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 8, 48, 16, 4, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddrzinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddrzinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 48, 16, 4, 4, 16, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddrzinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddrzinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddrzinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_ddrzinv_loops[] = { product_ddrzinv_double, product_ddrzinv_single };
+static PyUFuncGenericFunction product_ddrzinv_loops[] = {
+    product_ddrzinv_double, product_ddrzinv_single};
 
 /* (3,4),()->(3,4) */
-INLINED void product_ddtzinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddtzinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double k;
     ksl_SE3_t Do;
@@ -3067,31 +3509,36 @@ INLINED void product_ddtzinv_double_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_ddtzinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddtzinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 8, 96, 32, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtzinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddtzinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 96, 32, 8, 32, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtzinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddtzinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtzinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),()->(3,4) */
-INLINED void product_ddtzinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ddtzinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float k;
     ksl_SE3f_t Do;
@@ -3104,269 +3551,310 @@ INLINED void product_ddtzinv_single_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_ddtzinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ddtzinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 4, 48, 16, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtzinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_ddtzinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 4, 48, 16, 4, 16, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtzinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_ddtzinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ddtzinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_ddtzinv_loops[] = { product_ddtzinv_double, product_ddtzinv_single };
+static PyUFuncGenericFunction product_ddtzinv_loops[] = {
+    product_ddtzinv_double, product_ddtzinv_single};
 
 const coscrew_gufunc TABLE(matrix)[] = {
   {"product_drv", "(3,3),(3)->(3)",
     "vo = R v.\n"
     "\n"
     "(3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.\n"
-    "9 mul, 6 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "9 mul, 6 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    2, 1, product_drv_loops},
   {"product_drvinv", "(3,3),(3)->(3)",
     "vo = R (-v).\n"
     "\n"
     "(3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.\n"
-    "9 mul, 6 add, 3 neg.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "9 mul, 6 add, 3 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    2, 1, product_drvinv_loops},
   {"product_drinvv", "(3,3),(3)->(3)",
     "vo = R^T v.\n"
     "\n"
     "(3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.\n"
-    "9 mul, 6 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "9 mul, 6 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    2, 1, product_drinvv_loops},
   {"product_drinvvinv", "(3,3),(3)->(3)",
     "vo = R^T (-v).\n"
     "\n"
     "(3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.\n"
-    "9 mul, 6 add, 3 neg.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "9 mul, 6 add, 3 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    2, 1, product_drinvvinv_loops},
   {"product_dv", "(3,4),(3)->(3)",
     "vo = R v + t.\n"
     "\n"
     "(3,4),(3)->(3).  D: displacement [R | t], R rotation, t in m; v, vo: vector.\n"
-    "9 mul, 9 add.  Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "9 mul, 9 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    2, 1, product_dv_loops},
   {"product_dinvv", "(3,4),(3)->(3)",
     "vo = R^T (v - t).\n"
     "\n"
     "(3,4),(3)->(3).  D: displacement [R | t], R rotation, t in m; v, vo: vector.\n"
-    "9 mul, 9 add.  Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "9 mul, 9 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    2, 1, product_dinvv_loops},
   {"product_drdr", "(3,3),(3,3)->(3,3)",
     "Ro = R1 R2.\n"
     "\n"
     "(3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.\n"
-    "27 mul, 18 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    2, 1, product_drdr_loops},
   {"product_drdrinv", "(3,3),(3,3)->(3,3)",
     "Ro = R1 R2^T.\n"
     "\n"
     "(3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.\n"
-    "27 mul, 18 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    2, 1, product_drdrinv_loops},
   {"product_drinvdr", "(3,3),(3,3)->(3,3)",
     "Ro = R1^T R2.\n"
     "\n"
     "(3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.\n"
-    "27 mul, 18 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    2, 1, product_drinvdr_loops},
   {"product_dd", "(3,4),(3,4)->(3,4)",
     "Do = D1 D2 = [R1 R2 | R1 t2 + t1].\n"
     "\n"
     "(3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.\n"
-    "36 mul, 27 add.  Error <= u |x| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "36 mul, 27 add.  Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_dd_loops},
   {"product_ddinv", "(3,4),(3,4)->(3,4)",
     "Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T.\n"
     "\n"
     "(3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.\n"
-    "36 mul, 27 add.  Error <= u |x| + (R: 2, t: 6) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "36 mul, 27 add.  Error <= u |result| + (R: 2, t: 6) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_ddinv_loops},
   {"product_dinvd", "(3,4),(3,4)->(3,4)",
     "Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)].\n"
     "\n"
     "(3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.\n"
-    "36 mul, 27 add.  Error <= u |x| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "36 mul, 27 add.  Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_dinvd_loops},
   {"product_ddr", "(3,4),(3,3)->(3,4)",
     "Do = D [R | 0].\n"
     "\n"
-    "(3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.\n"
-    "27 mul, 18 add.  Error <= u |x| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "(3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other\n"
+    "3×3 matrix.\n"
+    "27 mul, 18 add.  Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_ddr_loops},
   {"product_ddrinv", "(3,4),(3,3)->(3,4)",
     "Do = D [R^T | 0].\n"
     "\n"
-    "(3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.\n"
-    "27 mul, 18 add.  Error <= u |x| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "(3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other\n"
+    "3×3 matrix.\n"
+    "27 mul, 18 add.  Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_ddrinv_loops},
   {"product_ddt", "(3,4),(3)->(3,4)",
     "Do = D [I | t].\n"
     "\n"
     "(3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.\n"
-    "9 mul, 9 add.  Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_ddt_loops},
   {"product_ddtinv", "(3,4),(3)->(3,4)",
     "Do = D [I | -t].\n"
     "\n"
     "(3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.\n"
-    "9 mul, 9 add.  Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_ddtinv_loops},
   {"product_dinvdt", "(3,4),(3)->(3,4)",
     "Do = D^-1 [I | t] = [R^T | R^T (t - t_D)].\n"
     "\n"
     "(3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.\n"
-    "9 mul, 9 add.  Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_dinvdt_loops},
   {"product_drvtx", "(3,3),()->(3)",
     "vo = R (k e_x).\n"
     "\n"
     "(3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.\n"
-    "3 mul.  Error <= u |x|, barring underflow.\n",
+    "3 mul.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, product_drvtx_loops},
   {"product_drdrx", "(3,3),(2)->(3,3)",
     "Ro = R R_x(θ), dc = (sin θ, cos θ).\n"
     "\n"
     "(3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).\n"
-    "12 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    2, 1, product_drdrx_loops},
   {"product_ddrx", "(3,4),(2)->(3,4)",
     "Do = D [R_x(θ) | 0], dc = (sin θ, cos θ).\n"
     "\n"
     "(3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).\n"
-    "12 mul, 6 add.  Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_ddrx_loops},
   {"product_ddtx", "(3,4),()->(3,4)",
     "Do = D [I | k e_x].\n"
     "\n"
     "(3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.\n"
-    "3 mul, 3 add.  Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_ddtx_loops},
   {"product_drvtxinv", "(3,3),()->(3)",
     "vo = R (-k e_x).\n"
     "\n"
     "(3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.\n"
-    "3 mul, 3 neg.  Error <= u |x|, barring underflow.\n",
+    "3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, product_drvtxinv_loops},
   {"product_drdrxinv", "(3,3),(2)->(3,3)",
     "Ro = R R_x(-θ), dc = (sin θ, cos θ).\n"
     "\n"
     "(3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).\n"
-    "12 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    2, 1, product_drdrxinv_loops},
   {"product_ddrxinv", "(3,4),(2)->(3,4)",
     "Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ).\n"
     "\n"
     "(3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).\n"
-    "12 mul, 6 add.  Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_ddrxinv_loops},
   {"product_ddtxinv", "(3,4),()->(3,4)",
     "Do = D [I | -k e_x].\n"
     "\n"
     "(3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.\n"
-    "3 mul, 3 add.  Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_ddtxinv_loops},
   {"product_drvty", "(3,3),()->(3)",
     "vo = R (k e_y).\n"
     "\n"
     "(3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.\n"
-    "3 mul.  Error <= u |x|, barring underflow.\n",
+    "3 mul.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, product_drvty_loops},
   {"product_drdry", "(3,3),(2)->(3,3)",
     "Ro = R R_y(θ), dc = (sin θ, cos θ).\n"
     "\n"
     "(3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).\n"
-    "12 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    2, 1, product_drdry_loops},
   {"product_ddry", "(3,4),(2)->(3,4)",
     "Do = D [R_y(θ) | 0], dc = (sin θ, cos θ).\n"
     "\n"
     "(3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).\n"
-    "12 mul, 6 add.  Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_ddry_loops},
   {"product_ddty", "(3,4),()->(3,4)",
     "Do = D [I | k e_y].\n"
     "\n"
     "(3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.\n"
-    "3 mul, 3 add.  Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_ddty_loops},
   {"product_drvtyinv", "(3,3),()->(3)",
     "vo = R (-k e_y).\n"
     "\n"
     "(3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.\n"
-    "3 mul, 3 neg.  Error <= u |x|, barring underflow.\n",
+    "3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, product_drvtyinv_loops},
   {"product_drdryinv", "(3,3),(2)->(3,3)",
     "Ro = R R_y(-θ), dc = (sin θ, cos θ).\n"
     "\n"
     "(3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).\n"
-    "12 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    2, 1, product_drdryinv_loops},
   {"product_ddryinv", "(3,4),(2)->(3,4)",
     "Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ).\n"
     "\n"
     "(3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).\n"
-    "12 mul, 6 add.  Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_ddryinv_loops},
   {"product_ddtyinv", "(3,4),()->(3,4)",
     "Do = D [I | -k e_y].\n"
     "\n"
     "(3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.\n"
-    "3 mul, 3 add.  Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_ddtyinv_loops},
   {"product_drvtz", "(3,3),()->(3)",
     "vo = R (k e_z).\n"
     "\n"
     "(3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.\n"
-    "3 mul.  Error <= u |x|, barring underflow.\n",
+    "3 mul.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, product_drvtz_loops},
   {"product_drdrz", "(3,3),(2)->(3,3)",
     "Ro = R R_z(θ), dc = (sin θ, cos θ).\n"
     "\n"
     "(3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).\n"
-    "12 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    2, 1, product_drdrz_loops},
   {"product_ddrz", "(3,4),(2)->(3,4)",
     "Do = D [R_z(θ) | 0], dc = (sin θ, cos θ).\n"
     "\n"
     "(3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).\n"
-    "12 mul, 6 add.  Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_ddrz_loops},
   {"product_ddtz", "(3,4),()->(3,4)",
     "Do = D [I | k e_z].\n"
     "\n"
     "(3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.\n"
-    "3 mul, 3 add.  Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_ddtz_loops},
   {"product_drvtzinv", "(3,3),()->(3)",
     "vo = R (-k e_z).\n"
     "\n"
     "(3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.\n"
-    "3 mul, 3 neg.  Error <= u |x|, barring underflow.\n",
+    "3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, product_drvtzinv_loops},
   {"product_drdrzinv", "(3,3),(2)->(3,3)",
     "Ro = R R_z(-θ), dc = (sin θ, cos θ).\n"
     "\n"
     "(3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).\n"
-    "12 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    2, 1, product_drdrzinv_loops},
   {"product_ddrzinv", "(3,4),(2)->(3,4)",
     "Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ).\n"
     "\n"
     "(3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).\n"
-    "12 mul, 6 add.  Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_ddrzinv_loops},
   {"product_ddtzinv", "(3,4),()->(3,4)",
     "Do = D [I | -k e_z].\n"
     "\n"
     "(3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.\n"
-    "3 mul, 3 add.  Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_ddtzinv_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

@@ -2,17 +2,17 @@
 /* The extension module coscrew._gufunc: registers every gufunc. */
 #include "_gufunc.h"
 
-static const coscrew_gufunc *const baseline[] = {
-  coscrew_vec3_gufuncs, coscrew_mat3x3_gufuncs, coscrew_SE3_gufuncs, coscrew_mat6x6_gufuncs, coscrew_matrix_gufuncs, coscrew_trig_gufuncs, coscrew_screw_gufuncs, coscrew_coscrew_gufuncs, 
-};
+static const coscrew_gufunc *const baseline[] = {coscrew_vec3_gufuncs, coscrew_mat3x3_gufuncs,
+    coscrew_SE3_gufuncs, coscrew_mat6x6_gufuncs, coscrew_matrix_gufuncs, coscrew_trig_gufuncs,
+    coscrew_screw_gufuncs, coscrew_coscrew_gufuncs};
 
 #if COSCREW_HAS_AVX2
-static const coscrew_gufunc *const avx2[] = {
-  coscrew_vec3_gufuncs_avx2, coscrew_mat3x3_gufuncs_avx2, coscrew_SE3_gufuncs_avx2, coscrew_mat6x6_gufuncs_avx2, coscrew_matrix_gufuncs_avx2, coscrew_trig_gufuncs_avx2, coscrew_screw_gufuncs_avx2, coscrew_coscrew_gufuncs_avx2, 
-};
+static const coscrew_gufunc *const avx2[] = {coscrew_vec3_gufuncs_avx2, coscrew_mat3x3_gufuncs_avx2,
+    coscrew_SE3_gufuncs_avx2, coscrew_mat6x6_gufuncs_avx2, coscrew_matrix_gufuncs_avx2,
+    coscrew_trig_gufuncs_avx2, coscrew_screw_gufuncs_avx2, coscrew_coscrew_gufuncs_avx2};
 #endif
 
-/* The loops that suit this processor best; COSCREW_BASELINE in the environment asks for the others. */
+/* The loops that suit this processor best; COSCREW_BASELINE in the environment asks for others. */
 static const coscrew_gufunc *const *best_families(void) {
 #if COSCREW_HAS_AVX2
   __builtin_cpu_init();
@@ -41,9 +41,10 @@ static void fill_types(void) {
 static int add_gufuncs(PyObject *module, const coscrew_gufunc *g) {
   for (; g->name != NULL; g++) {
     PyObject *ufunc = PyUFunc_FromFuncAndDataAndSignature(
-        g->loops, no_data, types[g->inputs + g->outputs], LOOPS, g->inputs, g->outputs, PyUFunc_None,
-        g->name, g->doc, 0, g->signature);
-    if (ufunc == NULL || coscrew_add_promoter(ufunc) < 0 || PyModule_AddObject(module, g->name, ufunc) < 0) {
+        g->loops, no_data, types[g->inputs + g->outputs], LOOPS, g->inputs, g->outputs,
+        PyUFunc_None, g->name, g->doc, 0, g->signature);
+    if (ufunc == NULL || coscrew_add_promoter(ufunc) < 0
+        || PyModule_AddObject(module, g->name, ufunc) < 0) {
       Py_XDECREF(ufunc);
       return -1;
     }
@@ -70,7 +71,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "878ea2d1c64d8359") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "8dbce7bdfbdcb5df") < 0) {
     Py_DECREF(module);
     return NULL;
   }

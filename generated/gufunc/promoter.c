@@ -4,7 +4,7 @@
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 
-/* float32 stays float32, also beside Python's int and float; every other mixture becomes float64. */
+/* float32 stays float32, also beside Python's int and float; other mixtures become float64. */
 static int promote(PyObject *ufunc, PyArray_DTypeMeta *const given[],
     PyArray_DTypeMeta *const signature[], PyArray_DTypeMeta *chosen[]) {
   const int inputs = ((PyUFuncObject *)ufunc)->nin, arguments = ((PyUFuncObject *)ufunc)->nargs;

@@ -1,19 +1,21 @@
 /* Made by `coscrew generate`; changes are overwritten. */
-/* Gufunc loops of the screw operations.  NumPy copies overlapping operands before it calls a
-   loop, so the pointers are restrict. */
+/* Gufunc loops of the screw operations.  NumPy copies operands that overlap, unless an output
+   is an input element by element; so no element depends on another. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 
 /* (6)->(6) */
-INLINED void screw_copy_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void screw_copy_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_screw_t si;
   load_screw_double(&si, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t so;
     if (step[0] != 0) {
@@ -24,30 +26,35 @@ INLINED void screw_copy_double_over(char **data, npy_intp n, const npy_intp *ste
   }
 }
 
-static void screw_copy_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void screw_copy_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 48, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_copy_double_over(data, n[0], dense_1, dense_1 + 2);
+    screw_copy_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_copy_double_over(data, n[0], dense_2, dense_2 + 2);
+    screw_copy_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_copy_double_over(data, n[0], step, step + 2);
 }
 
 /* (6)->(6) */
-INLINED void screw_copy_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void screw_copy_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_screwf_t si;
   load_screw_single(&si, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t so;
     if (step[0] != 0) {
@@ -58,28 +65,34 @@ INLINED void screw_copy_single_over(char **data, npy_intp n, const npy_intp *ste
   }
 }
 
-static void screw_copy_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void screw_copy_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_copy_single_over(data, n[0], dense_1, dense_1 + 2);
+    screw_copy_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_copy_single_over(data, n[0], dense_2, dense_2 + 2);
+    screw_copy_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_copy_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction screw_copy_loops[] = { screw_copy_double, screw_copy_single };
+static PyUFuncGenericFunction screw_copy_loops[] = {
+    screw_copy_double, screw_copy_single};
 
 /* (6),()->(6) */
-INLINED void screw_scale_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void screw_scale_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t self;
     double a;
@@ -90,21 +103,25 @@ INLINED void screw_scale_double_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void screw_scale_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void screw_scale_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 8, 48, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_scale_double_over(data, n[0], dense_1, dense_1 + 3);
+    screw_scale_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   screw_scale_double_over(data, n[0], step, step + 3);
 }
 
 /* (6),()->(6) */
-INLINED void screw_scale_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void screw_scale_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t self;
     float a;
@@ -115,27 +132,32 @@ INLINED void screw_scale_single_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void screw_scale_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void screw_scale_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 4, 24, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_scale_single_over(data, n[0], dense_1, dense_1 + 3);
+    screw_scale_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   screw_scale_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction screw_scale_loops[] = { screw_scale_double, screw_scale_single };
+static PyUFuncGenericFunction screw_scale_loops[] = {
+    screw_scale_double, screw_scale_single};
 
 /* (6)->(6) */
-INLINED void screw_inverted_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void screw_inverted_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_screw_t si;
   load_screw_double(&si, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t so;
     if (step[0] != 0) {
@@ -146,30 +168,35 @@ INLINED void screw_inverted_double_over(char **data, npy_intp n, const npy_intp 
   }
 }
 
-static void screw_inverted_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void screw_inverted_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 48, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_inverted_double_over(data, n[0], dense_1, dense_1 + 2);
+    screw_inverted_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_inverted_double_over(data, n[0], dense_2, dense_2 + 2);
+    screw_inverted_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_inverted_double_over(data, n[0], step, step + 2);
 }
 
 /* (6)->(6) */
-INLINED void screw_inverted_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void screw_inverted_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_screwf_t si;
   load_screw_single(&si, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t so;
     if (step[0] != 0) {
@@ -180,27 +207,33 @@ INLINED void screw_inverted_single_over(char **data, npy_intp n, const npy_intp 
   }
 }
 
-static void screw_inverted_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void screw_inverted_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_inverted_single_over(data, n[0], dense_1, dense_1 + 2);
+    screw_inverted_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_inverted_single_over(data, n[0], dense_2, dense_2 + 2);
+    screw_inverted_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_inverted_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction screw_inverted_loops[] = { screw_inverted_double, screw_inverted_single };
+static PyUFuncGenericFunction screw_inverted_loops[] = {
+    screw_inverted_double, screw_inverted_single};
 
 /* (6)->(6) */
-INLINED void screw_invert_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void screw_invert_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t self;
     load_screw_double(&self, p0 + i * step[0], core + 0);
@@ -209,20 +242,24 @@ INLINED void screw_invert_double_over(char **data, npy_intp n, const npy_intp *s
   }
 }
 
-static void screw_invert_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void screw_invert_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 48, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_invert_double_over(data, n[0], dense_1, dense_1 + 2);
+    screw_invert_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   screw_invert_double_over(data, n[0], step, step + 2);
 }
 
 /* (6)->(6) */
-INLINED void screw_invert_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void screw_invert_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t self;
     load_screw_single(&self, p0 + i * step[0], core + 0);
@@ -231,29 +268,34 @@ INLINED void screw_invert_single_over(char **data, npy_intp n, const npy_intp *s
   }
 }
 
-static void screw_invert_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void screw_invert_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_invert_single_over(data, n[0], dense_1, dense_1 + 2);
+    screw_invert_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   screw_invert_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction screw_invert_loops[] = { screw_invert_double, screw_invert_single };
+static PyUFuncGenericFunction screw_invert_loops[] = {
+    screw_invert_double, screw_invert_single};
 
 /* (),(6),(6)->(6) */
-INLINED void axpy_ss_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
-  char *const restrict p3 = data[3];
+INLINED void axpy_ss_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
   if (n <= 0) {
     return;
   }
   double a;
   load_scalar_double(&a, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t x;
     ksl_screw_t y;
@@ -267,32 +309,37 @@ INLINED void axpy_ss_double_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void axpy_ss_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void axpy_ss_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 8, 48, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axpy_ss_double_over(data, n[0], dense_1, dense_1 + 4);
+    axpy_ss_double_over(
+        data, n[0], dense_1, dense_1 + 4);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axpy_ss_double_over(data, n[0], dense_2, dense_2 + 4);
+    axpy_ss_double_over(
+        data, n[0], dense_2, dense_2 + 4);
     return;
   }
   axpy_ss_double_over(data, n[0], step, step + 4);
 }
 
 /* (),(6),(6)->(6) */
-INLINED void axpy_ss_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
-  char *const restrict p3 = data[3];
+INLINED void axpy_ss_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
   if (n <= 0) {
     return;
   }
   float a;
   load_scalar_single(&a, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t x;
     ksl_screwf_t y;
@@ -306,33 +353,39 @@ INLINED void axpy_ss_single_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void axpy_ss_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void axpy_ss_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 4, 24, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axpy_ss_single_over(data, n[0], dense_1, dense_1 + 4);
+    axpy_ss_single_over(
+        data, n[0], dense_1, dense_1 + 4);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axpy_ss_single_over(data, n[0], dense_2, dense_2 + 4);
+    axpy_ss_single_over(
+        data, n[0], dense_2, dense_2 + 4);
     return;
   }
   axpy_ss_single_over(data, n[0], step, step + 4);
 }
 
-static PyUFuncGenericFunction axpy_ss_loops[] = { axpy_ss_double, axpy_ss_single };
+static PyUFuncGenericFunction axpy_ss_loops[] = {
+    axpy_ss_double, axpy_ss_single};
 
 /* (6),(6)->(6) */
-INLINED void xpy_ss_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void xpy_ss_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_screw_t x;
   load_screw_double(&x, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t y;
     if (step[0] != 0) {
@@ -344,31 +397,36 @@ INLINED void xpy_ss_double_over(char **data, npy_intp n, const npy_intp *step, c
   }
 }
 
-static void xpy_ss_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void xpy_ss_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    xpy_ss_double_over(data, n[0], dense_1, dense_1 + 3);
+    xpy_ss_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    xpy_ss_double_over(data, n[0], dense_2, dense_2 + 3);
+    xpy_ss_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   xpy_ss_double_over(data, n[0], step, step + 3);
 }
 
 /* (6),(6)->(6) */
-INLINED void xpy_ss_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void xpy_ss_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_screwf_t x;
   load_screw_single(&x, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t y;
     if (step[0] != 0) {
@@ -380,33 +438,39 @@ INLINED void xpy_ss_single_over(char **data, npy_intp n, const npy_intp *step, c
   }
 }
 
-static void xpy_ss_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void xpy_ss_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    xpy_ss_single_over(data, n[0], dense_1, dense_1 + 3);
+    xpy_ss_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    xpy_ss_single_over(data, n[0], dense_2, dense_2 + 3);
+    xpy_ss_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   xpy_ss_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction xpy_ss_loops[] = { xpy_ss_double, xpy_ss_single };
+static PyUFuncGenericFunction xpy_ss_loops[] = {
+    xpy_ss_double, xpy_ss_single};
 
 /* (6),(6)->(6) */
-INLINED void nxpy_ss_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void nxpy_ss_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_screw_t x;
   load_screw_double(&x, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t y;
     if (step[0] != 0) {
@@ -418,31 +482,36 @@ INLINED void nxpy_ss_double_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void nxpy_ss_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void nxpy_ss_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    nxpy_ss_double_over(data, n[0], dense_1, dense_1 + 3);
+    nxpy_ss_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    nxpy_ss_double_over(data, n[0], dense_2, dense_2 + 3);
+    nxpy_ss_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   nxpy_ss_double_over(data, n[0], step, step + 3);
 }
 
 /* (6),(6)->(6) */
-INLINED void nxpy_ss_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void nxpy_ss_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_screwf_t x;
   load_screw_single(&x, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t y;
     if (step[0] != 0) {
@@ -454,33 +523,39 @@ INLINED void nxpy_ss_single_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void nxpy_ss_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void nxpy_ss_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    nxpy_ss_single_over(data, n[0], dense_1, dense_1 + 3);
+    nxpy_ss_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    nxpy_ss_single_over(data, n[0], dense_2, dense_2 + 3);
+    nxpy_ss_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   nxpy_ss_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction nxpy_ss_loops[] = { nxpy_ss_double, nxpy_ss_single };
+static PyUFuncGenericFunction nxpy_ss_loops[] = {
+    nxpy_ss_double, nxpy_ss_single};
 
 /* (),(6)->(6) */
-INLINED void product_as_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_as_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   double a;
   load_scalar_double(&a, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t si;
     ksl_screw_t so;
@@ -493,31 +568,36 @@ INLINED void product_as_double_over(char **data, npy_intp n, const npy_intp *ste
   }
 }
 
-static void product_as_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_as_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 8, 48, 48, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_as_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_as_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 48, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_as_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_as_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_as_double_over(data, n[0], step, step + 3);
 }
 
 /* (),(6)->(6) */
-INLINED void product_as_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_as_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   float a;
   load_scalar_single(&a, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t si;
     ksl_screwf_t so;
@@ -530,33 +610,39 @@ INLINED void product_as_single_over(char **data, npy_intp n, const npy_intp *ste
   }
 }
 
-static void product_as_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_as_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 4, 24, 24, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_as_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_as_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_as_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_as_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_as_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_as_loops[] = { product_as_double, product_as_single };
+static PyUFuncGenericFunction product_as_loops[] = {
+    product_as_double, product_as_single};
 
 /* (6),(6)->(6) */
-INLINED void add_ss_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void add_ss_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_screw_t s1;
   load_screw_double(&s1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t s2;
     ksl_screw_t so;
@@ -569,31 +655,36 @@ INLINED void add_ss_double_over(char **data, npy_intp n, const npy_intp *step, c
   }
 }
 
-static void add_ss_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void add_ss_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_ss_double_over(data, n[0], dense_1, dense_1 + 3);
+    add_ss_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_ss_double_over(data, n[0], dense_2, dense_2 + 3);
+    add_ss_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_ss_double_over(data, n[0], step, step + 3);
 }
 
 /* (6),(6)->(6) */
-INLINED void add_ss_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void add_ss_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_screwf_t s1;
   load_screw_single(&s1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t s2;
     ksl_screwf_t so;
@@ -606,33 +697,39 @@ INLINED void add_ss_single_over(char **data, npy_intp n, const npy_intp *step, c
   }
 }
 
-static void add_ss_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void add_ss_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_ss_single_over(data, n[0], dense_1, dense_1 + 3);
+    add_ss_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_ss_single_over(data, n[0], dense_2, dense_2 + 3);
+    add_ss_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_ss_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction add_ss_loops[] = { add_ss_double, add_ss_single };
+static PyUFuncGenericFunction add_ss_loops[] = {
+    add_ss_double, add_ss_single};
 
 /* (6),(6)->(6) */
-INLINED void subtract_ss_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void subtract_ss_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_screw_t s1;
   load_screw_double(&s1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t s2;
     ksl_screw_t so;
@@ -645,31 +742,36 @@ INLINED void subtract_ss_double_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void subtract_ss_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void subtract_ss_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_ss_double_over(data, n[0], dense_1, dense_1 + 3);
+    subtract_ss_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_ss_double_over(data, n[0], dense_2, dense_2 + 3);
+    subtract_ss_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   subtract_ss_double_over(data, n[0], step, step + 3);
 }
 
 /* (6),(6)->(6) */
-INLINED void subtract_ss_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void subtract_ss_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_screwf_t s1;
   load_screw_single(&s1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t s2;
     ksl_screwf_t so;
@@ -682,32 +784,38 @@ INLINED void subtract_ss_single_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void subtract_ss_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void subtract_ss_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_ss_single_over(data, n[0], dense_1, dense_1 + 3);
+    subtract_ss_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_ss_single_over(data, n[0], dense_2, dense_2 + 3);
+    subtract_ss_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   subtract_ss_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction subtract_ss_loops[] = { subtract_ss_double, subtract_ss_single };
+static PyUFuncGenericFunction subtract_ss_loops[] = {
+    subtract_ss_double, subtract_ss_single};
 
 /* (6)->() */
-INLINED void screw_norm_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void screw_norm_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_screw_t si;
   load_screw_double(&si, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double norm;
     if (step[0] != 0) {
@@ -718,30 +826,35 @@ INLINED void screw_norm_double_over(char **data, npy_intp n, const npy_intp *ste
   }
 }
 
-static void screw_norm_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void screw_norm_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_norm_double_over(data, n[0], dense_1, dense_1 + 2);
+    screw_norm_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_norm_double_over(data, n[0], dense_2, dense_2 + 2);
+    screw_norm_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_norm_double_over(data, n[0], step, step + 2);
 }
 
 /* (6)->() */
-INLINED void screw_norm_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void screw_norm_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_screwf_t si;
   load_screw_single(&si, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float norm;
     if (step[0] != 0) {
@@ -752,27 +865,33 @@ INLINED void screw_norm_single_over(char **data, npy_intp n, const npy_intp *ste
   }
 }
 
-static void screw_norm_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void screw_norm_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_norm_single_over(data, n[0], dense_1, dense_1 + 2);
+    screw_norm_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_norm_single_over(data, n[0], dense_2, dense_2 + 2);
+    screw_norm_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_norm_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction screw_norm_loops[] = { screw_norm_double, screw_norm_single };
+static PyUFuncGenericFunction screw_norm_loops[] = {
+    screw_norm_double, screw_norm_single};
 
 /* (6)->(6) */
-INLINED void screw_normalize_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void screw_normalize_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t self;
     load_screw_double(&self, p0 + i * step[0], core + 0);
@@ -781,20 +900,24 @@ INLINED void screw_normalize_double_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void screw_normalize_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void screw_normalize_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 48, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_normalize_double_over(data, n[0], dense_1, dense_1 + 2);
+    screw_normalize_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   screw_normalize_double_over(data, n[0], step, step + 2);
 }
 
 /* (6)->(6) */
-INLINED void screw_normalize_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void screw_normalize_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t self;
     load_screw_single(&self, p0 + i * step[0], core + 0);
@@ -803,27 +926,32 @@ INLINED void screw_normalize_single_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void screw_normalize_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void screw_normalize_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_normalize_single_over(data, n[0], dense_1, dense_1 + 2);
+    screw_normalize_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   screw_normalize_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction screw_normalize_loops[] = { screw_normalize_double, screw_normalize_single };
+static PyUFuncGenericFunction screw_normalize_loops[] = {
+    screw_normalize_double, screw_normalize_single};
 
 /* (6)->(6) */
-INLINED void screw_normalized_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void screw_normalized_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_screw_t si;
   load_screw_double(&si, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t so;
     if (step[0] != 0) {
@@ -834,30 +962,35 @@ INLINED void screw_normalized_double_over(char **data, npy_intp n, const npy_int
   }
 }
 
-static void screw_normalized_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void screw_normalized_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 48, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_normalized_double_over(data, n[0], dense_1, dense_1 + 2);
+    screw_normalized_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_normalized_double_over(data, n[0], dense_2, dense_2 + 2);
+    screw_normalized_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_normalized_double_over(data, n[0], step, step + 2);
 }
 
 /* (6)->(6) */
-INLINED void screw_normalized_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void screw_normalized_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_screwf_t si;
   load_screw_single(&si, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t so;
     if (step[0] != 0) {
@@ -868,33 +1001,39 @@ INLINED void screw_normalized_single_over(char **data, npy_intp n, const npy_int
   }
 }
 
-static void screw_normalized_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void screw_normalized_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_normalized_single_over(data, n[0], dense_1, dense_1 + 2);
+    screw_normalized_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_normalized_single_over(data, n[0], dense_2, dense_2 + 2);
+    screw_normalized_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_normalized_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction screw_normalized_loops[] = { screw_normalized_double, screw_normalized_single };
+static PyUFuncGenericFunction screw_normalized_loops[] = {
+    screw_normalized_double, screw_normalized_single};
 
 /* (3),(3)->(6) */
-INLINED void screw_from_lin_ang_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void screw_from_lin_ang_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t lin;
   load_vec3_double(&lin, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t ang;
     ksl_screw_t so;
@@ -907,31 +1046,36 @@ INLINED void screw_from_lin_ang_double_over(char **data, npy_intp n, const npy_i
   }
 }
 
-static void screw_from_lin_ang_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void screw_from_lin_ang_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 48, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_from_lin_ang_double_over(data, n[0], dense_1, dense_1 + 3);
+    screw_from_lin_ang_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 48, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_from_lin_ang_double_over(data, n[0], dense_2, dense_2 + 3);
+    screw_from_lin_ang_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   screw_from_lin_ang_double_over(data, n[0], step, step + 3);
 }
 
 /* (3),(3)->(6) */
-INLINED void screw_from_lin_ang_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void screw_from_lin_ang_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t lin;
   load_vec3_single(&lin, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t ang;
     ksl_screwf_t so;
@@ -944,32 +1088,38 @@ INLINED void screw_from_lin_ang_single_over(char **data, npy_intp n, const npy_i
   }
 }
 
-static void screw_from_lin_ang_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void screw_from_lin_ang_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 12, 24, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_from_lin_ang_single_over(data, n[0], dense_1, dense_1 + 3);
+    screw_from_lin_ang_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 24, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_from_lin_ang_single_over(data, n[0], dense_2, dense_2 + 3);
+    screw_from_lin_ang_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   screw_from_lin_ang_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction screw_from_lin_ang_loops[] = { screw_from_lin_ang_double, screw_from_lin_ang_single };
+static PyUFuncGenericFunction screw_from_lin_ang_loops[] = {
+    screw_from_lin_ang_double, screw_from_lin_ang_single};
 
 /* (6)->(6) */
-INLINED void screw_to_angular_first_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void screw_to_angular_first_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_screw_t si;
   load_screw_double(&si, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double x[6];
     if (step[0] != 0) {
@@ -980,30 +1130,35 @@ INLINED void screw_to_angular_first_double_over(char **data, npy_intp n, const n
   }
 }
 
-static void screw_to_angular_first_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void screw_to_angular_first_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 48, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_to_angular_first_double_over(data, n[0], dense_1, dense_1 + 2);
+    screw_to_angular_first_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_to_angular_first_double_over(data, n[0], dense_2, dense_2 + 2);
+    screw_to_angular_first_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_to_angular_first_double_over(data, n[0], step, step + 2);
 }
 
 /* (6)->(6) */
-INLINED void screw_to_angular_first_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void screw_to_angular_first_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_screwf_t si;
   load_screw_single(&si, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float x[6];
     if (step[0] != 0) {
@@ -1014,32 +1169,38 @@ INLINED void screw_to_angular_first_single_over(char **data, npy_intp n, const n
   }
 }
 
-static void screw_to_angular_first_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void screw_to_angular_first_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_to_angular_first_single_over(data, n[0], dense_1, dense_1 + 2);
+    screw_to_angular_first_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_to_angular_first_single_over(data, n[0], dense_2, dense_2 + 2);
+    screw_to_angular_first_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_to_angular_first_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction screw_to_angular_first_loops[] = { screw_to_angular_first_double, screw_to_angular_first_single };
+static PyUFuncGenericFunction screw_to_angular_first_loops[] = {
+    screw_to_angular_first_double, screw_to_angular_first_single};
 
 /* (6)->(6) */
-INLINED void screw_from_angular_first_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void screw_from_angular_first_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   double x[6];
   load_angular_first_double(x, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t so;
     if (step[0] != 0) {
@@ -1050,30 +1211,35 @@ INLINED void screw_from_angular_first_double_over(char **data, npy_intp n, const
   }
 }
 
-static void screw_from_angular_first_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void screw_from_angular_first_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 48, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_from_angular_first_double_over(data, n[0], dense_1, dense_1 + 2);
+    screw_from_angular_first_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_from_angular_first_double_over(data, n[0], dense_2, dense_2 + 2);
+    screw_from_angular_first_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_from_angular_first_double_over(data, n[0], step, step + 2);
 }
 
 /* (6)->(6) */
-INLINED void screw_from_angular_first_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void screw_from_angular_first_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   float x[6];
   load_angular_first_single(x, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t so;
     if (step[0] != 0) {
@@ -1084,33 +1250,39 @@ INLINED void screw_from_angular_first_single_over(char **data, npy_intp n, const
   }
 }
 
-static void screw_from_angular_first_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void screw_from_angular_first_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_from_angular_first_single_over(data, n[0], dense_1, dense_1 + 2);
+    screw_from_angular_first_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_from_angular_first_single_over(data, n[0], dense_2, dense_2 + 2);
+    screw_from_angular_first_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   screw_from_angular_first_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction screw_from_angular_first_loops[] = { screw_from_angular_first_double, screw_from_angular_first_single };
+static PyUFuncGenericFunction screw_from_angular_first_loops[] = {
+    screw_from_angular_first_double, screw_from_angular_first_single};
 
 /* (6),(6)->(6) */
-INLINED void add_sst_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void add_sst_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_screw_t s1;
   load_screw_double(&s1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t s2;
     ksl_screw_t so;
@@ -1123,31 +1295,36 @@ INLINED void add_sst_double_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void add_sst_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void add_sst_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_sst_double_over(data, n[0], dense_1, dense_1 + 3);
+    add_sst_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_sst_double_over(data, n[0], dense_2, dense_2 + 3);
+    add_sst_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_sst_double_over(data, n[0], step, step + 3);
 }
 
 /* (6),(6)->(6) */
-INLINED void add_sst_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void add_sst_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_screwf_t s1;
   load_screw_single(&s1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t s2;
     ksl_screwf_t so;
@@ -1160,33 +1337,39 @@ INLINED void add_sst_single_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void add_sst_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void add_sst_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_sst_single_over(data, n[0], dense_1, dense_1 + 3);
+    add_sst_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_sst_single_over(data, n[0], dense_2, dense_2 + 3);
+    add_sst_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_sst_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction add_sst_loops[] = { add_sst_double, add_sst_single };
+static PyUFuncGenericFunction add_sst_loops[] = {
+    add_sst_double, add_sst_single};
 
 /* (3),(6)->(6) */
-INLINED void product_Adts_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_Adts_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t t;
   load_vec3_double(&t, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t si;
     ksl_screw_t so;
@@ -1199,31 +1382,36 @@ INLINED void product_Adts_double_over(char **data, npy_intp n, const npy_intp *s
   }
 }
 
-static void product_Adts_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_Adts_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adts_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_Adts_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adts_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_Adts_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adts_double_over(data, n[0], step, step + 3);
 }
 
 /* (3),(6)->(6) */
-INLINED void product_Adts_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_Adts_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t t;
   load_vec3_single(&t, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t si;
     ksl_screwf_t so;
@@ -1236,33 +1424,39 @@ INLINED void product_Adts_single_over(char **data, npy_intp n, const npy_intp *s
   }
 }
 
-static void product_Adts_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_Adts_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adts_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_Adts_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adts_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_Adts_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adts_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_Adts_loops[] = { product_Adts_double, product_Adts_single };
+static PyUFuncGenericFunction product_Adts_loops[] = {
+    product_Adts_double, product_Adts_single};
 
 /* (3),(6)->(6) */
-INLINED void product_Adtinvs_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_Adtinvs_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t t;
   load_vec3_double(&t, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t si;
     ksl_screw_t so;
@@ -1275,31 +1469,36 @@ INLINED void product_Adtinvs_double_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_Adtinvs_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_Adtinvs_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adtinvs_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_Adtinvs_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adtinvs_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_Adtinvs_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adtinvs_double_over(data, n[0], step, step + 3);
 }
 
 /* (3),(6)->(6) */
-INLINED void product_Adtinvs_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_Adtinvs_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t t;
   load_vec3_single(&t, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t si;
     ksl_screwf_t so;
@@ -1312,33 +1511,39 @@ INLINED void product_Adtinvs_single_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_Adtinvs_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_Adtinvs_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adtinvs_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_Adtinvs_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adtinvs_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_Adtinvs_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adtinvs_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_Adtinvs_loops[] = { product_Adtinvs_double, product_Adtinvs_single };
+static PyUFuncGenericFunction product_Adtinvs_loops[] = {
+    product_Adtinvs_double, product_Adtinvs_single};
 
 /* (3),(6)->(6) */
-INLINED void product_Adtsinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_Adtsinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t t;
   load_vec3_double(&t, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t si;
     ksl_screw_t so;
@@ -1351,31 +1556,36 @@ INLINED void product_Adtsinv_double_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_Adtsinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_Adtsinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adtsinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_Adtsinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adtsinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_Adtsinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adtsinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3),(6)->(6) */
-INLINED void product_Adtsinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_Adtsinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t t;
   load_vec3_single(&t, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t si;
     ksl_screwf_t so;
@@ -1388,33 +1598,39 @@ INLINED void product_Adtsinv_single_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_Adtsinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_Adtsinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adtsinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_Adtsinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adtsinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_Adtsinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adtsinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_Adtsinv_loops[] = { product_Adtsinv_double, product_Adtsinv_single };
+static PyUFuncGenericFunction product_Adtsinv_loops[] = {
+    product_Adtsinv_double, product_Adtsinv_single};
 
 /* (3,3),(6)->(6) */
-INLINED void product_Adrs_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_Adrs_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R;
   load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t si;
     ksl_screw_t so;
@@ -1427,31 +1643,36 @@ INLINED void product_Adrs_double_over(char **data, npy_intp n, const npy_intp *s
   }
 }
 
-static void product_Adrs_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_Adrs_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 48, 48, 24, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adrs_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_Adrs_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 48, 24, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adrs_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_Adrs_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adrs_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),(6)->(6) */
-INLINED void product_Adrs_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_Adrs_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R;
   load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t si;
     ksl_screwf_t so;
@@ -1464,33 +1685,39 @@ INLINED void product_Adrs_single_over(char **data, npy_intp n, const npy_intp *s
   }
 }
 
-static void product_Adrs_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_Adrs_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 24, 24, 12, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adrs_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_Adrs_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 12, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adrs_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_Adrs_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adrs_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_Adrs_loops[] = { product_Adrs_double, product_Adrs_single };
+static PyUFuncGenericFunction product_Adrs_loops[] = {
+    product_Adrs_double, product_Adrs_single};
 
 /* (3,3),(6)->(6) */
-INLINED void product_Adrinvs_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_Adrinvs_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R;
   load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t si;
     ksl_screw_t so;
@@ -1503,31 +1730,36 @@ INLINED void product_Adrinvs_double_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_Adrinvs_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_Adrinvs_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 48, 48, 24, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adrinvs_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_Adrinvs_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 48, 24, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adrinvs_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_Adrinvs_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adrinvs_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),(6)->(6) */
-INLINED void product_Adrinvs_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_Adrinvs_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R;
   load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t si;
     ksl_screwf_t so;
@@ -1540,33 +1772,39 @@ INLINED void product_Adrinvs_single_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_Adrinvs_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_Adrinvs_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 24, 24, 12, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adrinvs_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_Adrinvs_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 12, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adrinvs_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_Adrinvs_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adrinvs_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_Adrinvs_loops[] = { product_Adrinvs_double, product_Adrinvs_single };
+static PyUFuncGenericFunction product_Adrinvs_loops[] = {
+    product_Adrinvs_double, product_Adrinvs_single};
 
 /* (3,3),(6)->(6) */
-INLINED void product_Adrsinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_Adrsinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3_t R;
   load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t si;
     ksl_screw_t so;
@@ -1579,31 +1817,36 @@ INLINED void product_Adrsinv_double_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_Adrsinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_Adrsinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 72, 48, 48, 24, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adrsinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_Adrsinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 48, 24, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adrsinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_Adrsinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adrsinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,3),(6)->(6) */
-INLINED void product_Adrsinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_Adrsinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_mat3x3f_t R;
   load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t si;
     ksl_screwf_t so;
@@ -1616,33 +1859,39 @@ INLINED void product_Adrsinv_single_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void product_Adrsinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_Adrsinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 36, 24, 24, 12, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adrsinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_Adrsinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 12, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adrsinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_Adrsinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adrsinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_Adrsinv_loops[] = { product_Adrsinv_double, product_Adrsinv_single };
+static PyUFuncGenericFunction product_Adrsinv_loops[] = {
+    product_Adrsinv_double, product_Adrsinv_single};
 
 /* (3,4),(6)->(6) */
-INLINED void product_Ads_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_Ads_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t si;
     ksl_screw_t so;
@@ -1655,31 +1904,36 @@ INLINED void product_Ads_double_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void product_Ads_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_Ads_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Ads_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_Ads_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Ads_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_Ads_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Ads_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),(6)->(6) */
-INLINED void product_Ads_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_Ads_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t si;
     ksl_screwf_t so;
@@ -1692,33 +1946,39 @@ INLINED void product_Ads_single_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void product_Ads_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_Ads_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Ads_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_Ads_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Ads_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_Ads_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Ads_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_Ads_loops[] = { product_Ads_double, product_Ads_single };
+static PyUFuncGenericFunction product_Ads_loops[] = {
+    product_Ads_double, product_Ads_single};
 
 /* (3,4),(6)->(6) */
-INLINED void product_Adinvs_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_Adinvs_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t si;
     ksl_screw_t so;
@@ -1731,31 +1991,36 @@ INLINED void product_Adinvs_double_over(char **data, npy_intp n, const npy_intp 
   }
 }
 
-static void product_Adinvs_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_Adinvs_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adinvs_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_Adinvs_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adinvs_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_Adinvs_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adinvs_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),(6)->(6) */
-INLINED void product_Adinvs_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_Adinvs_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t si;
     ksl_screwf_t so;
@@ -1768,33 +2033,39 @@ INLINED void product_Adinvs_single_over(char **data, npy_intp n, const npy_intp 
   }
 }
 
-static void product_Adinvs_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_Adinvs_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adinvs_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_Adinvs_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adinvs_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_Adinvs_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adinvs_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_Adinvs_loops[] = { product_Adinvs_double, product_Adinvs_single };
+static PyUFuncGenericFunction product_Adinvs_loops[] = {
+    product_Adinvs_double, product_Adinvs_single};
 
 /* (3,4),(6)->(6) */
-INLINED void product_Adsinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_Adsinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t si;
     ksl_screw_t so;
@@ -1807,31 +2078,36 @@ INLINED void product_Adsinv_double_over(char **data, npy_intp n, const npy_intp 
   }
 }
 
-static void product_Adsinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_Adsinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adsinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_Adsinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adsinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_Adsinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adsinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),(6)->(6) */
-INLINED void product_Adsinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_Adsinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t si;
     ksl_screwf_t so;
@@ -1844,32 +2120,38 @@ INLINED void product_Adsinv_single_over(char **data, npy_intp n, const npy_intp 
   }
 }
 
-static void product_Adsinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_Adsinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adsinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_Adsinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adsinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_Adsinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_Adsinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_Adsinv_loops[] = { product_Adsinv_double, product_Adsinv_single };
+static PyUFuncGenericFunction product_Adsinv_loops[] = {
+    product_Adsinv_double, product_Adsinv_single};
 
 /* (3,4)->(6) */
-INLINED void hstx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hstx_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t so;
     if (step[0] != 0) {
@@ -1880,30 +2162,35 @@ INLINED void hstx_double_over(char **data, npy_intp n, const npy_intp *step, con
   }
 }
 
-static void hstx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hstx_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstx_double_over(data, n[0], dense_1, dense_1 + 2);
+    hstx_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstx_double_over(data, n[0], dense_2, dense_2 + 2);
+    hstx_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hstx_double_over(data, n[0], step, step + 2);
 }
 
 /* (3,4)->(6) */
-INLINED void hstx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hstx_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t so;
     if (step[0] != 0) {
@@ -1914,32 +2201,38 @@ INLINED void hstx_single_over(char **data, npy_intp n, const npy_intp *step, con
   }
 }
 
-static void hstx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hstx_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstx_single_over(data, n[0], dense_1, dense_1 + 2);
+    hstx_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstx_single_over(data, n[0], dense_2, dense_2 + 2);
+    hstx_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hstx_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction hstx_loops[] = { hstx_double, hstx_single };
+static PyUFuncGenericFunction hstx_loops[] = {
+    hstx_double, hstx_single};
 
 /* (3,4)->(6) */
-INLINED void hsty_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hsty_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t so;
     if (step[0] != 0) {
@@ -1950,30 +2243,35 @@ INLINED void hsty_double_over(char **data, npy_intp n, const npy_intp *step, con
   }
 }
 
-static void hsty_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hsty_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsty_double_over(data, n[0], dense_1, dense_1 + 2);
+    hsty_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsty_double_over(data, n[0], dense_2, dense_2 + 2);
+    hsty_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsty_double_over(data, n[0], step, step + 2);
 }
 
 /* (3,4)->(6) */
-INLINED void hsty_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hsty_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t so;
     if (step[0] != 0) {
@@ -1984,32 +2282,38 @@ INLINED void hsty_single_over(char **data, npy_intp n, const npy_intp *step, con
   }
 }
 
-static void hsty_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hsty_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsty_single_over(data, n[0], dense_1, dense_1 + 2);
+    hsty_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsty_single_over(data, n[0], dense_2, dense_2 + 2);
+    hsty_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsty_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction hsty_loops[] = { hsty_double, hsty_single };
+static PyUFuncGenericFunction hsty_loops[] = {
+    hsty_double, hsty_single};
 
 /* (3,4)->(6) */
-INLINED void hstz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hstz_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t so;
     if (step[0] != 0) {
@@ -2020,30 +2324,35 @@ INLINED void hstz_double_over(char **data, npy_intp n, const npy_intp *step, con
   }
 }
 
-static void hstz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hstz_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstz_double_over(data, n[0], dense_1, dense_1 + 2);
+    hstz_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstz_double_over(data, n[0], dense_2, dense_2 + 2);
+    hstz_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hstz_double_over(data, n[0], step, step + 2);
 }
 
 /* (3,4)->(6) */
-INLINED void hstz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hstz_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t so;
     if (step[0] != 0) {
@@ -2054,32 +2363,38 @@ INLINED void hstz_single_over(char **data, npy_intp n, const npy_intp *step, con
   }
 }
 
-static void hstz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hstz_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstz_single_over(data, n[0], dense_1, dense_1 + 2);
+    hstz_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstz_single_over(data, n[0], dense_2, dense_2 + 2);
+    hstz_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hstz_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction hstz_loops[] = { hstz_double, hstz_single };
+static PyUFuncGenericFunction hstz_loops[] = {
+    hstz_double, hstz_single};
 
 /* (3,4)->(6) */
-INLINED void hsrx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hsrx_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t so;
     if (step[0] != 0) {
@@ -2090,30 +2405,35 @@ INLINED void hsrx_double_over(char **data, npy_intp n, const npy_intp *step, con
   }
 }
 
-static void hsrx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hsrx_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrx_double_over(data, n[0], dense_1, dense_1 + 2);
+    hsrx_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrx_double_over(data, n[0], dense_2, dense_2 + 2);
+    hsrx_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsrx_double_over(data, n[0], step, step + 2);
 }
 
 /* (3,4)->(6) */
-INLINED void hsrx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hsrx_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t so;
     if (step[0] != 0) {
@@ -2124,32 +2444,38 @@ INLINED void hsrx_single_over(char **data, npy_intp n, const npy_intp *step, con
   }
 }
 
-static void hsrx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hsrx_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrx_single_over(data, n[0], dense_1, dense_1 + 2);
+    hsrx_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrx_single_over(data, n[0], dense_2, dense_2 + 2);
+    hsrx_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsrx_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction hsrx_loops[] = { hsrx_double, hsrx_single };
+static PyUFuncGenericFunction hsrx_loops[] = {
+    hsrx_double, hsrx_single};
 
 /* (3,4)->(6) */
-INLINED void hsry_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hsry_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t so;
     if (step[0] != 0) {
@@ -2160,30 +2486,35 @@ INLINED void hsry_double_over(char **data, npy_intp n, const npy_intp *step, con
   }
 }
 
-static void hsry_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hsry_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsry_double_over(data, n[0], dense_1, dense_1 + 2);
+    hsry_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsry_double_over(data, n[0], dense_2, dense_2 + 2);
+    hsry_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsry_double_over(data, n[0], step, step + 2);
 }
 
 /* (3,4)->(6) */
-INLINED void hsry_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hsry_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t so;
     if (step[0] != 0) {
@@ -2194,32 +2525,38 @@ INLINED void hsry_single_over(char **data, npy_intp n, const npy_intp *step, con
   }
 }
 
-static void hsry_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hsry_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsry_single_over(data, n[0], dense_1, dense_1 + 2);
+    hsry_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsry_single_over(data, n[0], dense_2, dense_2 + 2);
+    hsry_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsry_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction hsry_loops[] = { hsry_double, hsry_single };
+static PyUFuncGenericFunction hsry_loops[] = {
+    hsry_double, hsry_single};
 
 /* (3,4)->(6) */
-INLINED void hsrz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hsrz_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t so;
     if (step[0] != 0) {
@@ -2230,30 +2567,35 @@ INLINED void hsrz_double_over(char **data, npy_intp n, const npy_intp *step, con
   }
 }
 
-static void hsrz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hsrz_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrz_double_over(data, n[0], dense_1, dense_1 + 2);
+    hsrz_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrz_double_over(data, n[0], dense_2, dense_2 + 2);
+    hsrz_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsrz_double_over(data, n[0], step, step + 2);
 }
 
 /* (3,4)->(6) */
-INLINED void hsrz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hsrz_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t so;
     if (step[0] != 0) {
@@ -2264,32 +2606,38 @@ INLINED void hsrz_single_over(char **data, npy_intp n, const npy_intp *step, con
   }
 }
 
-static void hsrz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hsrz_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrz_single_over(data, n[0], dense_1, dense_1 + 2);
+    hsrz_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrz_single_over(data, n[0], dense_2, dense_2 + 2);
+    hsrz_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsrz_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction hsrz_loops[] = { hsrz_double, hsrz_single };
+static PyUFuncGenericFunction hsrz_loops[] = {
+    hsrz_double, hsrz_single};
 
 /* (3,4)->(6) */
-INLINED void hstxinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hstxinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t so;
     if (step[0] != 0) {
@@ -2300,30 +2648,35 @@ INLINED void hstxinv_double_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void hstxinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hstxinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstxinv_double_over(data, n[0], dense_1, dense_1 + 2);
+    hstxinv_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstxinv_double_over(data, n[0], dense_2, dense_2 + 2);
+    hstxinv_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hstxinv_double_over(data, n[0], step, step + 2);
 }
 
 /* (3,4)->(6) */
-INLINED void hstxinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hstxinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t so;
     if (step[0] != 0) {
@@ -2334,32 +2687,38 @@ INLINED void hstxinv_single_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void hstxinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hstxinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstxinv_single_over(data, n[0], dense_1, dense_1 + 2);
+    hstxinv_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstxinv_single_over(data, n[0], dense_2, dense_2 + 2);
+    hstxinv_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hstxinv_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction hstxinv_loops[] = { hstxinv_double, hstxinv_single };
+static PyUFuncGenericFunction hstxinv_loops[] = {
+    hstxinv_double, hstxinv_single};
 
 /* (3,4)->(6) */
-INLINED void hstyinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hstyinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t so;
     if (step[0] != 0) {
@@ -2370,30 +2729,35 @@ INLINED void hstyinv_double_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void hstyinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hstyinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstyinv_double_over(data, n[0], dense_1, dense_1 + 2);
+    hstyinv_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstyinv_double_over(data, n[0], dense_2, dense_2 + 2);
+    hstyinv_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hstyinv_double_over(data, n[0], step, step + 2);
 }
 
 /* (3,4)->(6) */
-INLINED void hstyinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hstyinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t so;
     if (step[0] != 0) {
@@ -2404,32 +2768,38 @@ INLINED void hstyinv_single_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void hstyinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hstyinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstyinv_single_over(data, n[0], dense_1, dense_1 + 2);
+    hstyinv_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstyinv_single_over(data, n[0], dense_2, dense_2 + 2);
+    hstyinv_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hstyinv_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction hstyinv_loops[] = { hstyinv_double, hstyinv_single };
+static PyUFuncGenericFunction hstyinv_loops[] = {
+    hstyinv_double, hstyinv_single};
 
 /* (3,4)->(6) */
-INLINED void hstzinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hstzinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t so;
     if (step[0] != 0) {
@@ -2440,30 +2810,35 @@ INLINED void hstzinv_double_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void hstzinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hstzinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstzinv_double_over(data, n[0], dense_1, dense_1 + 2);
+    hstzinv_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstzinv_double_over(data, n[0], dense_2, dense_2 + 2);
+    hstzinv_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hstzinv_double_over(data, n[0], step, step + 2);
 }
 
 /* (3,4)->(6) */
-INLINED void hstzinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hstzinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t so;
     if (step[0] != 0) {
@@ -2474,32 +2849,38 @@ INLINED void hstzinv_single_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void hstzinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hstzinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstzinv_single_over(data, n[0], dense_1, dense_1 + 2);
+    hstzinv_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstzinv_single_over(data, n[0], dense_2, dense_2 + 2);
+    hstzinv_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hstzinv_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction hstzinv_loops[] = { hstzinv_double, hstzinv_single };
+static PyUFuncGenericFunction hstzinv_loops[] = {
+    hstzinv_double, hstzinv_single};
 
 /* (3,4)->(6) */
-INLINED void hsrxinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hsrxinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t so;
     if (step[0] != 0) {
@@ -2510,30 +2891,35 @@ INLINED void hsrxinv_double_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void hsrxinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hsrxinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrxinv_double_over(data, n[0], dense_1, dense_1 + 2);
+    hsrxinv_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrxinv_double_over(data, n[0], dense_2, dense_2 + 2);
+    hsrxinv_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsrxinv_double_over(data, n[0], step, step + 2);
 }
 
 /* (3,4)->(6) */
-INLINED void hsrxinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hsrxinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t so;
     if (step[0] != 0) {
@@ -2544,32 +2930,38 @@ INLINED void hsrxinv_single_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void hsrxinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hsrxinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrxinv_single_over(data, n[0], dense_1, dense_1 + 2);
+    hsrxinv_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrxinv_single_over(data, n[0], dense_2, dense_2 + 2);
+    hsrxinv_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsrxinv_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction hsrxinv_loops[] = { hsrxinv_double, hsrxinv_single };
+static PyUFuncGenericFunction hsrxinv_loops[] = {
+    hsrxinv_double, hsrxinv_single};
 
 /* (3,4)->(6) */
-INLINED void hsryinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hsryinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t so;
     if (step[0] != 0) {
@@ -2580,30 +2972,35 @@ INLINED void hsryinv_double_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void hsryinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hsryinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsryinv_double_over(data, n[0], dense_1, dense_1 + 2);
+    hsryinv_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsryinv_double_over(data, n[0], dense_2, dense_2 + 2);
+    hsryinv_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsryinv_double_over(data, n[0], step, step + 2);
 }
 
 /* (3,4)->(6) */
-INLINED void hsryinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hsryinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t so;
     if (step[0] != 0) {
@@ -2614,32 +3011,38 @@ INLINED void hsryinv_single_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void hsryinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hsryinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsryinv_single_over(data, n[0], dense_1, dense_1 + 2);
+    hsryinv_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsryinv_single_over(data, n[0], dense_2, dense_2 + 2);
+    hsryinv_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsryinv_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction hsryinv_loops[] = { hsryinv_double, hsryinv_single };
+static PyUFuncGenericFunction hsryinv_loops[] = {
+    hsryinv_double, hsryinv_single};
 
 /* (3,4)->(6) */
-INLINED void hsrzinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hsrzinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t so;
     if (step[0] != 0) {
@@ -2650,30 +3053,35 @@ INLINED void hsrzinv_double_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void hsrzinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hsrzinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrzinv_double_over(data, n[0], dense_1, dense_1 + 2);
+    hsrzinv_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrzinv_double_over(data, n[0], dense_2, dense_2 + 2);
+    hsrzinv_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsrzinv_double_over(data, n[0], step, step + 2);
 }
 
 /* (3,4)->(6) */
-INLINED void hsrzinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void hsrzinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t so;
     if (step[0] != 0) {
@@ -2684,32 +3092,38 @@ INLINED void hsrzinv_single_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void hsrzinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hsrzinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrzinv_single_over(data, n[0], dense_1, dense_1 + 2);
+    hsrzinv_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrzinv_single_over(data, n[0], dense_2, dense_2 + 2);
+    hsrzinv_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   hsrzinv_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction hsrzinv_loops[] = { hsrzinv_double, hsrzinv_single };
+static PyUFuncGenericFunction hsrzinv_loops[] = {
+    hsrzinv_double, hsrzinv_single};
 
 /* (3,4)->(6,6) */
-INLINED void Ad_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void Ad_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat6x6_t M;
     if (step[0] != 0) {
@@ -2720,30 +3134,35 @@ INLINED void Ad_double_over(char **data, npy_intp n, const npy_intp *step, const
   }
 }
 
-static void Ad_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void Ad_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 288, 32, 8, 48, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    Ad_double_over(data, n[0], dense_1, dense_1 + 2);
+    Ad_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 288, 32, 8, 48, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    Ad_double_over(data, n[0], dense_2, dense_2 + 2);
+    Ad_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   Ad_double_over(data, n[0], step, step + 2);
 }
 
 /* (3,4)->(6,6) */
-INLINED void Ad_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void Ad_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat6x6f_t M;
     if (step[0] != 0) {
@@ -2754,33 +3173,39 @@ INLINED void Ad_single_over(char **data, npy_intp n, const npy_intp *step, const
   }
 }
 
-static void Ad_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void Ad_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 144, 16, 4, 24, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    Ad_single_over(data, n[0], dense_1, dense_1 + 2);
+    Ad_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 144, 16, 4, 24, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    Ad_single_over(data, n[0], dense_2, dense_2 + 2);
+    Ad_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   Ad_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction Ad_loops[] = { Ad_double, Ad_single };
+static PyUFuncGenericFunction Ad_loops[] = {
+    Ad_double, Ad_single};
 
 /* (6),(6)->() */
-INLINED void dot_cs_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void dot_cs_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_coscrew_t c;
   load_coscrew_double(&c, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t s;
     double power;
@@ -2793,31 +3218,36 @@ INLINED void dot_cs_double_over(char **data, npy_intp n, const npy_intp *step, c
   }
 }
 
-static void dot_cs_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void dot_cs_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    dot_cs_double_over(data, n[0], dense_1, dense_1 + 3);
+    dot_cs_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    dot_cs_double_over(data, n[0], dense_2, dense_2 + 3);
+    dot_cs_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   dot_cs_double_over(data, n[0], step, step + 3);
 }
 
 /* (6),(6)->() */
-INLINED void dot_cs_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void dot_cs_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_coscrewf_t c;
   load_coscrew_single(&c, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t s;
     float power;
@@ -2830,33 +3260,39 @@ INLINED void dot_cs_single_over(char **data, npy_intp n, const npy_intp *step, c
   }
 }
 
-static void dot_cs_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void dot_cs_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    dot_cs_single_over(data, n[0], dense_1, dense_1 + 3);
+    dot_cs_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    dot_cs_single_over(data, n[0], dense_2, dense_2 + 3);
+    dot_cs_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   dot_cs_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction dot_cs_loops[] = { dot_cs_double, dot_cs_single };
+static PyUFuncGenericFunction dot_cs_loops[] = {
+    dot_cs_double, dot_cs_single};
 
 /* (6),(6)->(6) */
-INLINED void cross_ss_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void cross_ss_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_screw_t s1;
   load_screw_double(&s1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t s2;
     ksl_screw_t so;
@@ -2869,31 +3305,36 @@ INLINED void cross_ss_double_over(char **data, npy_intp n, const npy_intp *step,
   }
 }
 
-static void cross_ss_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void cross_ss_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_ss_double_over(data, n[0], dense_1, dense_1 + 3);
+    cross_ss_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_ss_double_over(data, n[0], dense_2, dense_2 + 3);
+    cross_ss_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   cross_ss_double_over(data, n[0], step, step + 3);
 }
 
 /* (6),(6)->(6) */
-INLINED void cross_ss_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void cross_ss_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_screwf_t s1;
   load_screw_single(&s1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t s2;
     ksl_screwf_t so;
@@ -2906,33 +3347,39 @@ INLINED void cross_ss_single_over(char **data, npy_intp n, const npy_intp *step,
   }
 }
 
-static void cross_ss_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void cross_ss_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_ss_single_over(data, n[0], dense_1, dense_1 + 3);
+    cross_ss_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_ss_single_over(data, n[0], dense_2, dense_2 + 3);
+    cross_ss_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   cross_ss_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction cross_ss_loops[] = { cross_ss_double, cross_ss_single };
+static PyUFuncGenericFunction cross_ss_loops[] = {
+    cross_ss_double, cross_ss_single};
 
 /* (6),(6)->(6) */
-INLINED void cross_sst_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void cross_sst_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_screw_t s1;
   load_screw_double(&s1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screw_t s2;
     ksl_screw_t so;
@@ -2945,31 +3392,36 @@ INLINED void cross_sst_double_over(char **data, npy_intp n, const npy_intp *step
   }
 }
 
-static void cross_sst_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void cross_sst_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_sst_double_over(data, n[0], dense_1, dense_1 + 3);
+    cross_sst_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_sst_double_over(data, n[0], dense_2, dense_2 + 3);
+    cross_sst_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   cross_sst_double_over(data, n[0], step, step + 3);
 }
 
 /* (6),(6)->(6) */
-INLINED void cross_sst_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void cross_sst_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_screwf_t s1;
   load_screw_single(&s1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_screwf_t s2;
     ksl_screwf_t so;
@@ -2982,33 +3434,39 @@ INLINED void cross_sst_single_over(char **data, npy_intp n, const npy_intp *step
   }
 }
 
-static void cross_sst_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void cross_sst_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_sst_single_over(data, n[0], dense_1, dense_1 + 3);
+    cross_sst_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_sst_single_over(data, n[0], dense_2, dense_2 + 3);
+    cross_sst_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   cross_sst_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction cross_sst_loops[] = { cross_sst_double, cross_sst_single };
+static PyUFuncGenericFunction cross_sst_loops[] = {
+    cross_sst_double, cross_sst_single};
 
 /* (3,4),(3)->(6) */
-INLINED void hsra_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void hsra_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t axis;
     ksl_screw_t so;
@@ -3021,31 +3479,36 @@ INLINED void hsra_double_over(char **data, npy_intp n, const npy_intp *step, con
   }
 }
 
-static void hsra_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hsra_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 24, 48, 32, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsra_double_over(data, n[0], dense_1, dense_1 + 3);
+    hsra_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 48, 32, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsra_double_over(data, n[0], dense_2, dense_2 + 3);
+    hsra_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   hsra_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),(3)->(6) */
-INLINED void hsra_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void hsra_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t axis;
     ksl_screwf_t so;
@@ -3058,33 +3521,39 @@ INLINED void hsra_single_over(char **data, npy_intp n, const npy_intp *step, con
   }
 }
 
-static void hsra_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hsra_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 12, 24, 16, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsra_single_over(data, n[0], dense_1, dense_1 + 3);
+    hsra_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 24, 16, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsra_single_over(data, n[0], dense_2, dense_2 + 3);
+    hsra_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   hsra_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction hsra_loops[] = { hsra_double, hsra_single };
+static PyUFuncGenericFunction hsra_loops[] = {
+    hsra_double, hsra_single};
 
 /* (3,4),(3)->(6) */
-INLINED void hsta_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void hsta_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3_t D;
   load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t axis;
     ksl_screw_t so;
@@ -3097,31 +3566,36 @@ INLINED void hsta_double_over(char **data, npy_intp n, const npy_intp *step, con
   }
 }
 
-static void hsta_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hsta_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 96, 24, 48, 32, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsta_double_over(data, n[0], dense_1, dense_1 + 3);
+    hsta_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 48, 32, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsta_double_over(data, n[0], dense_2, dense_2 + 3);
+    hsta_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   hsta_double_over(data, n[0], step, step + 3);
 }
 
 /* (3,4),(3)->(6) */
-INLINED void hsta_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void hsta_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_SE3f_t D;
   load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t axis;
     ksl_screwf_t so;
@@ -3134,32 +3608,38 @@ INLINED void hsta_single_over(char **data, npy_intp n, const npy_intp *step, con
   }
 }
 
-static void hsta_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void hsta_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 12, 24, 16, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsta_single_over(data, n[0], dense_1, dense_1 + 3);
+    hsta_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 24, 16, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsta_single_over(data, n[0], dense_2, dense_2 + 3);
+    hsta_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   hsta_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction hsta_loops[] = { hsta_double, hsta_single };
+static PyUFuncGenericFunction hsta_loops[] = {
+    hsta_double, hsta_single};
 
 /* (6)->(6,6) */
-INLINED void ad_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void ad_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_screw_t s;
   load_screw_double(&s, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat6x6_t M;
     if (step[0] != 0) {
@@ -3170,30 +3650,35 @@ INLINED void ad_double_over(char **data, npy_intp n, const npy_intp *step, const
   }
 }
 
-static void ad_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void ad_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 48, 288, 8, 48, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    ad_double_over(data, n[0], dense_1, dense_1 + 2);
+    ad_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 288, 8, 48, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    ad_double_over(data, n[0], dense_2, dense_2 + 2);
+    ad_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   ad_double_over(data, n[0], step, step + 2);
 }
 
 /* (6)->(6,6) */
-INLINED void ad_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void ad_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_screwf_t s;
   load_screw_single(&s, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_mat6x6f_t M;
     if (step[0] != 0) {
@@ -3204,22 +3689,26 @@ INLINED void ad_single_over(char **data, npy_intp n, const npy_intp *step, const
   }
 }
 
-static void ad_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void ad_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 144, 4, 24, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    ad_single_over(data, n[0], dense_1, dense_1 + 2);
+    ad_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 144, 4, 24, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    ad_single_over(data, n[0], dense_2, dense_2 + 2);
+    ad_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   ad_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction ad_loops[] = { ad_double, ad_single };
+static PyUFuncGenericFunction ad_loops[] = {
+    ad_double, ad_single};
 
 const coscrew_gufunc TABLE(screw)[] = {
   {"screw_copy", "(6)->(6)",
@@ -3232,7 +3721,7 @@ const coscrew_gufunc TABLE(screw)[] = {
     "self = a self.\n"
     "\n"
     "(6),()->(6).  self: screw (v in m/s; ω in rad/s); a: number.\n"
-    "6 mul.  Error <= u |x|, barring underflow.\n",
+    "6 mul.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, screw_scale_loops},
   {"screw_inverted", "(6)->(6)",
     "so = -si.\n"
@@ -3250,52 +3739,56 @@ const coscrew_gufunc TABLE(screw)[] = {
     "y = a x + y.\n"
     "\n"
     "(),(6),(6)->(6).  a: number; x, y: screw (v in m/s; ω in rad/s).\n"
-    "6 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "6 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    3, 1, axpy_ss_loops},
   {"xpy_ss", "(6),(6)->(6)",
     "y = x + y.\n"
     "\n"
     "(6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).\n"
-    "6 add.  Error <= u |x|, barring underflow.\n",
+    "6 add.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, xpy_ss_loops},
   {"nxpy_ss", "(6),(6)->(6)",
     "y = -x + y.\n"
     "\n"
     "(6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).\n"
-    "6 add.  Error <= u |x|, barring underflow.\n",
+    "6 add.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, nxpy_ss_loops},
   {"product_as", "(),(6)->(6)",
     "so = a si.\n"
     "\n"
     "(),(6)->(6).  a: number; si, so: screw (v in m/s; ω in rad/s).\n"
-    "6 mul.  Error <= u |x|, barring underflow.\n",
+    "6 mul.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, product_as_loops},
   {"add_ss", "(6),(6)->(6)",
     "so = s1 + s2.\n"
     "\n"
     "(6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).\n"
-    "6 add.  Error <= u |x|, barring underflow.\n",
+    "6 add.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, add_ss_loops},
   {"subtract_ss", "(6),(6)->(6)",
     "so = s1 - s2.\n"
     "\n"
     "(6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).\n"
-    "6 add.  Error <= u |x|, barring underflow.\n",
+    "6 add.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, subtract_ss_loops},
   {"screw_norm", "(6)->()",
-    "|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).\n"
+    "|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6); squares must neither over-\n"
+    "nor underflow.\n"
     "\n"
     "(6)->().  si: screw (v in m/s; ω in rad/s); norm: number.\n"
     "6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select.\n",
    1, 1, screw_norm_loops},
   {"screw_normalize", "(6)->(6)",
-    "self = self / |self|, with screw_norm; the zero screw stays zero.\n"
+    "self = self / |self|, with screw_norm; the zero screw stays zero; squares must neither over-\n"
+    "nor underflow.\n"
     "\n"
     "(6)->(6).  self: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select.\n",
    1, 1, screw_normalize_loops},
   {"screw_normalized", "(6)->(6)",
-    "so = si / |si|, with screw_norm; the zero screw stays zero.\n"
+    "so = si / |si|, with screw_norm; the zero screw stays zero; squares must neither over- nor\n"
+    "underflow.\n"
     "\n"
     "(6)->(6).  si, so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select.\n",
@@ -3322,61 +3815,73 @@ const coscrew_gufunc TABLE(screw)[] = {
     "so = (s1.lin + s2.lin ; s1.ang).\n"
     "\n"
     "(6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).\n"
-    "3 add.  Error <= u |x|, barring underflow.\n",
+    "3 add.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, add_sst_loops},
   {"product_Adts", "(3),(6)->(6)",
     "so = [Ad](t) si.\n"
     "\n"
     "(3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).\n"
-    "6 mul, 6 add.  Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "6 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_Adts_loops},
   {"product_Adtinvs", "(3),(6)->(6)",
     "so = [Ad](t)^-1 si.\n"
     "\n"
     "(3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).\n"
-    "6 mul, 6 add.  Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "6 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_Adtinvs_loops},
   {"product_Adtsinv", "(3),(6)->(6)",
     "so = [Ad](t) (-si).\n"
     "\n"
     "(3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).\n"
-    "6 mul, 6 add, 3 neg.  Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "6 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms|\n"
+    "of the expanded formula; barring over- and underflow.\n",
    2, 1, product_Adtsinv_loops},
   {"product_Adrs", "(3,3),(6)->(6)",
     "so = [Ad](R) si.\n"
     "\n"
     "(3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).\n"
-    "18 mul, 12 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    2, 1, product_Adrs_loops},
   {"product_Adrinvs", "(3,3),(6)->(6)",
     "so = [Ad](R)^-1 si.\n"
     "\n"
     "(3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).\n"
-    "18 mul, 12 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    2, 1, product_Adrinvs_loops},
   {"product_Adrsinv", "(3,3),(6)->(6)",
     "so = [Ad](R) (-si).\n"
     "\n"
     "(3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).\n"
-    "18 mul, 12 add, 6 neg.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "18 mul, 12 add, 6 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_Adrsinv_loops},
   {"product_Ads", "(3,4),(6)->(6)",
     "so = [Ad](D) si = [Ad](t) [Ad](R) si.\n"
     "\n"
-    "(3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).\n"
-    "24 mul, 18 add.  Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "(3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in\n"
+    "rad/s).\n"
+    "24 mul, 18 add.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_Ads_loops},
   {"product_Adinvs", "(3,4),(6)->(6)",
     "so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si.\n"
     "\n"
-    "(3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).\n"
-    "24 mul, 18 add.  Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "(3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in\n"
+    "rad/s).\n"
+    "24 mul, 18 add.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, product_Adinvs_loops},
   {"product_Adsinv", "(3,4),(6)->(6)",
     "so = [Ad](D) (-si).\n"
     "\n"
-    "(3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).\n"
-    "24 mul, 18 add, 6 neg.  Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "(3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in\n"
+    "rad/s).\n"
+    "24 mul, 18 add, 6 neg.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms|\n"
+    "of the expanded formula; barring over- and underflow.\n",
    2, 1, product_Adsinv_loops},
   {"hstx", "(3,4)->(6)",
     "so = h_tx: column 0 of [Ad](D).\n"
@@ -3400,19 +3905,22 @@ const coscrew_gufunc TABLE(screw)[] = {
     "so = h_rx: column 3 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
-    "6 mul, 3 add.  Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    1, 1, hsrx_loops},
   {"hsry", "(3,4)->(6)",
     "so = h_ry: column 4 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
-    "6 mul, 3 add.  Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    1, 1, hsry_loops},
   {"hsrz", "(3,4)->(6)",
     "so = h_rz: column 5 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
-    "6 mul, 3 add.  Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    1, 1, hsrz_loops},
   {"hstxinv", "(3,4)->(6)",
     "so = -h_tx: -column 0 of [Ad](D).\n"
@@ -3436,55 +3944,67 @@ const coscrew_gufunc TABLE(screw)[] = {
     "so = -h_rx: -column 3 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
-    "6 mul, 3 add, 3 neg.  Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|\n"
+    "of the expanded formula; barring over- and underflow.\n",
    1, 1, hsrxinv_loops},
   {"hsryinv", "(3,4)->(6)",
     "so = -h_ry: -column 4 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
-    "6 mul, 3 add, 3 neg.  Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|\n"
+    "of the expanded formula; barring over- and underflow.\n",
    1, 1, hsryinv_loops},
   {"hsrzinv", "(3,4)->(6)",
     "so = -h_rz: -column 5 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
-    "6 mul, 3 add, 3 neg.  Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|\n"
+    "of the expanded formula; barring over- and underflow.\n",
    1, 1, hsrzinv_loops},
   {"Ad", "(3,4)->(6,6)",
     "M = [Ad](D).\n"
     "\n"
     "(3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.\n"
-    "18 mul, 9 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "18 mul, 9 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    1, 1, Ad_loops},
   {"dot_cs", "(6),(6)->()",
     "power = f·v + τ·ω, in W.\n"
     "\n"
     "(6),(6)->().  c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s); power: number.\n"
-    "6 mul, 5 add.  Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "6 mul, 5 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    2, 1, dot_cs_loops},
   {"cross_ss", "(6),(6)->(6)",
-    "so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2); exactly zero for s1 = s2.\n"
+    "so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2).  Exactly zero for s1 = s2, unless products\n"
+    "overflow.\n"
     "\n"
     "(6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).\n"
-    "18 mul, 12 add.  Error <= u |x| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "18 mul, 12 add.  Error <= u |result| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, cross_ss_loops},
   {"cross_sst", "(6),(6)->(6)",
     "so = (ω1×v2 ; 0).\n"
     "\n"
     "(6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).\n"
-    "6 mul, 3 add.  Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, cross_sst_loops},
   {"hsra", "(3,4),(3)->(6)",
     "so = (t×R a ; R a), a = axis in the body's frame.\n"
     "\n"
-    "(3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).\n"
-    "15 mul, 9 add.  Error <= u |x| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "(3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in\n"
+    "m/s; ω in rad/s).\n"
+    "15 mul, 9 add.  Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, hsra_loops},
   {"hsta", "(3,4),(3)->(6)",
     "so = (R a ; 0), a = axis in the body's frame.\n"
     "\n"
-    "(3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).\n"
-    "9 mul, 6 add.  Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "(3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in\n"
+    "m/s; ω in rad/s).\n"
+    "9 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
    2, 1, hsta_loops},
   {"ad", "(6)->(6,6)",
     "M = [ad](s) = [Ad]' [Ad]^-1 = [[ω~, v~], [0, ω~]].\n"

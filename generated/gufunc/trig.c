@@ -1,19 +1,21 @@
 /* Made by `coscrew generate`; changes are overwritten. */
-/* Gufunc loops of the trig operations.  NumPy copies overlapping operands before it calls a
-   loop, so the pointers are restrict. */
+/* Gufunc loops of the trig operations.  NumPy copies operands that overlap, unless an output
+   is an input element by element; so no element depends on another. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 
 /* ()->(2) */
-INLINED void dc_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void dc_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   double theta;
   load_scalar_double(&theta, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double dc[2];
     if (step[0] != 0) {
@@ -24,30 +26,35 @@ INLINED void dc_double_over(char **data, npy_intp n, const npy_intp *step, const
   }
 }
 
-static void dc_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void dc_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 8, 16, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    dc_double_over(data, n[0], dense_1, dense_1 + 2);
+    dc_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 16, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    dc_double_over(data, n[0], dense_2, dense_2 + 2);
+    dc_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   dc_double_over(data, n[0], step, step + 2);
 }
 
 /* ()->(2) */
-INLINED void dc_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void dc_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   float theta;
   load_scalar_single(&theta, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float dc[2];
     if (step[0] != 0) {
@@ -58,22 +65,26 @@ INLINED void dc_single_over(char **data, npy_intp n, const npy_intp *step, const
   }
 }
 
-static void dc_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void dc_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 4, 8, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    dc_single_over(data, n[0], dense_1, dense_1 + 2);
+    dc_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    dc_single_over(data, n[0], dense_2, dense_2 + 2);
+    dc_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   dc_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction dc_loops[] = { dc_double, dc_single };
+static PyUFuncGenericFunction dc_loops[] = {
+    dc_double, dc_single};
 
 const coscrew_gufunc TABLE(trig)[] = {
   {"dc", "()->(2)",

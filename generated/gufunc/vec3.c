@@ -1,19 +1,21 @@
 /* Made by `coscrew generate`; changes are overwritten. */
-/* Gufunc loops of the vec3 operations.  NumPy copies overlapping operands before it calls a
-   loop, so the pointers are restrict. */
+/* Gufunc loops of the vec3 operations.  NumPy copies operands that overlap, unless an output
+   is an input element by element; so no element depends on another. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 
 /* (3)->(3) */
-INLINED void vec3_copy_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void vec3_copy_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t vi;
   load_vec3_double(&vi, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t vo;
     if (step[0] != 0) {
@@ -24,30 +26,35 @@ INLINED void vec3_copy_double_over(char **data, npy_intp n, const npy_intp *step
   }
 }
 
-static void vec3_copy_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void vec3_copy_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_copy_double_over(data, n[0], dense_1, dense_1 + 2);
+    vec3_copy_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec3_copy_double_over(data, n[0], dense_2, dense_2 + 2);
+    vec3_copy_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   vec3_copy_double_over(data, n[0], step, step + 2);
 }
 
 /* (3)->(3) */
-INLINED void vec3_copy_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void vec3_copy_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t vi;
   load_vec3_single(&vi, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t vo;
     if (step[0] != 0) {
@@ -58,28 +65,34 @@ INLINED void vec3_copy_single_over(char **data, npy_intp n, const npy_intp *step
   }
 }
 
-static void vec3_copy_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void vec3_copy_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_copy_single_over(data, n[0], dense_1, dense_1 + 2);
+    vec3_copy_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec3_copy_single_over(data, n[0], dense_2, dense_2 + 2);
+    vec3_copy_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   vec3_copy_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction vec3_copy_loops[] = { vec3_copy_double, vec3_copy_single };
+static PyUFuncGenericFunction vec3_copy_loops[] = {
+    vec3_copy_double, vec3_copy_single};
 
 /* (3),()->(3) */
-INLINED void vec3_scale_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void vec3_scale_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t self;
     double a;
@@ -90,21 +103,25 @@ INLINED void vec3_scale_double_over(char **data, npy_intp n, const npy_intp *ste
   }
 }
 
-static void vec3_scale_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void vec3_scale_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_scale_double_over(data, n[0], dense_1, dense_1 + 3);
+    vec3_scale_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   vec3_scale_double_over(data, n[0], step, step + 3);
 }
 
 /* (3),()->(3) */
-INLINED void vec3_scale_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void vec3_scale_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t self;
     float a;
@@ -115,27 +132,32 @@ INLINED void vec3_scale_single_over(char **data, npy_intp n, const npy_intp *ste
   }
 }
 
-static void vec3_scale_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void vec3_scale_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_scale_single_over(data, n[0], dense_1, dense_1 + 3);
+    vec3_scale_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   vec3_scale_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction vec3_scale_loops[] = { vec3_scale_double, vec3_scale_single };
+static PyUFuncGenericFunction vec3_scale_loops[] = {
+    vec3_scale_double, vec3_scale_single};
 
 /* (3)->(3) */
-INLINED void vec3_inverted_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void vec3_inverted_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t vi;
   load_vec3_double(&vi, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t vo;
     if (step[0] != 0) {
@@ -146,30 +168,35 @@ INLINED void vec3_inverted_double_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void vec3_inverted_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void vec3_inverted_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_inverted_double_over(data, n[0], dense_1, dense_1 + 2);
+    vec3_inverted_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec3_inverted_double_over(data, n[0], dense_2, dense_2 + 2);
+    vec3_inverted_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   vec3_inverted_double_over(data, n[0], step, step + 2);
 }
 
 /* (3)->(3) */
-INLINED void vec3_inverted_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void vec3_inverted_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t vi;
   load_vec3_single(&vi, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t vo;
     if (step[0] != 0) {
@@ -180,27 +207,33 @@ INLINED void vec3_inverted_single_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void vec3_inverted_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void vec3_inverted_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_inverted_single_over(data, n[0], dense_1, dense_1 + 2);
+    vec3_inverted_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec3_inverted_single_over(data, n[0], dense_2, dense_2 + 2);
+    vec3_inverted_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   vec3_inverted_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction vec3_inverted_loops[] = { vec3_inverted_double, vec3_inverted_single };
+static PyUFuncGenericFunction vec3_inverted_loops[] = {
+    vec3_inverted_double, vec3_inverted_single};
 
 /* (3)->(3) */
-INLINED void vec3_invert_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void vec3_invert_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t self;
     load_vec3_double(&self, p0 + i * step[0], core + 0);
@@ -209,20 +242,24 @@ INLINED void vec3_invert_double_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void vec3_invert_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void vec3_invert_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_invert_double_over(data, n[0], dense_1, dense_1 + 2);
+    vec3_invert_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   vec3_invert_double_over(data, n[0], step, step + 2);
 }
 
 /* (3)->(3) */
-INLINED void vec3_invert_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void vec3_invert_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t self;
     load_vec3_single(&self, p0 + i * step[0], core + 0);
@@ -231,29 +268,34 @@ INLINED void vec3_invert_single_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void vec3_invert_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void vec3_invert_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_invert_single_over(data, n[0], dense_1, dense_1 + 2);
+    vec3_invert_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   vec3_invert_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction vec3_invert_loops[] = { vec3_invert_double, vec3_invert_single };
+static PyUFuncGenericFunction vec3_invert_loops[] = {
+    vec3_invert_double, vec3_invert_single};
 
 /* (),(3),(3)->(3) */
-INLINED void axpy_vv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
-  char *const restrict p3 = data[3];
+INLINED void axpy_vv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
   if (n <= 0) {
     return;
   }
   double a;
   load_scalar_double(&a, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t x;
     ksl_vec3_t y;
@@ -267,32 +309,37 @@ INLINED void axpy_vv_double_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void axpy_vv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void axpy_vv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 8, 24, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axpy_vv_double_over(data, n[0], dense_1, dense_1 + 4);
+    axpy_vv_double_over(
+        data, n[0], dense_1, dense_1 + 4);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axpy_vv_double_over(data, n[0], dense_2, dense_2 + 4);
+    axpy_vv_double_over(
+        data, n[0], dense_2, dense_2 + 4);
     return;
   }
   axpy_vv_double_over(data, n[0], step, step + 4);
 }
 
 /* (),(3),(3)->(3) */
-INLINED void axpy_vv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
-  char *const restrict p3 = data[3];
+INLINED void axpy_vv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
   if (n <= 0) {
     return;
   }
   float a;
   load_scalar_single(&a, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t x;
     ksl_vec3f_t y;
@@ -306,33 +353,39 @@ INLINED void axpy_vv_single_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void axpy_vv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void axpy_vv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 4, 12, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axpy_vv_single_over(data, n[0], dense_1, dense_1 + 4);
+    axpy_vv_single_over(
+        data, n[0], dense_1, dense_1 + 4);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axpy_vv_single_over(data, n[0], dense_2, dense_2 + 4);
+    axpy_vv_single_over(
+        data, n[0], dense_2, dense_2 + 4);
     return;
   }
   axpy_vv_single_over(data, n[0], step, step + 4);
 }
 
-static PyUFuncGenericFunction axpy_vv_loops[] = { axpy_vv_double, axpy_vv_single };
+static PyUFuncGenericFunction axpy_vv_loops[] = {
+    axpy_vv_double, axpy_vv_single};
 
 /* (3),(3)->(3) */
-INLINED void xpy_vv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void xpy_vv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t x;
   load_vec3_double(&x, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t y;
     if (step[0] != 0) {
@@ -344,31 +397,36 @@ INLINED void xpy_vv_double_over(char **data, npy_intp n, const npy_intp *step, c
   }
 }
 
-static void xpy_vv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void xpy_vv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    xpy_vv_double_over(data, n[0], dense_1, dense_1 + 3);
+    xpy_vv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    xpy_vv_double_over(data, n[0], dense_2, dense_2 + 3);
+    xpy_vv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   xpy_vv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3),(3)->(3) */
-INLINED void xpy_vv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void xpy_vv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t x;
   load_vec3_single(&x, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t y;
     if (step[0] != 0) {
@@ -380,33 +438,39 @@ INLINED void xpy_vv_single_over(char **data, npy_intp n, const npy_intp *step, c
   }
 }
 
-static void xpy_vv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void xpy_vv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    xpy_vv_single_over(data, n[0], dense_1, dense_1 + 3);
+    xpy_vv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    xpy_vv_single_over(data, n[0], dense_2, dense_2 + 3);
+    xpy_vv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   xpy_vv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction xpy_vv_loops[] = { xpy_vv_double, xpy_vv_single };
+static PyUFuncGenericFunction xpy_vv_loops[] = {
+    xpy_vv_double, xpy_vv_single};
 
 /* (3),(3)->(3) */
-INLINED void nxpy_vv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void nxpy_vv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t x;
   load_vec3_double(&x, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t y;
     if (step[0] != 0) {
@@ -418,31 +482,36 @@ INLINED void nxpy_vv_double_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void nxpy_vv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void nxpy_vv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    nxpy_vv_double_over(data, n[0], dense_1, dense_1 + 3);
+    nxpy_vv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    nxpy_vv_double_over(data, n[0], dense_2, dense_2 + 3);
+    nxpy_vv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   nxpy_vv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3),(3)->(3) */
-INLINED void nxpy_vv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void nxpy_vv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t x;
   load_vec3_single(&x, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t y;
     if (step[0] != 0) {
@@ -454,33 +523,39 @@ INLINED void nxpy_vv_single_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void nxpy_vv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void nxpy_vv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    nxpy_vv_single_over(data, n[0], dense_1, dense_1 + 3);
+    nxpy_vv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    nxpy_vv_single_over(data, n[0], dense_2, dense_2 + 3);
+    nxpy_vv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   nxpy_vv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction nxpy_vv_loops[] = { nxpy_vv_double, nxpy_vv_single };
+static PyUFuncGenericFunction nxpy_vv_loops[] = {
+    nxpy_vv_double, nxpy_vv_single};
 
 /* (),(3)->(3) */
-INLINED void product_av_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_av_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   double a;
   load_scalar_double(&a, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t vi;
     ksl_vec3_t vo;
@@ -493,31 +568,36 @@ INLINED void product_av_double_over(char **data, npy_intp n, const npy_intp *ste
   }
 }
 
-static void product_av_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_av_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 8, 24, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_av_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_av_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_av_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_av_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_av_double_over(data, n[0], step, step + 3);
 }
 
 /* (),(3)->(3) */
-INLINED void product_av_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_av_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   float a;
   load_scalar_single(&a, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t vi;
     ksl_vec3f_t vo;
@@ -530,33 +610,39 @@ INLINED void product_av_single_over(char **data, npy_intp n, const npy_intp *ste
   }
 }
 
-static void product_av_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_av_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 4, 12, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_av_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_av_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 12, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_av_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_av_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_av_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_av_loops[] = { product_av_double, product_av_single };
+static PyUFuncGenericFunction product_av_loops[] = {
+    product_av_double, product_av_single};
 
 /* (3),(3)->(3) */
-INLINED void add_vv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void add_vv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t v1;
   load_vec3_double(&v1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t v2;
     ksl_vec3_t vo;
@@ -569,31 +655,36 @@ INLINED void add_vv_double_over(char **data, npy_intp n, const npy_intp *step, c
   }
 }
 
-static void add_vv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void add_vv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vv_double_over(data, n[0], dense_1, dense_1 + 3);
+    add_vv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vv_double_over(data, n[0], dense_2, dense_2 + 3);
+    add_vv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3),(3)->(3) */
-INLINED void add_vv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void add_vv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t v1;
   load_vec3_single(&v1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t v2;
     ksl_vec3f_t vo;
@@ -606,33 +697,39 @@ INLINED void add_vv_single_over(char **data, npy_intp n, const npy_intp *step, c
   }
 }
 
-static void add_vv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void add_vv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vv_single_over(data, n[0], dense_1, dense_1 + 3);
+    add_vv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vv_single_over(data, n[0], dense_2, dense_2 + 3);
+    add_vv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction add_vv_loops[] = { add_vv_double, add_vv_single };
+static PyUFuncGenericFunction add_vv_loops[] = {
+    add_vv_double, add_vv_single};
 
 /* (3),(3)->(3) */
-INLINED void subtract_vv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void subtract_vv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t v1;
   load_vec3_double(&v1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t v2;
     ksl_vec3_t vo;
@@ -645,31 +742,36 @@ INLINED void subtract_vv_double_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void subtract_vv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void subtract_vv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_vv_double_over(data, n[0], dense_1, dense_1 + 3);
+    subtract_vv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_vv_double_over(data, n[0], dense_2, dense_2 + 3);
+    subtract_vv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   subtract_vv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3),(3)->(3) */
-INLINED void subtract_vv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void subtract_vv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t v1;
   load_vec3_single(&v1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t v2;
     ksl_vec3f_t vo;
@@ -682,33 +784,39 @@ INLINED void subtract_vv_single_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void subtract_vv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void subtract_vv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_vv_single_over(data, n[0], dense_1, dense_1 + 3);
+    subtract_vv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_vv_single_over(data, n[0], dense_2, dense_2 + 3);
+    subtract_vv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   subtract_vv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction subtract_vv_loops[] = { subtract_vv_double, subtract_vv_single };
+static PyUFuncGenericFunction subtract_vv_loops[] = {
+    subtract_vv_double, subtract_vv_single};
 
 /* (3),()->(3) */
-INLINED void vec3_scaled_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void vec3_scaled_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t v;
   load_vec3_double(&v, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double k;
     ksl_vec3_t vo;
@@ -721,31 +829,36 @@ INLINED void vec3_scaled_double_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void vec3_scaled_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void vec3_scaled_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_scaled_double_over(data, n[0], dense_1, dense_1 + 3);
+    vec3_scaled_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec3_scaled_double_over(data, n[0], dense_2, dense_2 + 3);
+    vec3_scaled_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   vec3_scaled_double_over(data, n[0], step, step + 3);
 }
 
 /* (3),()->(3) */
-INLINED void vec3_scaled_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void vec3_scaled_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t v;
   load_vec3_single(&v, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float k;
     ksl_vec3f_t vo;
@@ -758,29 +871,35 @@ INLINED void vec3_scaled_single_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void vec3_scaled_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void vec3_scaled_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_scaled_single_over(data, n[0], dense_1, dense_1 + 3);
+    vec3_scaled_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec3_scaled_single_over(data, n[0], dense_2, dense_2 + 3);
+    vec3_scaled_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   vec3_scaled_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction vec3_scaled_loops[] = { vec3_scaled_double, vec3_scaled_single };
+static PyUFuncGenericFunction vec3_scaled_loops[] = {
+    vec3_scaled_double, vec3_scaled_single};
 
 /* (3),(3)->(3),(3) */
-INLINED void vec3_swap_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
-  char *const restrict p3 = data[3];
+INLINED void vec3_swap_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t v1;
     ksl_vec3_t v2;
@@ -792,22 +911,26 @@ INLINED void vec3_swap_double_over(char **data, npy_intp n, const npy_intp *step
   }
 }
 
-static void vec3_swap_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void vec3_swap_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 24, 24, 8, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_swap_double_over(data, n[0], dense_1, dense_1 + 4);
+    vec3_swap_double_over(
+        data, n[0], dense_1, dense_1 + 4);
     return;
   }
   vec3_swap_double_over(data, n[0], step, step + 4);
 }
 
 /* (3),(3)->(3),(3) */
-INLINED void vec3_swap_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
-  char *const restrict p3 = data[3];
+INLINED void vec3_swap_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t v1;
     ksl_vec3f_t v2;
@@ -819,27 +942,32 @@ INLINED void vec3_swap_single_over(char **data, npy_intp n, const npy_intp *step
   }
 }
 
-static void vec3_swap_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void vec3_swap_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 12, 12, 12, 4, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_swap_single_over(data, n[0], dense_1, dense_1 + 4);
+    vec3_swap_single_over(
+        data, n[0], dense_1, dense_1 + 4);
     return;
   }
   vec3_swap_single_over(data, n[0], step, step + 4);
 }
 
-static PyUFuncGenericFunction vec3_swap_loops[] = { vec3_swap_double, vec3_swap_single };
+static PyUFuncGenericFunction vec3_swap_loops[] = {
+    vec3_swap_double, vec3_swap_single};
 
 /* (3)->() */
-INLINED void vec3_l2norm_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void vec3_l2norm_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t v;
   load_vec3_double(&v, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double norm;
     if (step[0] != 0) {
@@ -850,30 +978,35 @@ INLINED void vec3_l2norm_double_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void vec3_l2norm_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void vec3_l2norm_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_l2norm_double_over(data, n[0], dense_1, dense_1 + 2);
+    vec3_l2norm_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec3_l2norm_double_over(data, n[0], dense_2, dense_2 + 2);
+    vec3_l2norm_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   vec3_l2norm_double_over(data, n[0], step, step + 2);
 }
 
 /* (3)->() */
-INLINED void vec3_l2norm_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void vec3_l2norm_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t v;
   load_vec3_single(&v, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float norm;
     if (step[0] != 0) {
@@ -884,27 +1017,33 @@ INLINED void vec3_l2norm_single_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void vec3_l2norm_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void vec3_l2norm_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_l2norm_single_over(data, n[0], dense_1, dense_1 + 2);
+    vec3_l2norm_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec3_l2norm_single_over(data, n[0], dense_2, dense_2 + 2);
+    vec3_l2norm_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   vec3_l2norm_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction vec3_l2norm_loops[] = { vec3_l2norm_double, vec3_l2norm_single };
+static PyUFuncGenericFunction vec3_l2norm_loops[] = {
+    vec3_l2norm_double, vec3_l2norm_single};
 
 /* (3)->(3) */
-INLINED void vec3_normalize_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void vec3_normalize_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t self;
     load_vec3_double(&self, p0 + i * step[0], core + 0);
@@ -913,20 +1052,24 @@ INLINED void vec3_normalize_double_over(char **data, npy_intp n, const npy_intp 
   }
 }
 
-static void vec3_normalize_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void vec3_normalize_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_normalize_double_over(data, n[0], dense_1, dense_1 + 2);
+    vec3_normalize_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   vec3_normalize_double_over(data, n[0], step, step + 2);
 }
 
 /* (3)->(3) */
-INLINED void vec3_normalize_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void vec3_normalize_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t self;
     load_vec3_single(&self, p0 + i * step[0], core + 0);
@@ -935,27 +1078,32 @@ INLINED void vec3_normalize_single_over(char **data, npy_intp n, const npy_intp 
   }
 }
 
-static void vec3_normalize_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void vec3_normalize_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_normalize_single_over(data, n[0], dense_1, dense_1 + 2);
+    vec3_normalize_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   vec3_normalize_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction vec3_normalize_loops[] = { vec3_normalize_double, vec3_normalize_single };
+static PyUFuncGenericFunction vec3_normalize_loops[] = {
+    vec3_normalize_double, vec3_normalize_single};
 
 /* (3)->(3) */
-INLINED void vec3_normalized_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void vec3_normalized_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t v;
   load_vec3_double(&v, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t vo;
     if (step[0] != 0) {
@@ -966,30 +1114,35 @@ INLINED void vec3_normalized_double_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void vec3_normalized_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void vec3_normalized_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_normalized_double_over(data, n[0], dense_1, dense_1 + 2);
+    vec3_normalized_double_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec3_normalized_double_over(data, n[0], dense_2, dense_2 + 2);
+    vec3_normalized_double_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   vec3_normalized_double_over(data, n[0], step, step + 2);
 }
 
 /* (3)->(3) */
-INLINED void vec3_normalized_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
+INLINED void vec3_normalized_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t v;
   load_vec3_single(&v, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t vo;
     if (step[0] != 0) {
@@ -1000,33 +1153,39 @@ INLINED void vec3_normalized_single_over(char **data, npy_intp n, const npy_intp
   }
 }
 
-static void vec3_normalized_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void vec3_normalized_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_normalized_single_over(data, n[0], dense_1, dense_1 + 2);
+    vec3_normalized_single_over(
+        data, n[0], dense_1, dense_1 + 2);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec3_normalized_single_over(data, n[0], dense_2, dense_2 + 2);
+    vec3_normalized_single_over(
+        data, n[0], dense_2, dense_2 + 2);
     return;
   }
   vec3_normalized_single_over(data, n[0], step, step + 2);
 }
 
-static PyUFuncGenericFunction vec3_normalized_loops[] = { vec3_normalized_double, vec3_normalized_single };
+static PyUFuncGenericFunction vec3_normalized_loops[] = {
+    vec3_normalized_double, vec3_normalized_single};
 
 /* (3),(3)->() */
-INLINED void dot_vv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void dot_vv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t v1;
   load_vec3_double(&v1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t v2;
     double dot;
@@ -1039,31 +1198,36 @@ INLINED void dot_vv_double_over(char **data, npy_intp n, const npy_intp *step, c
   }
 }
 
-static void dot_vv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void dot_vv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    dot_vv_double_over(data, n[0], dense_1, dense_1 + 3);
+    dot_vv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    dot_vv_double_over(data, n[0], dense_2, dense_2 + 3);
+    dot_vv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   dot_vv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3),(3)->() */
-INLINED void dot_vv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void dot_vv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t v1;
   load_vec3_single(&v1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t v2;
     float dot;
@@ -1076,33 +1240,39 @@ INLINED void dot_vv_single_over(char **data, npy_intp n, const npy_intp *step, c
   }
 }
 
-static void dot_vv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void dot_vv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    dot_vv_single_over(data, n[0], dense_1, dense_1 + 3);
+    dot_vv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    dot_vv_single_over(data, n[0], dense_2, dense_2 + 3);
+    dot_vv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   dot_vv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction dot_vv_loops[] = { dot_vv_double, dot_vv_single };
+static PyUFuncGenericFunction dot_vv_loops[] = {
+    dot_vv_double, dot_vv_single};
 
 /* (),(3)->(3) */
-INLINED void product_avinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_avinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   double k;
   load_scalar_double(&k, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t v;
     ksl_vec3_t vo;
@@ -1115,31 +1285,36 @@ INLINED void product_avinv_double_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_avinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_avinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 8, 24, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_avinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_avinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_avinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_avinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_avinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (),(3)->(3) */
-INLINED void product_avinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_avinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   float k;
   load_scalar_single(&k, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t v;
     ksl_vec3f_t vo;
@@ -1152,33 +1327,39 @@ INLINED void product_avinv_single_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_avinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_avinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 4, 12, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_avinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_avinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 12, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_avinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_avinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_avinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_avinv_loops[] = { product_avinv_double, product_avinv_single };
+static PyUFuncGenericFunction product_avinv_loops[] = {
+    product_avinv_double, product_avinv_single};
 
 /* (),(3)->(3) */
-INLINED void product_ainvv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ainvv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   double k;
   load_scalar_double(&k, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t v;
     ksl_vec3_t vo;
@@ -1191,31 +1372,36 @@ INLINED void product_ainvv_double_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_ainvv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ainvv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 8, 24, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ainvv_double_over(data, n[0], dense_1, dense_1 + 3);
+    product_ainvv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ainvv_double_over(data, n[0], dense_2, dense_2 + 3);
+    product_ainvv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ainvv_double_over(data, n[0], step, step + 3);
 }
 
 /* (),(3)->(3) */
-INLINED void product_ainvv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void product_ainvv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   float k;
   load_scalar_single(&k, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t v;
     ksl_vec3f_t vo;
@@ -1228,33 +1414,39 @@ INLINED void product_ainvv_single_over(char **data, npy_intp n, const npy_intp *
   }
 }
 
-static void product_ainvv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void product_ainvv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 4, 12, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ainvv_single_over(data, n[0], dense_1, dense_1 + 3);
+    product_ainvv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 12, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ainvv_single_over(data, n[0], dense_2, dense_2 + 3);
+    product_ainvv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   product_ainvv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction product_ainvv_loops[] = { product_ainvv_double, product_ainvv_single };
+static PyUFuncGenericFunction product_ainvv_loops[] = {
+    product_ainvv_double, product_ainvv_single};
 
 /* (3),(3)->(3) */
-INLINED void cross_vv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void cross_vv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t v1;
   load_vec3_double(&v1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t v2;
     ksl_vec3_t vo;
@@ -1267,31 +1459,36 @@ INLINED void cross_vv_double_over(char **data, npy_intp n, const npy_intp *step,
   }
 }
 
-static void cross_vv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void cross_vv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_vv_double_over(data, n[0], dense_1, dense_1 + 3);
+    cross_vv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_vv_double_over(data, n[0], dense_2, dense_2 + 3);
+    cross_vv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   cross_vv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3),(3)->(3) */
-INLINED void cross_vv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void cross_vv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t v1;
   load_vec3_single(&v1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t v2;
     ksl_vec3f_t vo;
@@ -1304,33 +1501,39 @@ INLINED void cross_vv_single_over(char **data, npy_intp n, const npy_intp *step,
   }
 }
 
-static void cross_vv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void cross_vv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_vv_single_over(data, n[0], dense_1, dense_1 + 3);
+    cross_vv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_vv_single_over(data, n[0], dense_2, dense_2 + 3);
+    cross_vv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   cross_vv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction cross_vv_loops[] = { cross_vv_double, cross_vv_single };
+static PyUFuncGenericFunction cross_vv_loops[] = {
+    cross_vv_double, cross_vv_single};
 
 /* (3),(3)->(3) */
-INLINED void cross_vvinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void cross_vvinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t v1;
   load_vec3_double(&v1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3_t v2;
     ksl_vec3_t vo;
@@ -1343,31 +1546,36 @@ INLINED void cross_vvinv_double_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void cross_vvinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void cross_vvinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_vvinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    cross_vvinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_vvinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    cross_vvinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   cross_vvinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3),(3)->(3) */
-INLINED void cross_vvinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void cross_vvinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t v1;
   load_vec3_single(&v1, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_vec3f_t v2;
     ksl_vec3f_t vo;
@@ -1380,33 +1588,39 @@ INLINED void cross_vvinv_single_over(char **data, npy_intp n, const npy_intp *st
   }
 }
 
-static void cross_vvinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void cross_vvinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_vvinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    cross_vvinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_vvinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    cross_vvinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   cross_vvinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction cross_vvinv_loops[] = { cross_vvinv_double, cross_vvinv_single };
+static PyUFuncGenericFunction cross_vvinv_loops[] = {
+    cross_vvinv_double, cross_vvinv_single};
 
 /* (3),()->(3) */
-INLINED void add_vvx_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void add_vvx_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t v;
   load_vec3_double(&v, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double k;
     ksl_vec3_t vo;
@@ -1419,31 +1633,36 @@ INLINED void add_vvx_double_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void add_vvx_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void add_vvx_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvx_double_over(data, n[0], dense_1, dense_1 + 3);
+    add_vvx_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvx_double_over(data, n[0], dense_2, dense_2 + 3);
+    add_vvx_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvx_double_over(data, n[0], step, step + 3);
 }
 
 /* (3),()->(3) */
-INLINED void add_vvx_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void add_vvx_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t v;
   load_vec3_single(&v, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float k;
     ksl_vec3f_t vo;
@@ -1456,33 +1675,39 @@ INLINED void add_vvx_single_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void add_vvx_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void add_vvx_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvx_single_over(data, n[0], dense_1, dense_1 + 3);
+    add_vvx_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvx_single_over(data, n[0], dense_2, dense_2 + 3);
+    add_vvx_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvx_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction add_vvx_loops[] = { add_vvx_double, add_vvx_single };
+static PyUFuncGenericFunction add_vvx_loops[] = {
+    add_vvx_double, add_vvx_single};
 
 /* (3),()->(3) */
-INLINED void add_vvxinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void add_vvxinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t v;
   load_vec3_double(&v, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double k;
     ksl_vec3_t vo;
@@ -1495,31 +1720,36 @@ INLINED void add_vvxinv_double_over(char **data, npy_intp n, const npy_intp *ste
   }
 }
 
-static void add_vvxinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void add_vvxinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvxinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    add_vvxinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvxinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    add_vvxinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvxinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3),()->(3) */
-INLINED void add_vvxinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void add_vvxinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t v;
   load_vec3_single(&v, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float k;
     ksl_vec3f_t vo;
@@ -1532,33 +1762,39 @@ INLINED void add_vvxinv_single_over(char **data, npy_intp n, const npy_intp *ste
   }
 }
 
-static void add_vvxinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void add_vvxinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvxinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    add_vvxinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvxinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    add_vvxinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvxinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction add_vvxinv_loops[] = { add_vvxinv_double, add_vvxinv_single };
+static PyUFuncGenericFunction add_vvxinv_loops[] = {
+    add_vvxinv_double, add_vvxinv_single};
 
 /* (3),()->(3) */
-INLINED void add_vvy_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void add_vvy_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t v;
   load_vec3_double(&v, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double k;
     ksl_vec3_t vo;
@@ -1571,31 +1807,36 @@ INLINED void add_vvy_double_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void add_vvy_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void add_vvy_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvy_double_over(data, n[0], dense_1, dense_1 + 3);
+    add_vvy_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvy_double_over(data, n[0], dense_2, dense_2 + 3);
+    add_vvy_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvy_double_over(data, n[0], step, step + 3);
 }
 
 /* (3),()->(3) */
-INLINED void add_vvy_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void add_vvy_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t v;
   load_vec3_single(&v, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float k;
     ksl_vec3f_t vo;
@@ -1608,33 +1849,39 @@ INLINED void add_vvy_single_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void add_vvy_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void add_vvy_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvy_single_over(data, n[0], dense_1, dense_1 + 3);
+    add_vvy_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvy_single_over(data, n[0], dense_2, dense_2 + 3);
+    add_vvy_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvy_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction add_vvy_loops[] = { add_vvy_double, add_vvy_single };
+static PyUFuncGenericFunction add_vvy_loops[] = {
+    add_vvy_double, add_vvy_single};
 
 /* (3),()->(3) */
-INLINED void add_vvyinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void add_vvyinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t v;
   load_vec3_double(&v, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double k;
     ksl_vec3_t vo;
@@ -1647,31 +1894,36 @@ INLINED void add_vvyinv_double_over(char **data, npy_intp n, const npy_intp *ste
   }
 }
 
-static void add_vvyinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void add_vvyinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvyinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    add_vvyinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvyinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    add_vvyinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvyinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3),()->(3) */
-INLINED void add_vvyinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void add_vvyinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t v;
   load_vec3_single(&v, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float k;
     ksl_vec3f_t vo;
@@ -1684,33 +1936,39 @@ INLINED void add_vvyinv_single_over(char **data, npy_intp n, const npy_intp *ste
   }
 }
 
-static void add_vvyinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void add_vvyinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvyinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    add_vvyinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvyinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    add_vvyinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvyinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction add_vvyinv_loops[] = { add_vvyinv_double, add_vvyinv_single };
+static PyUFuncGenericFunction add_vvyinv_loops[] = {
+    add_vvyinv_double, add_vvyinv_single};
 
 /* (3),()->(3) */
-INLINED void add_vvz_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void add_vvz_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t v;
   load_vec3_double(&v, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double k;
     ksl_vec3_t vo;
@@ -1723,31 +1981,36 @@ INLINED void add_vvz_double_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void add_vvz_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void add_vvz_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvz_double_over(data, n[0], dense_1, dense_1 + 3);
+    add_vvz_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvz_double_over(data, n[0], dense_2, dense_2 + 3);
+    add_vvz_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvz_double_over(data, n[0], step, step + 3);
 }
 
 /* (3),()->(3) */
-INLINED void add_vvz_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void add_vvz_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t v;
   load_vec3_single(&v, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float k;
     ksl_vec3f_t vo;
@@ -1760,33 +2023,39 @@ INLINED void add_vvz_single_over(char **data, npy_intp n, const npy_intp *step, 
   }
 }
 
-static void add_vvz_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void add_vvz_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvz_single_over(data, n[0], dense_1, dense_1 + 3);
+    add_vvz_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvz_single_over(data, n[0], dense_2, dense_2 + 3);
+    add_vvz_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvz_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction add_vvz_loops[] = { add_vvz_double, add_vvz_single };
+static PyUFuncGenericFunction add_vvz_loops[] = {
+    add_vvz_double, add_vvz_single};
 
 /* (3),()->(3) */
-INLINED void add_vvzinv_double_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void add_vvzinv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3_t v;
   load_vec3_double(&v, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     double k;
     ksl_vec3_t vo;
@@ -1799,31 +2068,36 @@ INLINED void add_vvzinv_double_over(char **data, npy_intp n, const npy_intp *ste
   }
 }
 
-static void add_vvzinv_double(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void add_vvzinv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvzinv_double_over(data, n[0], dense_1, dense_1 + 3);
+    add_vvzinv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvzinv_double_over(data, n[0], dense_2, dense_2 + 3);
+    add_vvzinv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvzinv_double_over(data, n[0], step, step + 3);
 }
 
 /* (3),()->(3) */
-INLINED void add_vvzinv_single_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const restrict p0 = data[0];
-  char *const restrict p1 = data[1];
-  char *const restrict p2 = data[2];
+INLINED void add_vvzinv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
   if (n <= 0) {
     return;
   }
   ksl_vec3f_t v;
   load_vec3_single(&v, p0, core + 0);
+  INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     float k;
     ksl_vec3f_t vo;
@@ -1836,22 +2110,26 @@ INLINED void add_vvzinv_single_over(char **data, npy_intp n, const npy_intp *ste
   }
 }
 
-static void add_vvzinv_single(char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+static void add_vvzinv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
   static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvzinv_single_over(data, n[0], dense_1, dense_1 + 3);
+    add_vvzinv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
   static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvzinv_single_over(data, n[0], dense_2, dense_2 + 3);
+    add_vvzinv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
     return;
   }
   add_vvzinv_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction add_vvzinv_loops[] = { add_vvzinv_double, add_vvzinv_single };
+static PyUFuncGenericFunction add_vvzinv_loops[] = {
+    add_vvzinv_double, add_vvzinv_single};
 
 const coscrew_gufunc TABLE(vec3)[] = {
   {"vec3_copy", "(3)->(3)",
@@ -1864,7 +2142,7 @@ const coscrew_gufunc TABLE(vec3)[] = {
     "self = a self.\n"
     "\n"
     "(3),()->(3).  self: vector; a: number.\n"
-    "3 mul.  Error <= u |x|, barring underflow.\n",
+    "3 mul.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, vec3_scale_loops},
   {"vec3_inverted", "(3)->(3)",
     "vo = -vi.\n"
@@ -1882,43 +2160,44 @@ const coscrew_gufunc TABLE(vec3)[] = {
     "y = a x + y.\n"
     "\n"
     "(),(3),(3)->(3).  a: number; x, y: vector.\n"
-    "3 mul, 3 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "3 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    3, 1, axpy_vv_loops},
   {"xpy_vv", "(3),(3)->(3)",
     "y = x + y.\n"
     "\n"
     "(3),(3)->(3).  x, y: vector.\n"
-    "3 add.  Error <= u |x|, barring underflow.\n",
+    "3 add.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, xpy_vv_loops},
   {"nxpy_vv", "(3),(3)->(3)",
     "y = -x + y.\n"
     "\n"
     "(3),(3)->(3).  x, y: vector.\n"
-    "3 add.  Error <= u |x|, barring underflow.\n",
+    "3 add.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, nxpy_vv_loops},
   {"product_av", "(),(3)->(3)",
     "vo = a vi.\n"
     "\n"
     "(),(3)->(3).  a: number; vi, vo: vector.\n"
-    "3 mul.  Error <= u |x|, barring underflow.\n",
+    "3 mul.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, product_av_loops},
   {"add_vv", "(3),(3)->(3)",
     "vo = v1 + v2.\n"
     "\n"
     "(3),(3)->(3).  v1, v2, vo: vector.\n"
-    "3 add.  Error <= u |x|, barring underflow.\n",
+    "3 add.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, add_vv_loops},
   {"subtract_vv", "(3),(3)->(3)",
     "vo = v1 - v2.\n"
     "\n"
     "(3),(3)->(3).  v1, v2, vo: vector.\n"
-    "3 add.  Error <= u |x|, barring underflow.\n",
+    "3 add.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, subtract_vv_loops},
   {"vec3_scaled", "(3),()->(3)",
     "vo = k v.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
-    "3 mul.  Error <= u |x|, barring underflow.\n",
+    "3 mul.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, vec3_scaled_loops},
   {"vec3_swap", "(3),(3)->(3),(3)",
     "v1, v2 = v2, v1.\n"
@@ -1927,19 +2206,19 @@ const coscrew_gufunc TABLE(vec3)[] = {
     "No arithmetic.  Exact.\n",
    2, 2, vec3_swap_loops},
   {"vec3_l2norm", "(3)->()",
-    "|v| = sqrt(v·v).\n"
+    "|v| = sqrt(v·v); squares must neither over- nor underflow.\n"
     "\n"
     "(3)->().  v: vector; norm: number.\n"
     "3 mul, 2 add, 1 sqrt.\n",
    1, 1, vec3_l2norm_loops},
   {"vec3_normalize", "(3)->(3)",
-    "self = self / |self|; the zero vector stays zero.\n"
+    "self = self / |self|; the zero vector stays zero; squares must neither over- nor underflow.\n"
     "\n"
     "(3)->(3).  self: vector.\n"
     "3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select.\n",
    1, 1, vec3_normalize_loops},
   {"vec3_normalized", "(3)->(3)",
-    "vo = v / |v|; the zero vector stays zero.\n"
+    "vo = v / |v|; the zero vector stays zero; squares must neither over- nor underflow.\n"
     "\n"
     "(3)->(3).  v, vo: vector.\n"
     "3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select.\n",
@@ -1948,67 +2227,70 @@ const coscrew_gufunc TABLE(vec3)[] = {
     "v1·v2.\n"
     "\n"
     "(3),(3)->().  v1, v2: vector; dot: number.\n"
-    "3 mul, 2 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "3 mul, 2 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    2, 1, dot_vv_loops},
   {"product_avinv", "(),(3)->(3)",
     "vo = k (-v).\n"
     "\n"
     "(),(3)->(3).  k: number; v, vo: vector.\n"
-    "3 mul, 3 neg.  Error <= u |x|, barring underflow.\n",
+    "3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, product_avinv_loops},
   {"product_ainvv", "(),(3)->(3)",
-    "vo = k^-1 v.\n"
+    "vo = v / k.\n"
     "\n"
     "(),(3)->(3).  k: number; v, vo: vector.\n"
-    "3 mul, 1 div.\n",
+    "3 div.\n",
    2, 1, product_ainvv_loops},
   {"cross_vv", "(3),(3)->(3)",
-    "vo = v1 × v2; exactly zero for v1 = v2.\n"
+    "vo = v1 × v2.  Exactly zero for v1 = v2, unless products overflow.\n"
     "\n"
     "(3),(3)->(3).  v1, v2, vo: vector.\n"
-    "6 mul, 3 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "6 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    2, 1, cross_vv_loops},
   {"cross_vvinv", "(3),(3)->(3)",
     "vo = v1 × (-v2).\n"
     "\n"
     "(3),(3)->(3).  v1, v2, vo: vector.\n"
-    "6 mul, 3 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "6 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
+    "formula; barring over- and underflow.\n",
    2, 1, cross_vvinv_loops},
   {"add_vvx", "(3),()->(3)",
     "vo = v + k e_x.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
-    "1 add.  Error <= u |x|, barring underflow.\n",
+    "1 add.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, add_vvx_loops},
   {"add_vvxinv", "(3),()->(3)",
     "vo = v - k e_x.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
-    "1 add.  Error <= u |x|, barring underflow.\n",
+    "1 add.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, add_vvxinv_loops},
   {"add_vvy", "(3),()->(3)",
     "vo = v + k e_y.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
-    "1 add.  Error <= u |x|, barring underflow.\n",
+    "1 add.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, add_vvy_loops},
   {"add_vvyinv", "(3),()->(3)",
     "vo = v - k e_y.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
-    "1 add.  Error <= u |x|, barring underflow.\n",
+    "1 add.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, add_vvyinv_loops},
   {"add_vvz", "(3),()->(3)",
     "vo = v + k e_z.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
-    "1 add.  Error <= u |x|, barring underflow.\n",
+    "1 add.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, add_vvz_loops},
   {"add_vvzinv", "(3),()->(3)",
     "vo = v - k e_z.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
-    "1 add.  Error <= u |x|, barring underflow.\n",
+    "1 add.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, add_vvzinv_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

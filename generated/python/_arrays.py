@@ -20,7 +20,8 @@ def array(value: ArrayLike, name: str, core: Shape, function: str, dtype: DTypeL
             raise TypeError(f"{function}: {name} has dtype {found.dtype}; wanted real numbers")
         found = found.astype(dtype, copy=False)
     if found.shape[max(found.ndim - len(core), 0):] != core:
-        raise ValueError(f"{function}: {name} has shape {found.shape}; its last axes must be {core}")
+        raise ValueError(f"{function}: {name} has shape {found.shape}; "
+                         f"its last axes must be {core}")
     return found
 
 

@@ -10,8 +10,11 @@ import numpy as np
 from coscrew import _arrays
 
 
-def _kernel(signature: str, dtype) -> Callable[[Callable], Callable]:
+def _kernel(signature: str, dtype, working=None) -> Callable[[Callable], Callable]:
     inputs, outputs = (_arrays.shapes(side) for side in signature.split("->"))
+
+    def widened(array: np.ndarray) -> np.ndarray:
+        return array if working is None or array.dtype == object else array.astype(working)
 
     def decorate(function: Callable) -> Callable:
         name, arguments = function.__name__, tuple(inspect.signature(function).parameters)
@@ -28,7 +31,7 @@ def _kernel(signature: str, dtype) -> Callable[[Callable], Callable]:
                 lead = np.broadcast_shapes(*leads)
             except ValueError:
                 raise ValueError(f"{name}: leading axes {leads} do not broadcast") from None
-            found = function(*map(_arrays.components, arrays, inputs))
+            found = function(*map(_arrays.components, map(widened, arrays), inputs))
             components = iter(found if isinstance(found, tuple) else (found,))
             kind = object if any(a.dtype == object for a in arrays) else dtype
             results = []
@@ -52,6 +55,7 @@ def _kernel(signature: str, dtype) -> Callable[[Callable], Callable]:
 
 double_kernel = functools.partial(_kernel, dtype=np.float64)
 single_kernel = functools.partial(_kernel, dtype=np.float32)
+wide_kernel = functools.partial(_kernel, dtype=np.float32, working=np.float64)
 
 
 def dispatch(*kernels: Callable) -> Callable:
@@ -60,7 +64,7 @@ def dispatch(*kernels: Callable) -> Callable:
 
     @functools.wraps(wide)
     def on_any(*values, out=None):
-        kinds = {np.asarray(v).dtype.type for v in values if type(v) not in (bool, int, float)}
+        kinds = {np.asarray(v).dtype.type for v in values if type(v) not in (int, float)}
         return (narrow if kinds == {np.float32} else wide)(*values, out=out)
 
     return on_any

@@ -4,8 +4,8 @@
 
 #include <ksl/ksl.h>
 
-/* CALLS(real, mat, vec, SE3, screw, coscrew, f): prototypes in one precision.  `one_…` is a single
-   call; `composed_…` is built from calls, as a library of small functions is. */
+/* PROTOTYPES(real, f): the library in one precision.  `one_…` is a single call; `composed_…` is built
+   from calls, as a library of small functions is. */
 #define PROTOTYPES(real, f)                                                                       \
   void vector_drv##f(const ksl_mat3x3##f##_t *, const ksl_vec3##f##_t *, ksl_vec3##f##_t *);      \
   void vector_drinvv##f(const ksl_mat3x3##f##_t *, const ksl_vec3##f##_t *, ksl_vec3##f##_t *);   \

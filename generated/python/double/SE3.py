@@ -1,5 +1,8 @@
 # Made by `coscrew generate`; changes are overwritten.
-"""Displacements D = [R | t].  In double precision."""
+"""Displacements D = [R | t].
+
+In double precision, plain tier.
+"""
 
 from coscrew._kernel import double_kernel as kernel
 
@@ -8,7 +11,8 @@ from coscrew._kernel import double_kernel as kernel
 def SE3_fromRt(R, t):
     """D = [R | t].
 
-    (3,3),(3)->(3,4).  R: rotation or other 3×3 matrix; t: vector; D: displacement [R | t], R rotation, t in m.
+    (3,3),(3)->(3,4).  R: rotation or other 3×3 matrix; t: vector; D: displacement [R | t], R
+    rotation, t in m.
     No arithmetic.  Exact.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
@@ -34,7 +38,7 @@ def SE3_setIdentity(self):
     (3,4)->(3,4).  self: displacement [R | t], R rotation, t in m.
     No arithmetic.  Exact.
     """
-    return (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)
+    return (1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)
 
 
 @kernel("(3,4)->(3)")
@@ -64,9 +68,11 @@ def SE3_invert(self):
     """self = self^-1 = [R^T | -R^T t].
 
     (3,4)->(3,4).  self: displacement [R | t], R rotation, t in m.
-    9 mul, 6 add, 3 neg.  Error <= u |x| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
-    self_00, self_01, self_02, self_03, self_10, self_11, self_12, self_13, self_20, self_21, self_22, self_23 = self
+    (self_00, self_01, self_02, self_03, self_10, self_11, self_12, self_13, self_20, self_21,
+        self_22, self_23) = self
     self_03_new = -(self_00 * self_03 + self_10 * self_13 + self_20 * self_23)
     self_13_new = -(self_01 * self_03 + self_11 * self_13 + self_21 * self_23)
     self_23_new = -(self_02 * self_03 + self_12 * self_13 + self_22 * self_23)
@@ -79,7 +85,8 @@ def SE3_inverted(D):
     """Do = D^-1 = [R^T | -R^T t].
 
     (3,4)->(3,4).  D, Do: displacement [R | t], R rotation, t in m.
-    9 mul, 6 add, 3 neg.  Error <= u |x| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     Do_03 = -(D_00 * D_03 + D_10 * D_13 + D_20 * D_23)

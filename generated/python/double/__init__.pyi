@@ -13,7 +13,7 @@ def vec3_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float64] | None = 
     """self = a self.
 
     (3),()->(3).  self: vector; a: number.
-    3 mul.  Error <= u |x|, barring underflow.
+    3 mul.  Error <= u |result|, barring over- and underflow.
     """
 
 def vec3_inverted(vi: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -34,49 +34,50 @@ def axpy_vv(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.float64] |
     """y = a x + y.
 
     (),(3),(3)->(3).  a: number; x, y: vector.
-    3 mul, 3 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    3 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def xpy_vv(x: ArrayLike, y: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """y = x + y.
 
     (3),(3)->(3).  x, y: vector.
-    3 add.  Error <= u |x|, barring underflow.
+    3 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def nxpy_vv(x: ArrayLike, y: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """y = -x + y.
 
     (3),(3)->(3).  x, y: vector.
-    3 add.  Error <= u |x|, barring underflow.
+    3 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_av(a: ArrayLike, vi: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = a vi.
 
     (),(3)->(3).  a: number; vi, vo: vector.
-    3 mul.  Error <= u |x|, barring underflow.
+    3 mul.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v1 + v2.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    3 add.  Error <= u |x|, barring underflow.
+    3 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def subtract_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v1 - v2.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    3 add.  Error <= u |x|, barring underflow.
+    3 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def vec3_scaled(v: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = k v.
 
     (3),()->(3).  v, vo: vector; k: number.
-    3 mul.  Error <= u |x|, barring underflow.
+    3 mul.  Error <= u |result|, barring over- and underflow.
     """
 
 def vec3_swap(v1: ArrayLike, v2: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -87,21 +88,21 @@ def vec3_swap(v1: ArrayLike, v2: ArrayLike, out: tuple[NDArray[np.float64] | Non
     """
 
 def vec3_l2norm(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """|v| = sqrt(v·v).
+    """|v| = sqrt(v·v); squares must neither over- nor underflow.
 
     (3)->().  v: vector; norm: number.
     3 mul, 2 add, 1 sqrt.
     """
 
 def vec3_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """self = self / |self|; the zero vector stays zero.
+    """self = self / |self|; the zero vector stays zero; squares must neither over- nor underflow.
 
     (3)->(3).  self: vector.
     3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select.
     """
 
 def vec3_normalized(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """vo = v / |v|; the zero vector stays zero.
+    """vo = v / |v|; the zero vector stays zero; squares must neither over- nor underflow.
 
     (3)->(3).  v, vo: vector.
     3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select.
@@ -111,77 +112,80 @@ def dot_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float64] | None = ...) 
     """v1·v2.
 
     (3),(3)->().  v1, v2: vector; dot: number.
-    3 mul, 2 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    3 mul, 2 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_avinv(k: ArrayLike, v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = k (-v).
 
     (),(3)->(3).  k: number; v, vo: vector.
-    3 mul, 3 neg.  Error <= u |x|, barring underflow.
+    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_ainvv(k: ArrayLike, v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """vo = k^-1 v.
+    """vo = v / k.
 
     (),(3)->(3).  k: number; v, vo: vector.
-    3 mul, 1 div.
+    3 div.
     """
 
 def cross_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """vo = v1 × v2; exactly zero for v1 = v2.
+    """vo = v1 × v2.  Exactly zero for v1 = v2, unless products overflow.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    6 mul, 3 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def cross_vvinv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v1 × (-v2).
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    6 mul, 3 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def add_vvx(v: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v + k e_x.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |x|, barring underflow.
+    1 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_vvxinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v - k e_x.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |x|, barring underflow.
+    1 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_vvy(v: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v + k e_y.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |x|, barring underflow.
+    1 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_vvyinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v - k e_y.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |x|, barring underflow.
+    1 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_vvz(v: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v + k e_z.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |x|, barring underflow.
+    1 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_vvzinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v - k e_z.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |x|, barring underflow.
+    1 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def mat3x3_copy(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -230,13 +234,15 @@ def mat3x3_determinant(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> N
     """det R.
 
     (3,3)->().  R: rotation or other 3×3 matrix; det: number.
-    9 mul, 5 add.  Error <= u |x| + 4 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 5 add.  Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def SE3_fromRt(R: ArrayLike, t: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """D = [R | t].
 
-    (3,3),(3)->(3,4).  R: rotation or other 3×3 matrix; t: vector; D: displacement [R | t], R rotation, t in m.
+    (3,3),(3)->(3,4).  R: rotation or other 3×3 matrix; t: vector; D: displacement [R | t], R
+    rotation, t in m.
     No arithmetic.  Exact.
     """
 
@@ -272,14 +278,16 @@ def SE3_invert(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArra
     """self = self^-1 = [R^T | -R^T t].
 
     (3,4)->(3,4).  self: displacement [R | t], R rotation, t in m.
-    9 mul, 6 add, 3 neg.  Error <= u |x| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def SE3_inverted(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D^-1 = [R^T | -R^T t].
 
     (3,4)->(3,4).  D, Do: displacement [R | t], R rotation, t in m.
-    9 mul, 6 add, 3 neg.  Error <= u |x| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def mat6x6_copy(M: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -307,287 +315,324 @@ def product_drv(R: ArrayLike, v: ArrayLike, out: NDArray[np.float64] | None = ..
     """vo = R v.
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 6 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_drvinv(R: ArrayLike, v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R (-v).
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add, 3 neg.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 6 add, 3 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_drinvv(R: ArrayLike, v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R^T v.
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 6 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_drinvvinv(R: ArrayLike, v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R^T (-v).
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add, 3 neg.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 6 add, 3 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_dv(D: ArrayLike, v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R v + t.
 
     (3,4),(3)->(3).  D: displacement [R | t], R rotation, t in m; v, vo: vector.
-    9 mul, 9 add.  Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 9 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_dinvv(D: ArrayLike, v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R^T (v - t).
 
     (3,4),(3)->(3).  D: displacement [R | t], R rotation, t in m; v, vo: vector.
-    9 mul, 9 add.  Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 9 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_drdr(R1: ArrayLike, R2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = R1 R2.
 
     (3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_drdrinv(R1: ArrayLike, R2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = R1 R2^T.
 
     (3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_drinvdr(R1: ArrayLike, R2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = R1^T R2.
 
     (3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_dd(D1: ArrayLike, D2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D1 D2 = [R1 R2 | R1 t2 + t1].
 
     (3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.
-    36 mul, 27 add.  Error <= u |x| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    36 mul, 27 add.  Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_ddinv(D1: ArrayLike, D2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T.
 
     (3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.
-    36 mul, 27 add.  Error <= u |x| + (R: 2, t: 6) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    36 mul, 27 add.  Error <= u |result| + (R: 2, t: 6) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_dinvd(D1: ArrayLike, D2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)].
 
     (3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.
-    36 mul, 27 add.  Error <= u |x| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    36 mul, 27 add.  Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_ddr(D: ArrayLike, R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [R | 0].
 
-    (3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |x| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other
+    3×3 matrix.
+    27 mul, 18 add.  Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_ddrinv(D: ArrayLike, R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [R^T | 0].
 
-    (3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |x| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other
+    3×3 matrix.
+    27 mul, 18 add.  Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_ddt(D: ArrayLike, t: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [I | t].
 
     (3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.
-    9 mul, 9 add.  Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_ddtinv(D: ArrayLike, t: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [I | -t].
 
     (3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.
-    9 mul, 9 add.  Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_dinvdt(D: ArrayLike, t: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D^-1 [I | t] = [R^T | R^T (t - t_D)].
 
     (3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.
-    9 mul, 9 add.  Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_drvtx(R: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R (k e_x).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul.  Error <= u |x|, barring underflow.
+    3 mul.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_drdrx(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = R R_x(θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_ddrx(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [R_x(θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_ddtx(D: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [I | k e_x].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_drvtxinv(R: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R (-k e_x).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul, 3 neg.  Error <= u |x|, barring underflow.
+    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_drdrxinv(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = R R_x(-θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_ddrxinv(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_ddtxinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [I | -k e_x].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_drvty(R: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R (k e_y).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul.  Error <= u |x|, barring underflow.
+    3 mul.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_drdry(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = R R_y(θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_ddry(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [R_y(θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_ddty(D: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [I | k e_y].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_drvtyinv(R: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R (-k e_y).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul, 3 neg.  Error <= u |x|, barring underflow.
+    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_drdryinv(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = R R_y(-θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_ddryinv(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_ddtyinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [I | -k e_y].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_drvtz(R: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R (k e_z).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul.  Error <= u |x|, barring underflow.
+    3 mul.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_drdrz(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = R R_z(θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_ddrz(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [R_z(θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_ddtz(D: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [I | k e_z].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_drvtzinv(R: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R (-k e_z).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul, 3 neg.  Error <= u |x|, barring underflow.
+    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_drdrzinv(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = R R_z(-θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_ddrzinv(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_ddtzinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [I | -k e_z].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def dc(theta: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -608,7 +653,7 @@ def screw_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float64] | None =
     """self = a self.
 
     (6),()->(6).  self: screw (v in m/s; ω in rad/s); a: number.
-    6 mul.  Error <= u |x|, barring underflow.
+    6 mul.  Error <= u |result|, barring over- and underflow.
     """
 
 def screw_inverted(si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -629,60 +674,64 @@ def axpy_ss(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.float64] |
     """y = a x + y.
 
     (),(6),(6)->(6).  a: number; x, y: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def xpy_ss(x: ArrayLike, y: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """y = x + y.
 
     (6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |x|, barring underflow.
+    6 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def nxpy_ss(x: ArrayLike, y: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """y = -x + y.
 
     (6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |x|, barring underflow.
+    6 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_as(a: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = a si.
 
     (),(6)->(6).  a: number; si, so: screw (v in m/s; ω in rad/s).
-    6 mul.  Error <= u |x|, barring underflow.
+    6 mul.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = s1 + s2.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |x|, barring underflow.
+    6 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def subtract_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = s1 - s2.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |x|, barring underflow.
+    6 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def screw_norm(si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
+    """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6); squares must neither over-
+    nor underflow.
 
     (6)->().  si: screw (v in m/s; ω in rad/s); norm: number.
     6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select.
     """
 
 def screw_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """self = self / |self|, with screw_norm; the zero screw stays zero.
+    """self = self / |self|, with screw_norm; the zero screw stays zero; squares must neither over-
+    nor underflow.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
     6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select.
     """
 
 def screw_normalized(si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """so = si / |si|, with screw_norm; the zero screw stays zero.
+    """so = si / |si|, with screw_norm; the zero screw stays zero; squares must neither over- nor
+    underflow.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
     6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select.
@@ -713,70 +762,82 @@ def add_sst(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float64] | None = ...)
     """so = (s1.lin + s2.lin ; s1.ang).
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    3 add.  Error <= u |x|, barring underflow.
+    3 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_Adts(t: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = [Ad](t) si.
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add.  Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_Adtinvs(t: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = [Ad](t)^-1 si.
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add.  Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_Adtsinv(t: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = [Ad](t) (-si).
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add, 3 neg.  Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def product_Adrs(R: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = [Ad](R) si.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_Adrinvs(R: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = [Ad](R)^-1 si.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_Adrsinv(R: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = [Ad](R) (-si).
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add, 6 neg.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 12 add, 6 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_Ads(D: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = [Ad](D) si = [Ad](t) [Ad](R) si.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
-    24 mul, 18 add.  Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
+    rad/s).
+    24 mul, 18 add.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_Adinvs(D: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
-    24 mul, 18 add.  Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
+    rad/s).
+    24 mul, 18 add.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_Adsinv(D: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = [Ad](D) (-si).
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
-    24 mul, 18 add, 6 neg.  Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
+    rad/s).
+    24 mul, 18 add, 6 neg.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def hstx(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -804,21 +865,24 @@ def hsrx(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.floa
     """so = h_rx: column 3 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def hsry(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = h_ry: column 4 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def hsrz(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = h_rz: column 5 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def hstxinv(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -846,63 +910,75 @@ def hsrxinv(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.f
     """so = -h_rx: -column 3 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add, 3 neg.  Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def hsryinv(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = -h_ry: -column 4 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add, 3 neg.  Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def hsrzinv(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = -h_rz: -column 5 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add, 3 neg.  Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def Ad(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """M = [Ad](D).
 
     (3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-    18 mul, 9 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 9 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def dot_cs(c: ArrayLike, s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """power = f·v + τ·ω, in W.
 
     (6),(6)->().  c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s); power: number.
-    6 mul, 5 add.  Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 5 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def cross_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2); exactly zero for s1 = s2.
+    """so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2).  Exactly zero for s1 = s2, unless products
+    overflow.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add.  Error <= u |x| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 12 add.  Error <= u |result| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def cross_sst(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = (ω1×v2 ; 0).
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def hsra(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = (t×R a ; R a), a = axis in the body's frame.
 
-    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
-    15 mul, 9 add.  Error <= u |x| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    15 mul, 9 add.  Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def hsta(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = (R a ; 0), a = axis in the body's frame.
 
-    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
-    9 mul, 6 add.  Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    9 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def ad(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -923,7 +999,7 @@ def coscrew_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float64] | None
     """self = a self.
 
     (6),()->(6).  self: coscrew (f in N; τ in N m); a: number.
-    6 mul.  Error <= u |x|, barring underflow.
+    6 mul.  Error <= u |result|, barring over- and underflow.
     """
 
 def coscrew_inverted(ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -944,60 +1020,64 @@ def axpy_cc(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.float64] |
     """y = a x + y.
 
     (),(6),(6)->(6).  a: number; x, y: coscrew (f in N; τ in N m).
-    6 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def xpy_cc(x: ArrayLike, y: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """y = x + y.
 
     (6),(6)->(6).  x, y: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |x|, barring underflow.
+    6 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def nxpy_cc(x: ArrayLike, y: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """y = -x + y.
 
     (6),(6)->(6).  x, y: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |x|, barring underflow.
+    6 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_ac(a: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = a ci.
 
     (),(6)->(6).  a: number; ci, co: coscrew (f in N; τ in N m).
-    6 mul.  Error <= u |x|, barring underflow.
+    6 mul.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_cc(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = c1 + c2.
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |x|, barring underflow.
+    6 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def subtract_cc(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = c1 - c2.
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |x|, barring underflow.
+    6 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def coscrew_norm(ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
+    """|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6); squares must neither over-
+    nor underflow.
 
     (6)->().  ci: coscrew (f in N; τ in N m); norm: number.
     6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select.
     """
 
 def coscrew_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
+    """self = self / |self|, with coscrew_norm; the zero coscrew stays zero; squares must neither
+    over- nor underflow.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
     6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select.
     """
 
 def coscrew_normalized(ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
+    """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero; squares must neither over-
+    nor underflow.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
     6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select.
@@ -1028,91 +1108,106 @@ def add_cct(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.float64] | None = ...)
     """co = (c1.lin + c2.lin ; c1.ang).
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    3 add.  Error <= u |x|, barring underflow.
+    3 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_CoAdtc(t: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = [Ad]*(t) ci.
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 6 add.  Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 6 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_CoAdtinvc(t: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = [Ad]*(t)^-1 ci.
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 6 add.  Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 6 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_CoAdtcinv(t: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = [Ad]*(t) (-ci).
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 6 add, 3 neg.  Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdrc(R: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = [Ad]*(R) ci.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_CoAdrinvc(R: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = [Ad]*(R)^-1 ci.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_CoAdrcinv(R: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = [Ad]*(R) (-ci).
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add, 6 neg.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 12 add, 6 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_CoAdc(D: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-    24 mul, 18 add.  Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
+    N m).
+    24 mul, 18 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_CoAdinvc(D: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-    24 mul, 18 add.  Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
+    N m).
+    24 mul, 18 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_CoAdcinv(D: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = [Ad]*(D) (-ci).
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-    24 mul, 18 add, 6 neg.  Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
+    N m).
+    24 mul, 18 add, 6 neg.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def hctx(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = h_tx: column 0 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def hcty(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = h_ty: column 1 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def hctz(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = h_tz: column 2 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def hcrx(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1140,21 +1235,24 @@ def hctxinv(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.f
     """co = -h_tx: -column 0 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add, 3 neg.  Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def hctyinv(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = -h_ty: -column 1 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add, 3 neg.  Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def hctzinv(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = -h_tz: -column 2 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add, 3 neg.  Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def hcrxinv(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1182,112 +1280,138 @@ def CoAd(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.floa
     """M = [Ad]*(D).
 
     (3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-    18 mul, 9 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 9 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def reciprocal_product(c: ArrayLike, x: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).
 
-    (6),(6)->().  c: coscrew (f in N; τ in N m); x: six components with the angular part on top; power: number.
-    6 mul, 5 add.  Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (6),(6)->().  c: coscrew (f in N; τ in N m); x: six components with the angular part on top;
+    power: number.
+    6 mul, 5 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def cross_sc(s: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
 
     (6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add.  Error <= u |x| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 12 add.  Error <= u |result| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def cross_sca(s: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = (0 ; ω×τ).
 
     (6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def constraint_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    21 mul, 15 add.  Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    21 mul, 15 add.  Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def constraint_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    21 mul, 15 add.  Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    21 mul, 15 add.  Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def constraint_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    21 mul, 15 add.  Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    21 mul, 15 add.  Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def constraint_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    21 mul, 15 add.  Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    21 mul, 15 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def constraint_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    21 mul, 15 add.  Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    21 mul, 15 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def constraint_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    21 mul, 15 add.  Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    21 mul, 15 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def working_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    9 mul, 3 add.  Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    9 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def working_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    9 mul, 3 add.  Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    9 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def working_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    9 mul, 3 add.  Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    9 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def working_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    3 mul.  Error <= u |x|, barring underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    3 mul.  Error <= u |result|, barring over- and underflow.
     """
 
 def working_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    3 mul.  Error <= u |x|, barring underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    3 mul.  Error <= u |result|, barring over- and underflow.
     """
 
 def working_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    3 mul.  Error <= u |x|, barring underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    3 mul.  Error <= u |result|, barring over- and underflow.
     """
 
 def coad(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:

@@ -1,8 +1,10 @@
 # Made by `coscrew generate`; changes are overwritten.
-"""Coscrews: wrenches and momenta, c = (f; τ).  In double precision."""
+"""Coscrews: wrenches and momenta, c = (f; τ).
+
+In double precision, plain tier.
+"""
 
 from numpy import absolute, sqrt, where
-
 from coscrew._kernel import double_kernel as kernel
 
 
@@ -22,7 +24,7 @@ def coscrew_scale(self, a):
     """self = a self.
 
     (6),()->(6).  self: coscrew (f in N; τ in N m); a: number.
-    6 mul.  Error <= u |x|, barring underflow.
+    6 mul.  Error <= u |result|, barring over- and underflow.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
     self_0_new = self_0 * a
@@ -73,7 +75,8 @@ def axpy_cc(a, x, y):
     """y = a x + y.
 
     (),(6),(6)->(6).  a: number; x, y: coscrew (f in N; τ in N m).
-    6 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     x_0, x_1, x_2, x_3, x_4, x_5 = x
     y_0, y_1, y_2, y_3, y_4, y_5 = y
@@ -91,7 +94,7 @@ def xpy_cc(x, y):
     """y = x + y.
 
     (6),(6)->(6).  x, y: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |x|, barring underflow.
+    6 add.  Error <= u |result|, barring over- and underflow.
     """
     x_0, x_1, x_2, x_3, x_4, x_5 = x
     y_0, y_1, y_2, y_3, y_4, y_5 = y
@@ -109,7 +112,7 @@ def nxpy_cc(x, y):
     """y = -x + y.
 
     (6),(6)->(6).  x, y: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |x|, barring underflow.
+    6 add.  Error <= u |result|, barring over- and underflow.
     """
     x_0, x_1, x_2, x_3, x_4, x_5 = x
     y_0, y_1, y_2, y_3, y_4, y_5 = y
@@ -127,7 +130,7 @@ def product_ac(a, ci):
     """co = a ci.
 
     (),(6)->(6).  a: number; ci, co: coscrew (f in N; τ in N m).
-    6 mul.  Error <= u |x|, barring underflow.
+    6 mul.  Error <= u |result|, barring over- and underflow.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     co_0 = a * ci_0
@@ -144,7 +147,7 @@ def add_cc(c1, c2):
     """co = c1 + c2.
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |x|, barring underflow.
+    6 add.  Error <= u |result|, barring over- and underflow.
     """
     c1_0, c1_1, c1_2, c1_3, c1_4, c1_5 = c1
     c2_0, c2_1, c2_2, c2_3, c2_4, c2_5 = c2
@@ -162,7 +165,7 @@ def subtract_cc(c1, c2):
     """co = c1 - c2.
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |x|, barring underflow.
+    6 add.  Error <= u |result|, barring over- and underflow.
     """
     c1_0, c1_1, c1_2, c1_3, c1_4, c1_5 = c1
     c2_0, c2_1, c2_2, c2_3, c2_4, c2_5 = c2
@@ -177,30 +180,36 @@ def subtract_cc(c1, c2):
 
 @kernel("(6)->()")
 def coscrew_norm(ci):
-    """|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
+    """|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6); squares must neither over-
+    nor underflow.
 
     (6)->().  ci: coscrew (f in N; τ in N m); norm: number.
     6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     q_e = ci_0 * ci_0 + ci_1 * ci_1 + ci_2 * ci_2
-    q = where(absolute(ci_0) < 1e-09, where(absolute(ci_1) < 1e-09, where(absolute(ci_2) < 1e-09, ci_3 * ci_3 + ci_4 * ci_4 + ci_5 * ci_5, q_e), q_e), q_e)
+    q_m = where(absolute(ci_2) < 1e-09, ci_3 * ci_3 + ci_4 * ci_4 + ci_5 * ci_5, q_e)
+    q_p = where(absolute(ci_1) < 1e-09, q_m, q_e)
+    q = where(absolute(ci_0) < 1e-09, q_p, q_e)
     norm = sqrt(q)
     return norm
 
 
 @kernel("(6)->(6)")
 def coscrew_normalize(self):
-    """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
+    """self = self / |self|, with coscrew_norm; the zero coscrew stays zero; squares must neither
+    over- nor underflow.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
     6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
     q_e = self_0 * self_0 + self_1 * self_1 + self_2 * self_2
-    q = where(absolute(self_0) < 1e-09, where(absolute(self_1) < 1e-09, where(absolute(self_2) < 1e-09, self_3 * self_3 + self_4 * self_4 + self_5 * self_5, q_e), q_e), q_e)
+    q_m = where(absolute(self_2) < 1e-09, self_3 * self_3 + self_4 * self_4 + self_5 * self_5, q_e)
+    q_p = where(absolute(self_1) < 1e-09, q_m, q_e)
+    q = where(absolute(self_0) < 1e-09, q_p, q_e)
     n = sqrt(q)
-    d = where(n == 0.0, 1.0, n)
+    d = where(n == 0, 1, n)
     self_0_new = self_0 / d
     self_1_new = self_1 / d
     self_2_new = self_2 / d
@@ -212,16 +221,19 @@ def coscrew_normalize(self):
 
 @kernel("(6)->(6)")
 def coscrew_normalized(ci):
-    """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
+    """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero; squares must neither over-
+    nor underflow.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
     6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     q_e = ci_0 * ci_0 + ci_1 * ci_1 + ci_2 * ci_2
-    q = where(absolute(ci_0) < 1e-09, where(absolute(ci_1) < 1e-09, where(absolute(ci_2) < 1e-09, ci_3 * ci_3 + ci_4 * ci_4 + ci_5 * ci_5, q_e), q_e), q_e)
+    q_m = where(absolute(ci_2) < 1e-09, ci_3 * ci_3 + ci_4 * ci_4 + ci_5 * ci_5, q_e)
+    q_p = where(absolute(ci_1) < 1e-09, q_m, q_e)
+    q = where(absolute(ci_0) < 1e-09, q_p, q_e)
     n = sqrt(q)
-    d = where(n == 0.0, 1.0, n)
+    d = where(n == 0, 1, n)
     co_0 = ci_0 / d
     co_1 = ci_1 / d
     co_2 = ci_2 / d
@@ -270,7 +282,7 @@ def add_cct(c1, c2):
     """co = (c1.lin + c2.lin ; c1.ang).
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    3 add.  Error <= u |x|, barring underflow.
+    3 add.  Error <= u |result|, barring over- and underflow.
     """
     c1_0, c1_1, c1_2, c1_3, c1_4, c1_5 = c1
     c2_0, c2_1, c2_2, c2_3, c2_4, c2_5 = c2
@@ -285,7 +297,8 @@ def product_CoAdtc(t, ci):
     """co = [Ad]*(t) ci.
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 6 add.  Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 6 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     t_0, t_1, t_2 = t
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
@@ -300,7 +313,8 @@ def product_CoAdtinvc(t, ci):
     """co = [Ad]*(t)^-1 ci.
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 6 add.  Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 6 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     t_0, t_1, t_2 = t
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
@@ -315,7 +329,8 @@ def product_CoAdtcinv(t, ci):
     """co = [Ad]*(t) (-ci).
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 6 add, 3 neg.  Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
     t_0, t_1, t_2 = t
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
@@ -333,7 +348,8 @@ def product_CoAdrc(R, ci):
     """co = [Ad]*(R) ci.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
@@ -351,7 +367,8 @@ def product_CoAdrinvc(R, ci):
     """co = [Ad]*(R)^-1 ci.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
@@ -369,7 +386,8 @@ def product_CoAdrcinv(R, ci):
     """co = [Ad]*(R) (-ci).
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add, 6 neg.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 12 add, 6 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
@@ -386,8 +404,10 @@ def product_CoAdrcinv(R, ci):
 def product_CoAdc(D, ci):
     """co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-    24 mul, 18 add.  Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
+    N m).
+    24 mul, 18 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
@@ -407,8 +427,10 @@ def product_CoAdc(D, ci):
 def product_CoAdinvc(D, ci):
     """co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-    24 mul, 18 add.  Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
+    N m).
+    24 mul, 18 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
@@ -428,8 +450,10 @@ def product_CoAdinvc(D, ci):
 def product_CoAdcinv(D, ci):
     """co = [Ad]*(D) (-ci).
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-    24 mul, 18 add, 6 neg.  Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
+    N m).
+    24 mul, 18 add, 6 neg.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
@@ -450,7 +474,8 @@ def hctx(D):
     """co = h_tx: column 0 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     co_3 = D_20 * D_13 - D_10 * D_23
@@ -464,7 +489,8 @@ def hcty(D):
     """co = h_ty: column 1 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     co_3 = D_21 * D_13 - D_11 * D_23
@@ -478,7 +504,8 @@ def hctz(D):
     """co = h_tz: column 2 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     co_3 = D_22 * D_13 - D_12 * D_23
@@ -495,7 +522,7 @@ def hcrx(D):
     No arithmetic.  Exact.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
-    return (0.0, 0.0, 0.0, D_00, D_10, D_20)
+    return (0, 0, 0, D_00, D_10, D_20)
 
 
 @kernel("(3,4)->(6)")
@@ -506,7 +533,7 @@ def hcry(D):
     No arithmetic.  Exact.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
-    return (0.0, 0.0, 0.0, D_01, D_11, D_21)
+    return (0, 0, 0, D_01, D_11, D_21)
 
 
 @kernel("(3,4)->(6)")
@@ -517,7 +544,7 @@ def hcrz(D):
     No arithmetic.  Exact.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
-    return (0.0, 0.0, 0.0, D_02, D_12, D_22)
+    return (0, 0, 0, D_02, D_12, D_22)
 
 
 @kernel("(3,4)->(6)")
@@ -525,7 +552,8 @@ def hctxinv(D):
     """co = -h_tx: -column 0 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add, 3 neg.  Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     co_0 = -D_00
@@ -542,7 +570,8 @@ def hctyinv(D):
     """co = -h_ty: -column 1 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add, 3 neg.  Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     co_0 = -D_01
@@ -559,7 +588,8 @@ def hctzinv(D):
     """co = -h_tz: -column 2 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add, 3 neg.  Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     co_0 = -D_02
@@ -582,7 +612,7 @@ def hcrxinv(D):
     co_3 = -D_00
     co_4 = -D_10
     co_5 = -D_20
-    return (0.0, 0.0, 0.0, co_3, co_4, co_5)
+    return (0, 0, 0, co_3, co_4, co_5)
 
 
 @kernel("(3,4)->(6)")
@@ -596,7 +626,7 @@ def hcryinv(D):
     co_3 = -D_01
     co_4 = -D_11
     co_5 = -D_21
-    return (0.0, 0.0, 0.0, co_3, co_4, co_5)
+    return (0, 0, 0, co_3, co_4, co_5)
 
 
 @kernel("(3,4)->(6)")
@@ -610,7 +640,7 @@ def hcrzinv(D):
     co_3 = -D_02
     co_4 = -D_12
     co_5 = -D_22
-    return (0.0, 0.0, 0.0, co_3, co_4, co_5)
+    return (0, 0, 0, co_3, co_4, co_5)
 
 
 @kernel("(3,4)->(6,6)")
@@ -618,7 +648,8 @@ def CoAd(D):
     """M = [Ad]*(D).
 
     (3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-    18 mul, 9 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 9 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     M_30 = D_20 * D_13 - D_10 * D_23
@@ -630,17 +661,19 @@ def CoAd(D):
     M_50 = D_10 * D_03 - D_00 * D_13
     M_51 = D_11 * D_03 - D_01 * D_13
     M_52 = D_12 * D_03 - D_02 * D_13
-    return (D_00, D_01, D_02, 0.0, 0.0, 0.0, D_10, D_11, D_12, 0.0, 0.0, 0.0, D_20, D_21, D_22, 0.0,
-        0.0, 0.0, M_30, M_31, M_32, D_00, D_01, D_02, M_40, M_41, M_42, D_10, D_11, D_12, M_50,
-        M_51, M_52, D_20, D_21, D_22)
+    return (D_00, D_01, D_02, 0, 0, 0, D_10, D_11, D_12, 0, 0, 0, D_20, D_21, D_22, 0, 0, 0, M_30,
+        M_31, M_32, D_00, D_01, D_02, M_40, M_41, M_42, D_10, D_11, D_12, M_50, M_51, M_52, D_20,
+        D_21, D_22)
 
 
 @kernel("(6),(6)->()")
 def reciprocal_product(c, x):
     """power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).
 
-    (6),(6)->().  c: coscrew (f in N; τ in N m); x: six components with the angular part on top; power: number.
-    6 mul, 5 add.  Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (6),(6)->().  c: coscrew (f in N; τ in N m); x: six components with the angular part on top;
+    power: number.
+    6 mul, 5 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     c_0, c_1, c_2, c_3, c_4, c_5 = c
     x_0, x_1, x_2, x_3, x_4, x_5 = x
@@ -653,7 +686,8 @@ def cross_sc(s, c):
     """co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
 
     (6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add.  Error <= u |x| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 12 add.  Error <= u |result| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -671,22 +705,25 @@ def cross_sca(s, c):
     """co = (0 ; ω×τ).
 
     (6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     c_0, c_1, c_2, c_3, c_4, c_5 = c
     co_3 = s_4 * c_5 - s_5 * c_4
     co_4 = s_5 * c_3 - s_3 * c_5
     co_5 = s_3 * c_4 - s_4 * c_3
-    return (0.0, 0.0, 0.0, co_3, co_4, co_5)
+    return (0, 0, 0, co_3, co_4, co_5)
 
 
 @kernel("(3,4),(6)->(6)")
 def constraint_ctx(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    21 mul, 15 add.  Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    21 mul, 15 add.  Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -706,8 +743,10 @@ def constraint_ctx(D, c):
 def constraint_cty(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    21 mul, 15 add.  Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    21 mul, 15 add.  Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -727,8 +766,10 @@ def constraint_cty(D, c):
 def constraint_ctz(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    21 mul, 15 add.  Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    21 mul, 15 add.  Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -748,8 +789,10 @@ def constraint_ctz(D, c):
 def constraint_crx(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    21 mul, 15 add.  Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    21 mul, 15 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -769,8 +812,10 @@ def constraint_crx(D, c):
 def constraint_cry(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    21 mul, 15 add.  Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    21 mul, 15 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -790,8 +835,10 @@ def constraint_cry(D, c):
 def constraint_crz(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    21 mul, 15 add.  Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    21 mul, 15 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -811,8 +858,10 @@ def constraint_crz(D, c):
 def working_ctx(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    9 mul, 3 add.  Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    9 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -829,8 +878,10 @@ def working_ctx(D, c):
 def working_cty(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    9 mul, 3 add.  Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    9 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -847,8 +898,10 @@ def working_cty(D, c):
 def working_ctz(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    9 mul, 3 add.  Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    9 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
@@ -865,45 +918,48 @@ def working_ctz(D, c):
 def working_crx(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    3 mul.  Error <= u |x|, barring underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    3 mul.  Error <= u |result|, barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
     w_3 = D_00 * c_3
     w_4 = D_10 * c_3
     w_5 = D_20 * c_3
-    return (0.0, 0.0, 0.0, w_3, w_4, w_5)
+    return (0, 0, 0, w_3, w_4, w_5)
 
 
 @kernel("(3,4),(6)->(6)")
 def working_cry(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    3 mul.  Error <= u |x|, barring underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    3 mul.  Error <= u |result|, barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
     w_3 = D_01 * c_4
     w_4 = D_11 * c_4
     w_5 = D_21 * c_4
-    return (0.0, 0.0, 0.0, w_3, w_4, w_5)
+    return (0, 0, 0, w_3, w_4, w_5)
 
 
 @kernel("(3,4),(6)->(6)")
 def working_crz(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-    3 mul.  Error <= u |x|, barring underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    3 mul.  Error <= u |result|, barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
     w_3 = D_02 * c_5
     w_4 = D_12 * c_5
     w_5 = D_22 * c_5
-    return (0.0, 0.0, 0.0, w_3, w_4, w_5)
+    return (0, 0, 0, w_3, w_4, w_5)
 
 
 @kernel("(6)->(6,6)")
@@ -920,6 +976,5 @@ def coad(s):
     M_31 = -s_2
     M_42 = -s_0
     M_50 = -s_1
-    return (0.0, M_01, s_4, 0.0, 0.0, 0.0, s_5, 0.0, M_12, 0.0, 0.0, 0.0, M_20, s_3, 0.0, 0.0, 0.0,
-        0.0, 0.0, M_31, s_1, 0.0, M_01, s_4, s_2, 0.0, M_42, s_5, 0.0, M_12, M_50, s_0, 0.0, M_20,
-        s_3, 0.0)
+    return (0, M_01, s_4, 0, 0, 0, s_5, 0, M_12, 0, 0, 0, M_20, s_3, 0, 0, 0, 0, 0, M_31, s_1, 0,
+        M_01, s_4, s_2, 0, M_42, s_5, 0, M_12, M_50, s_0, 0, M_20, s_3, 0)

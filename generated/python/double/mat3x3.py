@@ -1,5 +1,8 @@
 # Made by `coscrew generate`; changes are overwritten.
-"""3×3 matrices: rotations, and matrices in general.  In double precision."""
+"""3×3 matrices: rotations, and matrices in general.
+
+In double precision, plain tier.
+"""
 
 from coscrew._kernel import double_kernel as kernel
 
@@ -22,7 +25,7 @@ def mat3x3_setIdentity(self):
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
     No arithmetic.  Exact.
     """
-    return (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
+    return (1, 0, 0, 0, 1, 0, 0, 0, 1)
 
 
 @kernel("(3),(3),(3)->(3,3)")
@@ -49,7 +52,7 @@ def skew(v):
     Ro_01 = -v_2
     Ro_12 = -v_0
     Ro_20 = -v_1
-    return (0.0, Ro_01, v_1, v_2, 0.0, Ro_12, Ro_20, v_0, 0.0)
+    return (0, Ro_01, v_1, v_2, 0, Ro_12, Ro_20, v_0, 0)
 
 
 @kernel("(3,3)->(3,3)")
@@ -79,7 +82,8 @@ def mat3x3_determinant(R):
     """det R.
 
     (3,3)->().  R: rotation or other 3×3 matrix; det: number.
-    9 mul, 5 add.  Error <= u |x| + 4 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 5 add.  Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n_0 = R_11 * R_22 - R_12 * R_21

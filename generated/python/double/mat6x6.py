@@ -1,5 +1,8 @@
 # Made by `coscrew generate`; changes are overwritten.
-"""6×6 operators on screws and coscrews, as [Ad], [Ad]*, [ad] and [ad]* return them.  In double precision."""
+"""6×6 operators on screws and coscrews, as [Ad], [Ad]*, [ad] and [ad]* return them.
+
+In double precision, plain tier.
+"""
 
 from coscrew._kernel import double_kernel as kernel
 
@@ -26,9 +29,8 @@ def mat6x6_setIdentity(self):
     (6,6)->(6,6).  self: 6×6 operator.
     No arithmetic.  Exact.
     """
-    return (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0,
-        0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-        1.0)
+    return (1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1,
+        0, 0, 0, 0, 0, 0, 1)
 
 
 @kernel("(6,6)->(6,6)")

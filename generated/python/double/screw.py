@@ -1,8 +1,10 @@
 # Made by `coscrew generate`; changes are overwritten.
-"""Screws: twists, spatial velocities and accelerations, s = (v; ω).  In double precision."""
+"""Screws: twists, spatial velocities and accelerations, s = (v; ω).
+
+In double precision, plain tier.
+"""
 
 from numpy import absolute, sqrt, where
-
 from coscrew._kernel import double_kernel as kernel
 
 
@@ -22,7 +24,7 @@ def screw_scale(self, a):
     """self = a self.
 
     (6),()->(6).  self: screw (v in m/s; ω in rad/s); a: number.
-    6 mul.  Error <= u |x|, barring underflow.
+    6 mul.  Error <= u |result|, barring over- and underflow.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
     self_0_new = self_0 * a
@@ -73,7 +75,8 @@ def axpy_ss(a, x, y):
     """y = a x + y.
 
     (),(6),(6)->(6).  a: number; x, y: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     x_0, x_1, x_2, x_3, x_4, x_5 = x
     y_0, y_1, y_2, y_3, y_4, y_5 = y
@@ -91,7 +94,7 @@ def xpy_ss(x, y):
     """y = x + y.
 
     (6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |x|, barring underflow.
+    6 add.  Error <= u |result|, barring over- and underflow.
     """
     x_0, x_1, x_2, x_3, x_4, x_5 = x
     y_0, y_1, y_2, y_3, y_4, y_5 = y
@@ -109,7 +112,7 @@ def nxpy_ss(x, y):
     """y = -x + y.
 
     (6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |x|, barring underflow.
+    6 add.  Error <= u |result|, barring over- and underflow.
     """
     x_0, x_1, x_2, x_3, x_4, x_5 = x
     y_0, y_1, y_2, y_3, y_4, y_5 = y
@@ -127,7 +130,7 @@ def product_as(a, si):
     """so = a si.
 
     (),(6)->(6).  a: number; si, so: screw (v in m/s; ω in rad/s).
-    6 mul.  Error <= u |x|, barring underflow.
+    6 mul.  Error <= u |result|, barring over- and underflow.
     """
     si_0, si_1, si_2, si_3, si_4, si_5 = si
     so_0 = a * si_0
@@ -144,7 +147,7 @@ def add_ss(s1, s2):
     """so = s1 + s2.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |x|, barring underflow.
+    6 add.  Error <= u |result|, barring over- and underflow.
     """
     s1_0, s1_1, s1_2, s1_3, s1_4, s1_5 = s1
     s2_0, s2_1, s2_2, s2_3, s2_4, s2_5 = s2
@@ -162,7 +165,7 @@ def subtract_ss(s1, s2):
     """so = s1 - s2.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |x|, barring underflow.
+    6 add.  Error <= u |result|, barring over- and underflow.
     """
     s1_0, s1_1, s1_2, s1_3, s1_4, s1_5 = s1
     s2_0, s2_1, s2_2, s2_3, s2_4, s2_5 = s2
@@ -177,30 +180,36 @@ def subtract_ss(s1, s2):
 
 @kernel("(6)->()")
 def screw_norm(si):
-    """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
+    """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6); squares must neither over-
+    nor underflow.
 
     (6)->().  si: screw (v in m/s; ω in rad/s); norm: number.
     6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select.
     """
     si_0, si_1, si_2, si_3, si_4, si_5 = si
     q_e = si_3 * si_3 + si_4 * si_4 + si_5 * si_5
-    q = where(absolute(si_3) < 1e-09, where(absolute(si_4) < 1e-09, where(absolute(si_5) < 1e-09, si_0 * si_0 + si_1 * si_1 + si_2 * si_2, q_e), q_e), q_e)
+    q_m = where(absolute(si_5) < 1e-09, si_0 * si_0 + si_1 * si_1 + si_2 * si_2, q_e)
+    q_p = where(absolute(si_4) < 1e-09, q_m, q_e)
+    q = where(absolute(si_3) < 1e-09, q_p, q_e)
     norm = sqrt(q)
     return norm
 
 
 @kernel("(6)->(6)")
 def screw_normalize(self):
-    """self = self / |self|, with screw_norm; the zero screw stays zero.
+    """self = self / |self|, with screw_norm; the zero screw stays zero; squares must neither over-
+    nor underflow.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
     6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
     q_e = self_3 * self_3 + self_4 * self_4 + self_5 * self_5
-    q = where(absolute(self_3) < 1e-09, where(absolute(self_4) < 1e-09, where(absolute(self_5) < 1e-09, self_0 * self_0 + self_1 * self_1 + self_2 * self_2, q_e), q_e), q_e)
+    q_m = where(absolute(self_5) < 1e-09, self_0 * self_0 + self_1 * self_1 + self_2 * self_2, q_e)
+    q_p = where(absolute(self_4) < 1e-09, q_m, q_e)
+    q = where(absolute(self_3) < 1e-09, q_p, q_e)
     n = sqrt(q)
-    d = where(n == 0.0, 1.0, n)
+    d = where(n == 0, 1, n)
     self_0_new = self_0 / d
     self_1_new = self_1 / d
     self_2_new = self_2 / d
@@ -212,16 +221,19 @@ def screw_normalize(self):
 
 @kernel("(6)->(6)")
 def screw_normalized(si):
-    """so = si / |si|, with screw_norm; the zero screw stays zero.
+    """so = si / |si|, with screw_norm; the zero screw stays zero; squares must neither over- nor
+    underflow.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
     6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select.
     """
     si_0, si_1, si_2, si_3, si_4, si_5 = si
     q_e = si_3 * si_3 + si_4 * si_4 + si_5 * si_5
-    q = where(absolute(si_3) < 1e-09, where(absolute(si_4) < 1e-09, where(absolute(si_5) < 1e-09, si_0 * si_0 + si_1 * si_1 + si_2 * si_2, q_e), q_e), q_e)
+    q_m = where(absolute(si_5) < 1e-09, si_0 * si_0 + si_1 * si_1 + si_2 * si_2, q_e)
+    q_p = where(absolute(si_4) < 1e-09, q_m, q_e)
+    q = where(absolute(si_3) < 1e-09, q_p, q_e)
     n = sqrt(q)
-    d = where(n == 0.0, 1.0, n)
+    d = where(n == 0, 1, n)
     so_0 = si_0 / d
     so_1 = si_1 / d
     so_2 = si_2 / d
@@ -270,7 +282,7 @@ def add_sst(s1, s2):
     """so = (s1.lin + s2.lin ; s1.ang).
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    3 add.  Error <= u |x|, barring underflow.
+    3 add.  Error <= u |result|, barring over- and underflow.
     """
     s1_0, s1_1, s1_2, s1_3, s1_4, s1_5 = s1
     s2_0, s2_1, s2_2, s2_3, s2_4, s2_5 = s2
@@ -285,7 +297,8 @@ def product_Adts(t, si):
     """so = [Ad](t) si.
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add.  Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     t_0, t_1, t_2 = t
     si_0, si_1, si_2, si_3, si_4, si_5 = si
@@ -300,7 +313,8 @@ def product_Adtinvs(t, si):
     """so = [Ad](t)^-1 si.
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add.  Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     t_0, t_1, t_2 = t
     si_0, si_1, si_2, si_3, si_4, si_5 = si
@@ -315,7 +329,8 @@ def product_Adtsinv(t, si):
     """so = [Ad](t) (-si).
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add, 3 neg.  Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
     t_0, t_1, t_2 = t
     si_0, si_1, si_2, si_3, si_4, si_5 = si
@@ -333,7 +348,8 @@ def product_Adrs(R, si):
     """so = [Ad](R) si.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     si_0, si_1, si_2, si_3, si_4, si_5 = si
@@ -351,7 +367,8 @@ def product_Adrinvs(R, si):
     """so = [Ad](R)^-1 si.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     si_0, si_1, si_2, si_3, si_4, si_5 = si
@@ -369,7 +386,8 @@ def product_Adrsinv(R, si):
     """so = [Ad](R) (-si).
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add, 6 neg.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 12 add, 6 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     si_0, si_1, si_2, si_3, si_4, si_5 = si
@@ -386,8 +404,10 @@ def product_Adrsinv(R, si):
 def product_Ads(D, si):
     """so = [Ad](D) si = [Ad](t) [Ad](R) si.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
-    24 mul, 18 add.  Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
+    rad/s).
+    24 mul, 18 add.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     si_0, si_1, si_2, si_3, si_4, si_5 = si
@@ -407,8 +427,10 @@ def product_Ads(D, si):
 def product_Adinvs(D, si):
     """so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si.
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
-    24 mul, 18 add.  Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
+    rad/s).
+    24 mul, 18 add.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     si_0, si_1, si_2, si_3, si_4, si_5 = si
@@ -428,8 +450,10 @@ def product_Adinvs(D, si):
 def product_Adsinv(D, si):
     """so = [Ad](D) (-si).
 
-    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
-    24 mul, 18 add, 6 neg.  Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
+    rad/s).
+    24 mul, 18 add, 6 neg.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     si_0, si_1, si_2, si_3, si_4, si_5 = si
@@ -453,7 +477,7 @@ def hstx(D):
     No arithmetic.  Exact.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
-    return (D_00, D_10, D_20, 0.0, 0.0, 0.0)
+    return (D_00, D_10, D_20, 0, 0, 0)
 
 
 @kernel("(3,4)->(6)")
@@ -464,7 +488,7 @@ def hsty(D):
     No arithmetic.  Exact.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
-    return (D_01, D_11, D_21, 0.0, 0.0, 0.0)
+    return (D_01, D_11, D_21, 0, 0, 0)
 
 
 @kernel("(3,4)->(6)")
@@ -475,7 +499,7 @@ def hstz(D):
     No arithmetic.  Exact.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
-    return (D_02, D_12, D_22, 0.0, 0.0, 0.0)
+    return (D_02, D_12, D_22, 0, 0, 0)
 
 
 @kernel("(3,4)->(6)")
@@ -483,7 +507,8 @@ def hsrx(D):
     """so = h_rx: column 3 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     so_0 = D_20 * D_13 - D_10 * D_23
@@ -497,7 +522,8 @@ def hsry(D):
     """so = h_ry: column 4 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     so_0 = D_21 * D_13 - D_11 * D_23
@@ -511,7 +537,8 @@ def hsrz(D):
     """so = h_rz: column 5 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     so_0 = D_22 * D_13 - D_12 * D_23
@@ -531,7 +558,7 @@ def hstxinv(D):
     so_0 = -D_00
     so_1 = -D_10
     so_2 = -D_20
-    return (so_0, so_1, so_2, 0.0, 0.0, 0.0)
+    return (so_0, so_1, so_2, 0, 0, 0)
 
 
 @kernel("(3,4)->(6)")
@@ -545,7 +572,7 @@ def hstyinv(D):
     so_0 = -D_01
     so_1 = -D_11
     so_2 = -D_21
-    return (so_0, so_1, so_2, 0.0, 0.0, 0.0)
+    return (so_0, so_1, so_2, 0, 0, 0)
 
 
 @kernel("(3,4)->(6)")
@@ -559,7 +586,7 @@ def hstzinv(D):
     so_0 = -D_02
     so_1 = -D_12
     so_2 = -D_22
-    return (so_0, so_1, so_2, 0.0, 0.0, 0.0)
+    return (so_0, so_1, so_2, 0, 0, 0)
 
 
 @kernel("(3,4)->(6)")
@@ -567,7 +594,8 @@ def hsrxinv(D):
     """so = -h_rx: -column 3 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add, 3 neg.  Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     so_0 = D_10 * D_23 - D_20 * D_13
@@ -584,7 +612,8 @@ def hsryinv(D):
     """so = -h_ry: -column 4 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add, 3 neg.  Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     so_0 = D_11 * D_23 - D_21 * D_13
@@ -601,7 +630,8 @@ def hsrzinv(D):
     """so = -h_rz: -column 5 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add, 3 neg.  Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     so_0 = D_12 * D_23 - D_22 * D_13
@@ -618,7 +648,8 @@ def Ad(D):
     """M = [Ad](D).
 
     (3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-    18 mul, 9 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 9 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     M_03 = D_20 * D_13 - D_10 * D_23
@@ -631,8 +662,8 @@ def Ad(D):
     M_24 = D_11 * D_03 - D_01 * D_13
     M_25 = D_12 * D_03 - D_02 * D_13
     return (D_00, D_01, D_02, M_03, M_04, M_05, D_10, D_11, D_12, M_13, M_14, M_15, D_20, D_21,
-        D_22, M_23, M_24, M_25, 0.0, 0.0, 0.0, D_00, D_01, D_02, 0.0, 0.0, 0.0, D_10, D_11, D_12,
-        0.0, 0.0, 0.0, D_20, D_21, D_22)
+        D_22, M_23, M_24, M_25, 0, 0, 0, D_00, D_01, D_02, 0, 0, 0, D_10, D_11, D_12, 0, 0, 0, D_20,
+        D_21, D_22)
 
 
 @kernel("(6),(6)->()")
@@ -640,7 +671,8 @@ def dot_cs(c, s):
     """power = f·v + τ·ω, in W.
 
     (6),(6)->().  c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s); power: number.
-    6 mul, 5 add.  Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 5 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     c_0, c_1, c_2, c_3, c_4, c_5 = c
     s_0, s_1, s_2, s_3, s_4, s_5 = s
@@ -650,10 +682,12 @@ def dot_cs(c, s):
 
 @kernel("(6),(6)->(6)")
 def cross_ss(s1, s2):
-    """so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2); exactly zero for s1 = s2.
+    """so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2).  Exactly zero for s1 = s2, unless products
+    overflow.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add.  Error <= u |x| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 12 add.  Error <= u |result| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     s1_0, s1_1, s1_2, s1_3, s1_4, s1_5 = s1
     s2_0, s2_1, s2_2, s2_3, s2_4, s2_5 = s2
@@ -671,22 +705,25 @@ def cross_sst(s1, s2):
     """so = (ω1×v2 ; 0).
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     s1_0, s1_1, s1_2, s1_3, s1_4, s1_5 = s1
     s2_0, s2_1, s2_2, s2_3, s2_4, s2_5 = s2
     so_0 = s1_4 * s2_2 - s1_5 * s2_1
     so_1 = s1_5 * s2_0 - s1_3 * s2_2
     so_2 = s1_3 * s2_1 - s1_4 * s2_0
-    return (so_0, so_1, so_2, 0.0, 0.0, 0.0)
+    return (so_0, so_1, so_2, 0, 0, 0)
 
 
 @kernel("(3,4),(3)->(6)")
 def hsra(D, axis):
     """so = (t×R a ; R a), a = axis in the body's frame.
 
-    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
-    15 mul, 9 add.  Error <= u |x| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    15 mul, 9 add.  Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     axis_0, axis_1, axis_2 = axis
@@ -703,15 +740,17 @@ def hsra(D, axis):
 def hsta(D, axis):
     """so = (R a ; 0), a = axis in the body's frame.
 
-    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
-    9 mul, 6 add.  Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    9 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     axis_0, axis_1, axis_2 = axis
     so_0 = D_00 * axis_0 + D_01 * axis_1 + D_02 * axis_2
     so_1 = D_10 * axis_0 + D_11 * axis_1 + D_12 * axis_2
     so_2 = D_20 * axis_0 + D_21 * axis_1 + D_22 * axis_2
-    return (so_0, so_1, so_2, 0.0, 0.0, 0.0)
+    return (so_0, so_1, so_2, 0, 0, 0)
 
 
 @kernel("(6)->(6,6)")
@@ -728,6 +767,5 @@ def ad(s):
     M_15 = -s_0
     M_20 = -s_4
     M_23 = -s_1
-    return (0.0, M_01, s_4, 0.0, M_04, s_1, s_5, 0.0, M_12, s_2, 0.0, M_15, M_20, s_3, 0.0, M_23,
-        s_0, 0.0, 0.0, 0.0, 0.0, 0.0, M_01, s_4, 0.0, 0.0, 0.0, s_5, 0.0, M_12, 0.0, 0.0, 0.0, M_20,
-        s_3, 0.0)
+    return (0, M_01, s_4, 0, M_04, s_1, s_5, 0, M_12, s_2, 0, M_15, M_20, s_3, 0, M_23, s_0, 0, 0,
+        0, 0, 0, M_01, s_4, 0, 0, 0, s_5, 0, M_12, 0, 0, 0, M_20, s_3, 0)

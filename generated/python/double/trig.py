@@ -1,8 +1,10 @@
 # Made by `coscrew generate`; changes are overwritten.
-"""Sine and cosine of a joint angle.  In double precision."""
+"""Sine and cosine of a joint angle.
+
+In double precision, plain tier.
+"""
 
 from numpy import cos, sin
-
 from coscrew._kernel import double_kernel as kernel
 
 

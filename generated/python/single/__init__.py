@@ -1,5 +1,5 @@
 # Made by `coscrew generate`; changes are overwritten.
-"""Spatial algebra in single precision, in pure NumPy: the twins of the C kernels, bit for bit.
+"""Spatial algebra in single precision, in pure NumPy: twins of the C kernels, bit for bit.
 
 Every function broadcasts over leading axes and takes `out=`.
 """

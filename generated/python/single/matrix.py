@@ -1,5 +1,8 @@
 # Made by `coscrew generate`; changes are overwritten.
-"""Products between rotations, displacements and vectors.  In single precision."""
+"""Products between rotations, displacements and vectors.
+
+In single precision, plain tier.
+"""
 
 from coscrew._kernel import single_kernel as kernel
 
@@ -9,7 +12,8 @@ def product_drv(R, v):
     """vo = R v.
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 6 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     v_0, v_1, v_2 = v
@@ -24,7 +28,8 @@ def product_drvinv(R, v):
     """vo = R (-v).
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add, 3 neg.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 6 add, 3 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     v_0, v_1, v_2 = v
@@ -39,7 +44,8 @@ def product_drinvv(R, v):
     """vo = R^T v.
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 6 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     v_0, v_1, v_2 = v
@@ -54,7 +60,8 @@ def product_drinvvinv(R, v):
     """vo = R^T (-v).
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add, 3 neg.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 6 add, 3 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     v_0, v_1, v_2 = v
@@ -69,7 +76,8 @@ def product_dv(D, v):
     """vo = R v + t.
 
     (3,4),(3)->(3).  D: displacement [R | t], R rotation, t in m; v, vo: vector.
-    9 mul, 9 add.  Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 9 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     v_0, v_1, v_2 = v
@@ -84,7 +92,8 @@ def product_dinvv(D, v):
     """vo = R^T (v - t).
 
     (3,4),(3)->(3).  D: displacement [R | t], R rotation, t in m; v, vo: vector.
-    9 mul, 9 add.  Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 9 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     v_0, v_1, v_2 = v
@@ -102,7 +111,8 @@ def product_drdr(R1, R2):
     """Ro = R1 R2.
 
     (3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     R1_00, R1_01, R1_02, R1_10, R1_11, R1_12, R1_20, R1_21, R1_22 = R1
     R2_00, R2_01, R2_02, R2_10, R2_11, R2_12, R2_20, R2_21, R2_22 = R2
@@ -123,7 +133,8 @@ def product_drdrinv(R1, R2):
     """Ro = R1 R2^T.
 
     (3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     R1_00, R1_01, R1_02, R1_10, R1_11, R1_12, R1_20, R1_21, R1_22 = R1
     R2_00, R2_01, R2_02, R2_10, R2_11, R2_12, R2_20, R2_21, R2_22 = R2
@@ -144,7 +155,8 @@ def product_drinvdr(R1, R2):
     """Ro = R1^T R2.
 
     (3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     R1_00, R1_01, R1_02, R1_10, R1_11, R1_12, R1_20, R1_21, R1_22 = R1
     R2_00, R2_01, R2_02, R2_10, R2_11, R2_12, R2_20, R2_21, R2_22 = R2
@@ -165,7 +177,8 @@ def product_dd(D1, D2):
     """Do = D1 D2 = [R1 R2 | R1 t2 + t1].
 
     (3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.
-    36 mul, 27 add.  Error <= u |x| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    36 mul, 27 add.  Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D1_00, D1_01, D1_02, D1_03, D1_10, D1_11, D1_12, D1_13, D1_20, D1_21, D1_22, D1_23 = D1
     D2_00, D2_01, D2_02, D2_03, D2_10, D2_11, D2_12, D2_13, D2_20, D2_21, D2_22, D2_23 = D2
@@ -189,7 +202,8 @@ def product_ddinv(D1, D2):
     """Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T.
 
     (3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.
-    36 mul, 27 add.  Error <= u |x| + (R: 2, t: 6) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    36 mul, 27 add.  Error <= u |result| + (R: 2, t: 6) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D1_00, D1_01, D1_02, D1_03, D1_10, D1_11, D1_12, D1_13, D1_20, D1_21, D1_22, D1_23 = D1
     D2_00, D2_01, D2_02, D2_03, D2_10, D2_11, D2_12, D2_13, D2_20, D2_21, D2_22, D2_23 = D2
@@ -213,7 +227,8 @@ def product_dinvd(D1, D2):
     """Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)].
 
     (3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.
-    36 mul, 27 add.  Error <= u |x| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    36 mul, 27 add.  Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D1_00, D1_01, D1_02, D1_03, D1_10, D1_11, D1_12, D1_13, D1_20, D1_21, D1_22, D1_23 = D1
     D2_00, D2_01, D2_02, D2_03, D2_10, D2_11, D2_12, D2_13, D2_20, D2_21, D2_22, D2_23 = D2
@@ -239,8 +254,10 @@ def product_dinvd(D1, D2):
 def product_ddr(D, R):
     """Do = D [R | 0].
 
-    (3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |x| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other
+    3×3 matrix.
+    27 mul, 18 add.  Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
@@ -260,8 +277,10 @@ def product_ddr(D, R):
 def product_ddrinv(D, R):
     """Do = D [R^T | 0].
 
-    (3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |x| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    (3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other
+    3×3 matrix.
+    27 mul, 18 add.  Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
@@ -282,7 +301,8 @@ def product_ddt(D, t):
     """Do = D [I | t].
 
     (3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.
-    9 mul, 9 add.  Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     t_0, t_1, t_2 = t
@@ -297,7 +317,8 @@ def product_ddtinv(D, t):
     """Do = D [I | -t].
 
     (3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.
-    9 mul, 9 add.  Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     t_0, t_1, t_2 = t
@@ -312,7 +333,8 @@ def product_dinvdt(D, t):
     """Do = D^-1 [I | t] = [R^T | R^T (t - t_D)].
 
     (3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.
-    9 mul, 9 add.  Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     t_0, t_1, t_2 = t
@@ -330,7 +352,7 @@ def product_drvtx(R, k):
     """vo = R (k e_x).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul.  Error <= u |x|, barring underflow.
+    3 mul.  Error <= u |result|, barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     vo_0 = R_00 * k
@@ -344,7 +366,8 @@ def product_drdrx(R, dc):
     """Ro = R R_x(θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     dc_0, dc_1 = dc
@@ -362,7 +385,8 @@ def product_ddrx(D, dc):
     """Do = D [R_x(θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     dc_0, dc_1 = dc
@@ -380,7 +404,8 @@ def product_ddtx(D, k):
     """Do = D [I | k e_x].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     Do_03 = D_00 * k + D_03
@@ -394,7 +419,7 @@ def product_drvtxinv(R, k):
     """vo = R (-k e_x).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul, 3 neg.  Error <= u |x|, barring underflow.
+    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     vo_0 = -(R_00 * k)
@@ -408,7 +433,8 @@ def product_drdrxinv(R, dc):
     """Ro = R R_x(-θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     dc_0, dc_1 = dc
@@ -426,7 +452,8 @@ def product_ddrxinv(D, dc):
     """Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     dc_0, dc_1 = dc
@@ -444,7 +471,8 @@ def product_ddtxinv(D, k):
     """Do = D [I | -k e_x].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     Do_03 = D_03 - D_00 * k
@@ -458,7 +486,7 @@ def product_drvty(R, k):
     """vo = R (k e_y).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul.  Error <= u |x|, barring underflow.
+    3 mul.  Error <= u |result|, barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     vo_0 = R_01 * k
@@ -472,7 +500,8 @@ def product_drdry(R, dc):
     """Ro = R R_y(θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     dc_0, dc_1 = dc
@@ -490,7 +519,8 @@ def product_ddry(D, dc):
     """Do = D [R_y(θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     dc_0, dc_1 = dc
@@ -508,7 +538,8 @@ def product_ddty(D, k):
     """Do = D [I | k e_y].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     Do_03 = D_01 * k + D_03
@@ -522,7 +553,7 @@ def product_drvtyinv(R, k):
     """vo = R (-k e_y).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul, 3 neg.  Error <= u |x|, barring underflow.
+    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     vo_0 = -(R_01 * k)
@@ -536,7 +567,8 @@ def product_drdryinv(R, dc):
     """Ro = R R_y(-θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     dc_0, dc_1 = dc
@@ -554,7 +586,8 @@ def product_ddryinv(D, dc):
     """Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     dc_0, dc_1 = dc
@@ -572,7 +605,8 @@ def product_ddtyinv(D, k):
     """Do = D [I | -k e_y].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     Do_03 = D_03 - D_01 * k
@@ -586,7 +620,7 @@ def product_drvtz(R, k):
     """vo = R (k e_z).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul.  Error <= u |x|, barring underflow.
+    3 mul.  Error <= u |result|, barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     vo_0 = R_02 * k
@@ -600,7 +634,8 @@ def product_drdrz(R, dc):
     """Ro = R R_z(θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     dc_0, dc_1 = dc
@@ -618,7 +653,8 @@ def product_ddrz(D, dc):
     """Do = D [R_z(θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     dc_0, dc_1 = dc
@@ -636,7 +672,8 @@ def product_ddtz(D, k):
     """Do = D [I | k e_z].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     Do_03 = D_02 * k + D_03
@@ -650,7 +687,7 @@ def product_drvtzinv(R, k):
     """vo = R (-k e_z).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul, 3 neg.  Error <= u |x|, barring underflow.
+    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     vo_0 = -(R_02 * k)
@@ -664,7 +701,8 @@ def product_drdrzinv(R, dc):
     """Ro = R R_z(-θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     dc_0, dc_1 = dc
@@ -682,7 +720,8 @@ def product_ddrzinv(D, dc):
     """Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     dc_0, dc_1 = dc
@@ -700,7 +739,8 @@ def product_ddtzinv(D, k):
     """Do = D [I | -k e_z].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     Do_03 = D_03 - D_02 * k

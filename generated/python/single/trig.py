@@ -1,8 +1,10 @@
 # Made by `coscrew generate`; changes are overwritten.
-"""Sine and cosine of a joint angle.  In single precision."""
+"""Sine and cosine of a joint angle.
+
+In single precision, plain tier.
+"""
 
 from numpy import cos, sin
-
 from coscrew._kernel import single_kernel as kernel
 
 

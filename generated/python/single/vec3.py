@@ -1,8 +1,10 @@
 # Made by `coscrew generate`; changes are overwritten.
-"""Vectors of three components.  In single precision."""
+"""Vectors of three components.
+
+In single precision, plain tier.
+"""
 
 from numpy import sqrt, where
-
 from coscrew._kernel import single_kernel as kernel
 
 
@@ -22,7 +24,7 @@ def vec3_scale(self, a):
     """self = a self.
 
     (3),()->(3).  self: vector; a: number.
-    3 mul.  Error <= u |x|, barring underflow.
+    3 mul.  Error <= u |result|, barring over- and underflow.
     """
     self_0, self_1, self_2 = self
     self_0_new = self_0 * a
@@ -64,7 +66,8 @@ def axpy_vv(a, x, y):
     """y = a x + y.
 
     (),(3),(3)->(3).  a: number; x, y: vector.
-    3 mul, 3 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    3 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     x_0, x_1, x_2 = x
     y_0, y_1, y_2 = y
@@ -79,7 +82,7 @@ def xpy_vv(x, y):
     """y = x + y.
 
     (3),(3)->(3).  x, y: vector.
-    3 add.  Error <= u |x|, barring underflow.
+    3 add.  Error <= u |result|, barring over- and underflow.
     """
     x_0, x_1, x_2 = x
     y_0, y_1, y_2 = y
@@ -94,7 +97,7 @@ def nxpy_vv(x, y):
     """y = -x + y.
 
     (3),(3)->(3).  x, y: vector.
-    3 add.  Error <= u |x|, barring underflow.
+    3 add.  Error <= u |result|, barring over- and underflow.
     """
     x_0, x_1, x_2 = x
     y_0, y_1, y_2 = y
@@ -109,7 +112,7 @@ def product_av(a, vi):
     """vo = a vi.
 
     (),(3)->(3).  a: number; vi, vo: vector.
-    3 mul.  Error <= u |x|, barring underflow.
+    3 mul.  Error <= u |result|, barring over- and underflow.
     """
     vi_0, vi_1, vi_2 = vi
     vo_0 = a * vi_0
@@ -123,7 +126,7 @@ def add_vv(v1, v2):
     """vo = v1 + v2.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    3 add.  Error <= u |x|, barring underflow.
+    3 add.  Error <= u |result|, barring over- and underflow.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
@@ -138,7 +141,7 @@ def subtract_vv(v1, v2):
     """vo = v1 - v2.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    3 add.  Error <= u |x|, barring underflow.
+    3 add.  Error <= u |result|, barring over- and underflow.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
@@ -153,7 +156,7 @@ def vec3_scaled(v, k):
     """vo = k v.
 
     (3),()->(3).  v, vo: vector; k: number.
-    3 mul.  Error <= u |x|, barring underflow.
+    3 mul.  Error <= u |result|, barring over- and underflow.
     """
     v_0, v_1, v_2 = v
     vo_0 = v_0 * k
@@ -176,7 +179,7 @@ def vec3_swap(v1, v2):
 
 @kernel("(3)->()")
 def vec3_l2norm(v):
-    """|v| = sqrt(v·v).
+    """|v| = sqrt(v·v); squares must neither over- nor underflow.
 
     (3)->().  v: vector; norm: number.
     3 mul, 2 add, 1 sqrt.
@@ -188,14 +191,14 @@ def vec3_l2norm(v):
 
 @kernel("(3)->(3)")
 def vec3_normalize(self):
-    """self = self / |self|; the zero vector stays zero.
+    """self = self / |self|; the zero vector stays zero; squares must neither over- nor underflow.
 
     (3)->(3).  self: vector.
     3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select.
     """
     self_0, self_1, self_2 = self
     n = sqrt(self_0 * self_0 + self_1 * self_1 + self_2 * self_2)
-    d = where(n == 0.0, 1.0, n)
+    d = where(n == 0, 1, n)
     self_0_new = self_0 / d
     self_1_new = self_1 / d
     self_2_new = self_2 / d
@@ -204,14 +207,14 @@ def vec3_normalize(self):
 
 @kernel("(3)->(3)")
 def vec3_normalized(v):
-    """vo = v / |v|; the zero vector stays zero.
+    """vo = v / |v|; the zero vector stays zero; squares must neither over- nor underflow.
 
     (3)->(3).  v, vo: vector.
     3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select.
     """
     v_0, v_1, v_2 = v
     n = sqrt(v_0 * v_0 + v_1 * v_1 + v_2 * v_2)
-    d = where(n == 0.0, 1.0, n)
+    d = where(n == 0, 1, n)
     vo_0 = v_0 / d
     vo_1 = v_1 / d
     vo_2 = v_2 / d
@@ -223,7 +226,8 @@ def dot_vv(v1, v2):
     """v1·v2.
 
     (3),(3)->().  v1, v2: vector; dot: number.
-    3 mul, 2 add.  Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    3 mul, 2 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
@@ -236,7 +240,7 @@ def product_avinv(k, v):
     """vo = k (-v).
 
     (),(3)->(3).  k: number; v, vo: vector.
-    3 mul, 3 neg.  Error <= u |x|, barring underflow.
+    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
     """
     v_0, v_1, v_2 = v
     vo_0 = -(k * v_0)
@@ -247,25 +251,25 @@ def product_avinv(k, v):
 
 @kernel("(),(3)->(3)")
 def product_ainvv(k, v):
-    """vo = k^-1 v.
+    """vo = v / k.
 
     (),(3)->(3).  k: number; v, vo: vector.
-    3 mul, 1 div.
+    3 div.
     """
     v_0, v_1, v_2 = v
-    r = 1.0 / k
-    vo_0 = v_0 * r
-    vo_1 = v_1 * r
-    vo_2 = v_2 * r
+    vo_0 = v_0 / k
+    vo_1 = v_1 / k
+    vo_2 = v_2 / k
     return (vo_0, vo_1, vo_2)
 
 
 @kernel("(3),(3)->(3)")
 def cross_vv(v1, v2):
-    """vo = v1 × v2; exactly zero for v1 = v2.
+    """vo = v1 × v2.  Exactly zero for v1 = v2, unless products overflow.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    6 mul, 3 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
@@ -280,7 +284,8 @@ def cross_vvinv(v1, v2):
     """vo = v1 × (-v2).
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    6 mul, 3 add.  Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
@@ -295,7 +300,7 @@ def add_vvx(v, k):
     """vo = v + k e_x.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |x|, barring underflow.
+    1 add.  Error <= u |result|, barring over- and underflow.
     """
     v_0, v_1, v_2 = v
     vo_0 = v_0 + k
@@ -307,7 +312,7 @@ def add_vvxinv(v, k):
     """vo = v - k e_x.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |x|, barring underflow.
+    1 add.  Error <= u |result|, barring over- and underflow.
     """
     v_0, v_1, v_2 = v
     vo_0 = v_0 - k
@@ -319,7 +324,7 @@ def add_vvy(v, k):
     """vo = v + k e_y.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |x|, barring underflow.
+    1 add.  Error <= u |result|, barring over- and underflow.
     """
     v_0, v_1, v_2 = v
     vo_1 = v_1 + k
@@ -331,7 +336,7 @@ def add_vvyinv(v, k):
     """vo = v - k e_y.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |x|, barring underflow.
+    1 add.  Error <= u |result|, barring over- and underflow.
     """
     v_0, v_1, v_2 = v
     vo_1 = v_1 - k
@@ -343,7 +348,7 @@ def add_vvz(v, k):
     """vo = v + k e_z.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |x|, barring underflow.
+    1 add.  Error <= u |result|, barring over- and underflow.
     """
     v_0, v_1, v_2 = v
     vo_2 = v_2 + k
@@ -355,7 +360,7 @@ def add_vvzinv(v, k):
     """vo = v - k e_z.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |x|, barring underflow.
+    1 add.  Error <= u |result|, barring over- and underflow.
     """
     v_0, v_1, v_2 = v
     vo_2 = v_2 - k

@@ -179,8 +179,8 @@ static inline void ksl_SE3_getRotation(const ksl_SE3_t *D, ksl_mat3x3_t *R) {
 /* self = self^-1 = [R^T | -R^T t].
    self: displacement [R | t], R rotation, t in m.
    9 mul, 6 add, 3 neg.
-   Error <= u |x| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_SE3_invert(ksl_SE3_t *self) {
   const double self_03_new_a = self->m00 * self->m03, self_03_new_b = self->m10 * self->m13,
       self_03_new_c = self_03_new_a + self_03_new_b, self_03_new_d = self->m20 * self->m23,
@@ -211,8 +211,8 @@ static inline void ksl_SE3_invert(ksl_SE3_t *self) {
 /* Do = D^-1 = [R^T | -R^T t].
    D, Do: displacement [R | t], R rotation, t in m.
    9 mul, 6 add, 3 neg.
-   Error <= u |x| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_SE3_inverted(const ksl_SE3_t *D, ksl_SE3_t *Do) {
   const double Do_03a = D->m00 * D->m03, Do_03b = D->m10 * D->m13, Do_03c = Do_03a + Do_03b,
       Do_03d = D->m20 * D->m23, Do_03e = Do_03c + Do_03d, Do_03 = -Do_03e;
@@ -416,8 +416,8 @@ static inline void ksl_SE3f_getRotation(const ksl_SE3f_t *D, ksl_mat3x3f_t *R) {
 /* self = self^-1 = [R^T | -R^T t].
    self: displacement [R | t], R rotation, t in m.
    9 mul, 6 add, 3 neg.
-   Error <= u |x| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_SE3f_invert(ksl_SE3f_t *self) {
   const float self_03_new_a = self->m00 * self->m03, self_03_new_b = self->m10 * self->m13,
       self_03_new_c = self_03_new_a + self_03_new_b, self_03_new_d = self->m20 * self->m23,
@@ -448,8 +448,8 @@ static inline void ksl_SE3f_invert(ksl_SE3f_t *self) {
 /* Do = D^-1 = [R^T | -R^T t].
    D, Do: displacement [R | t], R rotation, t in m.
    9 mul, 6 add, 3 neg.
-   Error <= u |x| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_SE3f_inverted(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
   const float Do_03a = D->m00 * D->m03, Do_03b = D->m10 * D->m13, Do_03c = Do_03a + Do_03b,
       Do_03d = D->m20 * D->m23, Do_03e = Do_03c + Do_03d, Do_03 = -Do_03e;

@@ -41,7 +41,7 @@ static inline void ksl_coscrew_copy(const ksl_coscrew_t *ci, ksl_coscrew_t *co) 
 /* self = a self.
    self: coscrew (f in N; τ in N m); a: number.
    6 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_coscrew_scale(ksl_coscrew_t *self, const double a) {
   const double self_0_new = self->m0 * a;
   const double self_1_new = self->m1 * a;
@@ -98,8 +98,8 @@ static inline void ksl_coscrew_invert(ksl_coscrew_t *self) {
 /* y = a x + y.
    a: number; x, y: coscrew (f in N; τ in N m).
    6 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_axpy_cc(const double a, const ksl_coscrew_t *x, ksl_coscrew_t *y) {
   const double y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
   const double y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
@@ -118,7 +118,7 @@ static inline void ksl_axpy_cc(const double a, const ksl_coscrew_t *x, ksl_coscr
 /* y = x + y.
    x, y: coscrew (f in N; τ in N m).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
   const double y_0_new = x->m0 + y->m0;
   const double y_1_new = x->m1 + y->m1;
@@ -137,7 +137,7 @@ static inline void ksl_xpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
 /* y = -x + y.
    x, y: coscrew (f in N; τ in N m).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
   const double y_0_new = y->m0 - x->m0;
   const double y_1_new = y->m1 - x->m1;
@@ -156,7 +156,7 @@ static inline void ksl_nxpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
 /* co = a ci.
    a: number; ci, co: coscrew (f in N; τ in N m).
    6 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_ac(const double a, const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
   const double co_0 = a * ci->m0;
   const double co_1 = a * ci->m1;
@@ -175,7 +175,7 @@ static inline void ksl_product_ac(const double a, const ksl_coscrew_t *ci, ksl_c
 /* co = c1 + c2.
    c1, c2, co: coscrew (f in N; τ in N m).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2, ksl_coscrew_t *co) {
   const double co_0 = c1->m0 + c2->m0;
   const double co_1 = c1->m1 + c2->m1;
@@ -194,7 +194,7 @@ static inline void ksl_add_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2, 
 /* co = c1 - c2.
    c1, c2, co: coscrew (f in N; τ in N m).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
     ksl_coscrew_t *co) {
   const double co_0 = c1->m0 - c2->m0;
@@ -211,7 +211,8 @@ static inline void ksl_subtract_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t 
   co->m5 = co_5;
 }
 
-/* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
+/* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6); squares must neither over-
+     nor underflow.
    ci: coscrew (f in N; τ in N m).
    6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select. */
 static inline double ksl_coscrew_norm(const ksl_coscrew_t *ci) {
@@ -224,7 +225,8 @@ static inline double ksl_coscrew_norm(const ksl_coscrew_t *ci) {
   return norm;
 }
 
-/* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
+/* self = self / |self|, with coscrew_norm; the zero coscrew stays zero; squares must neither
+     over- nor underflow.
    self: coscrew (f in N; τ in N m).
    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
 static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
@@ -249,7 +251,8 @@ static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
   self->m5 = self_5_new;
 }
 
-/* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
+/* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero; squares must neither over- nor
+     underflow.
    ci, co: coscrew (f in N; τ in N m).
    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
 static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
@@ -335,7 +338,7 @@ static inline void ksl_coscrew_from_angular_first(const double x[6], ksl_coscrew
 /* co = (c1.lin + c2.lin ; c1.ang).
    c1, c2, co: coscrew (f in N; τ in N m).
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_cct(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
     ksl_coscrew_t *co) {
   const double co_0 = c1->m0 + c2->m0;
@@ -355,7 +358,7 @@ static inline void ksl_add_cct(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
 /* co = [Ad]*(t) ci.
    t: vector; ci, co: coscrew (f in N; τ in N m).
    6 mul, 6 add.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdtc(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
@@ -379,7 +382,7 @@ static inline void ksl_product_CoAdtc(const ksl_vec3_t *t, const ksl_coscrew_t *
 /* co = [Ad]*(t)^-1 ci.
    t: vector; ci, co: coscrew (f in N; τ in N m).
    6 mul, 6 add.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdtinvc(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
@@ -403,7 +406,7 @@ static inline void ksl_product_CoAdtinvc(const ksl_vec3_t *t, const ksl_coscrew_
 /* co = [Ad]*(t) (-ci).
    t: vector; ci, co: coscrew (f in N; τ in N m).
    6 mul, 6 add, 3 neg.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdtcinv(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
@@ -427,8 +430,8 @@ static inline void ksl_product_CoAdtcinv(const ksl_vec3_t *t, const ksl_coscrew_
 /* co = [Ad]*(R) ci.
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
    18 mul, 12 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_CoAdrc(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
@@ -454,8 +457,8 @@ static inline void ksl_product_CoAdrc(const ksl_mat3x3_t *R, const ksl_coscrew_t
 /* co = [Ad]*(R)^-1 ci.
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
    18 mul, 12 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_CoAdrinvc(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_0a = R->m00 * ci->m0, co_0b = R->m10 * ci->m1, co_0c = co_0a + co_0b,
@@ -481,8 +484,8 @@ static inline void ksl_product_CoAdrinvc(const ksl_mat3x3_t *R, const ksl_coscre
 /* co = [Ad]*(R) (-ci).
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
    18 mul, 12 add, 6 neg.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_CoAdrcinv(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
@@ -508,7 +511,7 @@ static inline void ksl_product_CoAdrcinv(const ksl_mat3x3_t *R, const ksl_coscre
 /* co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
    24 mul, 18 add.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdc(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
@@ -541,7 +544,7 @@ static inline void ksl_product_CoAdc(const ksl_SE3_t *D, const ksl_coscrew_t *ci
 /* co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
    24 mul, 18 add.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdinvc(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
@@ -574,7 +577,7 @@ static inline void ksl_product_CoAdinvc(const ksl_SE3_t *D, const ksl_coscrew_t 
 /* co = [Ad]*(D) (-ci).
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
    24 mul, 18 add, 6 neg.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdcinv(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
@@ -607,7 +610,7 @@ static inline void ksl_product_CoAdcinv(const ksl_SE3_t *D, const ksl_coscrew_t 
 /* co = h_tx: column 0 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_3a = D->m20 * D->m13, co_3b = D->m10 * D->m23, co_3 = co_3a - co_3b;
@@ -627,7 +630,7 @@ static inline void ksl_hctx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 /* co = h_ty: column 1 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hcty(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_3a = D->m21 * D->m13, co_3b = D->m11 * D->m23, co_3 = co_3a - co_3b;
@@ -647,7 +650,7 @@ static inline void ksl_hcty(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 /* co = h_tz: column 2 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctz(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_3a = D->m22 * D->m13, co_3b = D->m12 * D->m23, co_3 = co_3a - co_3b;
@@ -715,7 +718,7 @@ static inline void ksl_hcrz(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 /* co = -h_tx: -column 0 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m00;
@@ -735,7 +738,7 @@ static inline void ksl_hctxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 /* co = -h_ty: -column 1 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctyinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m01;
@@ -755,7 +758,7 @@ static inline void ksl_hctyinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 /* co = -h_tz: -column 2 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m02;
@@ -823,8 +826,8 @@ static inline void ksl_hcrzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 /* M = [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
    18 mul, 9 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_CoAd(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
   const double M_30a = D->m20 * D->m13, M_30b = D->m10 * D->m23, M_30 = M_30a - M_30b;
   const double M_31a = D->m21 * D->m13, M_31b = D->m11 * D->m23, M_31 = M_31a - M_31b;
@@ -885,8 +888,8 @@ static inline void ksl_CoAd(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
 /* power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).
    c: coscrew (f in N; τ in N m); x: six components with the angular part on top.
    6 mul, 5 add.
-   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline double ksl_reciprocal_product(const ksl_coscrew_t *c, const double x[6]) {
   const double power_a = c->m0 * x[3], power_b = c->m1 * x[4], power_c = power_a + power_b,
       power_d = c->m2 * x[5], power_e = power_c + power_d, power_f = c->m3 * x[0],
@@ -898,7 +901,7 @@ static inline double ksl_reciprocal_product(const ksl_coscrew_t *c, const double
 /* co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
    s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
    18 mul, 12 add.
-   Error <= u |x| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sc(const ksl_screw_t *s, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double co_0a = s->m4 * c->m2, co_0b = s->m5 * c->m1, co_0 = co_0a - co_0b;
@@ -921,7 +924,7 @@ static inline void ksl_cross_sc(const ksl_screw_t *s, const ksl_coscrew_t *c, ks
 /* co = (0 ; ω×τ).
    s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sca(const ksl_screw_t *s, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double co_3a = s->m4 * c->m5, co_3b = s->m5 * c->m4, co_3 = co_3a - co_3b;
@@ -938,7 +941,7 @@ static inline void ksl_cross_sca(const ksl_screw_t *s, const ksl_coscrew_t *c, k
 /* co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
@@ -968,7 +971,7 @@ static inline void ksl_constraint_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c
 /* co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
@@ -998,7 +1001,7 @@ static inline void ksl_constraint_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c
 /* co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
@@ -1028,7 +1031,7 @@ static inline void ksl_constraint_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c
 /* co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
@@ -1058,7 +1061,7 @@ static inline void ksl_constraint_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c
 /* co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
@@ -1088,7 +1091,7 @@ static inline void ksl_constraint_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c
 /* co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
@@ -1118,7 +1121,7 @@ static inline void ksl_constraint_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    9 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_0 = D->m00 * c->m0;
@@ -1138,7 +1141,7 @@ static inline void ksl_working_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    9 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_0 = D->m01 * c->m1;
@@ -1158,7 +1161,7 @@ static inline void ksl_working_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    9 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_0 = D->m02 * c->m2;
@@ -1178,7 +1181,7 @@ static inline void ksl_working_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_3 = D->m00 * c->m3;
   const double w_4 = D->m10 * c->m3;
@@ -1194,7 +1197,7 @@ static inline void ksl_working_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_3 = D->m01 * c->m4;
   const double w_4 = D->m11 * c->m4;
@@ -1210,7 +1213,7 @@ static inline void ksl_working_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
   const double w_3 = D->m02 * c->m5;
   const double w_4 = D->m12 * c->m5;
@@ -1313,7 +1316,7 @@ static inline void ksl_coscrewf_copy(const ksl_coscrewf_t *ci, ksl_coscrewf_t *c
 /* self = a self.
    self: coscrew (f in N; τ in N m); a: number.
    6 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_coscrewf_scale(ksl_coscrewf_t *self, const float a) {
   const float self_0_new = self->m0 * a;
   const float self_1_new = self->m1 * a;
@@ -1370,8 +1373,8 @@ static inline void ksl_coscrewf_invert(ksl_coscrewf_t *self) {
 /* y = a x + y.
    a: number; x, y: coscrew (f in N; τ in N m).
    6 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_axpy_ccf(const float a, const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
   const float y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
   const float y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
@@ -1390,7 +1393,7 @@ static inline void ksl_axpy_ccf(const float a, const ksl_coscrewf_t *x, ksl_cosc
 /* y = x + y.
    x, y: coscrew (f in N; τ in N m).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
   const float y_0_new = x->m0 + y->m0;
   const float y_1_new = x->m1 + y->m1;
@@ -1409,7 +1412,7 @@ static inline void ksl_xpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
 /* y = -x + y.
    x, y: coscrew (f in N; τ in N m).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
   const float y_0_new = y->m0 - x->m0;
   const float y_1_new = y->m1 - x->m1;
@@ -1428,7 +1431,7 @@ static inline void ksl_nxpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
 /* co = a ci.
    a: number; ci, co: coscrew (f in N; τ in N m).
    6 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_acf(const float a, const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
   const float co_0 = a * ci->m0;
   const float co_1 = a * ci->m1;
@@ -1447,7 +1450,7 @@ static inline void ksl_product_acf(const float a, const ksl_coscrewf_t *ci, ksl_
 /* co = c1 + c2.
    c1, c2, co: coscrew (f in N; τ in N m).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
   const float co_0 = c1->m0 + c2->m0;
@@ -1467,7 +1470,7 @@ static inline void ksl_add_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c
 /* co = c1 - c2.
    c1, c2, co: coscrew (f in N; τ in N m).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
   const float co_0 = c1->m0 - c2->m0;
@@ -1484,7 +1487,8 @@ static inline void ksl_subtract_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf
   co->m5 = co_5;
 }
 
-/* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
+/* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6); squares must neither over-
+     nor underflow.
    ci: coscrew (f in N; τ in N m).
    6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select. */
 static inline float ksl_coscrewf_norm(const ksl_coscrewf_t *ci) {
@@ -1497,7 +1501,8 @@ static inline float ksl_coscrewf_norm(const ksl_coscrewf_t *ci) {
   return norm;
 }
 
-/* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
+/* self = self / |self|, with coscrew_norm; the zero coscrew stays zero; squares must neither
+     over- nor underflow.
    self: coscrew (f in N; τ in N m).
    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
 static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
@@ -1522,7 +1527,8 @@ static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
   self->m5 = self_5_new;
 }
 
-/* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
+/* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero; squares must neither over- nor
+     underflow.
    ci, co: coscrew (f in N; τ in N m).
    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
 static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
@@ -1608,7 +1614,7 @@ static inline void ksl_coscrewf_from_angular_first(const float x[6], ksl_coscrew
 /* co = (c1.lin + c2.lin ; c1.ang).
    c1, c2, co: coscrew (f in N; τ in N m).
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_cctf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
   const float co_0 = c1->m0 + c2->m0;
@@ -1628,7 +1634,7 @@ static inline void ksl_add_cctf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *
 /* co = [Ad]*(t) ci.
    t: vector; ci, co: coscrew (f in N; τ in N m).
    6 mul, 6 add.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdtcf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
@@ -1652,7 +1658,7 @@ static inline void ksl_product_CoAdtcf(const ksl_vec3f_t *t, const ksl_coscrewf_
 /* co = [Ad]*(t)^-1 ci.
    t: vector; ci, co: coscrew (f in N; τ in N m).
    6 mul, 6 add.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdtinvcf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
@@ -1676,7 +1682,7 @@ static inline void ksl_product_CoAdtinvcf(const ksl_vec3f_t *t, const ksl_coscre
 /* co = [Ad]*(t) (-ci).
    t: vector; ci, co: coscrew (f in N; τ in N m).
    6 mul, 6 add, 3 neg.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdtcinvf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
@@ -1700,8 +1706,8 @@ static inline void ksl_product_CoAdtcinvf(const ksl_vec3f_t *t, const ksl_coscre
 /* co = [Ad]*(R) ci.
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
    18 mul, 12 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_CoAdrcf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
@@ -1727,8 +1733,8 @@ static inline void ksl_product_CoAdrcf(const ksl_mat3x3f_t *R, const ksl_coscrew
 /* co = [Ad]*(R)^-1 ci.
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
    18 mul, 12 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_CoAdrinvcf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float co_0a = R->m00 * ci->m0, co_0b = R->m10 * ci->m1, co_0c = co_0a + co_0b,
@@ -1754,8 +1760,8 @@ static inline void ksl_product_CoAdrinvcf(const ksl_mat3x3f_t *R, const ksl_cosc
 /* co = [Ad]*(R) (-ci).
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
    18 mul, 12 add, 6 neg.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_CoAdrcinvf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
@@ -1781,7 +1787,7 @@ static inline void ksl_product_CoAdrcinvf(const ksl_mat3x3f_t *R, const ksl_cosc
 /* co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
    24 mul, 18 add.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdcf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
@@ -1811,7 +1817,7 @@ static inline void ksl_product_CoAdcf(const ksl_SE3f_t *D, const ksl_coscrewf_t 
 /* co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
    24 mul, 18 add.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdinvcf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
@@ -1844,7 +1850,7 @@ static inline void ksl_product_CoAdinvcf(const ksl_SE3f_t *D, const ksl_coscrewf
 /* co = [Ad]*(D) (-ci).
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
    24 mul, 18 add, 6 neg.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_CoAdcinvf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
@@ -1874,7 +1880,7 @@ static inline void ksl_product_CoAdcinvf(const ksl_SE3f_t *D, const ksl_coscrewf
 /* co = h_tx: column 0 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_3a = D->m20 * D->m13, co_3b = D->m10 * D->m23, co_3 = co_3a - co_3b;
@@ -1894,7 +1900,7 @@ static inline void ksl_hctxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 /* co = h_ty: column 1 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctyf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_3a = D->m21 * D->m13, co_3b = D->m11 * D->m23, co_3 = co_3a - co_3b;
@@ -1914,7 +1920,7 @@ static inline void ksl_hctyf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 /* co = h_tz: column 2 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctzf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_3a = D->m22 * D->m13, co_3b = D->m12 * D->m23, co_3 = co_3a - co_3b;
@@ -1982,7 +1988,7 @@ static inline void ksl_hcrzf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 /* co = -h_tx: -column 0 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m00;
@@ -2002,7 +2008,7 @@ static inline void ksl_hctxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 /* co = -h_ty: -column 1 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctyinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m01;
@@ -2022,7 +2028,7 @@ static inline void ksl_hctyinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 /* co = -h_tz: -column 2 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m02;
@@ -2090,8 +2096,8 @@ static inline void ksl_hcrzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
 /* M = [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
    18 mul, 9 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_CoAdf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
   const float M_30a = D->m20 * D->m13, M_30b = D->m10 * D->m23, M_30 = M_30a - M_30b;
   const float M_31a = D->m21 * D->m13, M_31b = D->m11 * D->m23, M_31 = M_31a - M_31b;
@@ -2152,8 +2158,8 @@ static inline void ksl_CoAdf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
 /* power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).
    c: coscrew (f in N; τ in N m); x: six components with the angular part on top.
    6 mul, 5 add.
-   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline float ksl_reciprocal_productf(const ksl_coscrewf_t *c, const float x[6]) {
   const float power_a = c->m0 * x[3], power_b = c->m1 * x[4], power_c = power_a + power_b,
       power_d = c->m2 * x[5], power_e = power_c + power_d, power_f = c->m3 * x[0],
@@ -2165,7 +2171,7 @@ static inline float ksl_reciprocal_productf(const ksl_coscrewf_t *c, const float
 /* co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
    s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
    18 mul, 12 add.
-   Error <= u |x| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_scf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -2189,7 +2195,7 @@ static inline void ksl_cross_scf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
 /* co = (0 ; ω×τ).
    s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_scaf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -2207,7 +2213,7 @@ static inline void ksl_cross_scaf(const ksl_screwf_t *s, const ksl_coscrewf_t *c
 /* co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -2234,7 +2240,7 @@ static inline void ksl_constraint_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 /* co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -2261,7 +2267,7 @@ static inline void ksl_constraint_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 /* co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -2288,7 +2294,7 @@ static inline void ksl_constraint_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 /* co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -2315,7 +2321,7 @@ static inline void ksl_constraint_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 /* co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -2342,7 +2348,7 @@ static inline void ksl_constraint_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 /* co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    21 mul, 15 add.
-   Error <= u |x| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_constraint_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -2369,7 +2375,7 @@ static inline void ksl_constraint_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    9 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -2390,7 +2396,7 @@ static inline void ksl_working_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    9 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -2411,7 +2417,7 @@ static inline void ksl_working_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    9 mul, 3 add.
-   Error <= u |x| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
@@ -2432,7 +2438,7 @@ static inline void ksl_working_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_3 = D->m00 * c->m3;
@@ -2449,7 +2455,7 @@ static inline void ksl_working_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_3 = D->m01 * c->m4;
@@ -2466,7 +2472,7 @@ static inline void ksl_working_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const float w_3 = D->m02 * c->m5;

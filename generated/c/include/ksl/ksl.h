@@ -1,5 +1,5 @@
 /* Made by `coscrew generate`; changes are overwritten. */
-/* Everything: spatial algebra of vectors, rotations, displacements, screws and coscrews. */
+/* Everything: vectors, rotations, displacements, screws and coscrews. */
 #ifndef KSL_H
 #define KSL_H
 

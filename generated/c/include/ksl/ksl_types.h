@@ -5,12 +5,13 @@
    column.  Screws s = (v; ω) and coscrews c = (f; τ) have the linear part on top, so that power is
    their dot product.
 
-   All functions: pointers must point to valid objects; an output may be the same object as an input;
-   nothing else is read or written.  Every operation is rounded once, in the order written, so that
-   results are the same bits everywhere: compile with -ffp-contract=off.
+   All functions: pointers must point to valid objects; an output may be the same object as an
+   input; nothing else is read or written.  Every operation is rounded once, in the order written, so
+   that results are the same bits everywhere: compile with -ffp-contract=off (and, where the target
+   has fused multiply-adds, with gcc's -fno-tree-vectorize: gcc 12 fuses in spite of the former).
 
    Error bounds are derived from that order, to first order in u: u = 2^-53 in double and 2^-24 in
-   single precision, x is the exact value of a component. */
+   single precision. */
 #ifndef KSL_TYPES_H
 #define KSL_TYPES_H
 

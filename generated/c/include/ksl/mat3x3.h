@@ -190,8 +190,8 @@ static inline void ksl_mat3x3_transposed(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
 /* det R.
    R: rotation or other 3×3 matrix.
    9 mul, 5 add.
-   Error <= u |x| + 4 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline double ksl_mat3x3_determinant(const ksl_mat3x3_t *R) {
   const double n_0a = R->m11 * R->m22, n_0b = R->m12 * R->m21, n_0 = n_0a - n_0b;
   const double n_1a = R->m02 * R->m21, n_1b = R->m01 * R->m22, n_1 = n_1a - n_1b;
@@ -385,8 +385,8 @@ static inline void ksl_mat3x3f_transposed(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
 /* det R.
    R: rotation or other 3×3 matrix.
    9 mul, 5 add.
-   Error <= u |x| + 4 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline float ksl_mat3x3f_determinant(const ksl_mat3x3f_t *R) {
   const float n_0a = R->m11 * R->m22, n_0b = R->m12 * R->m21, n_0 = n_0a - n_0b;
   const float n_1a = R->m02 * R->m21, n_1b = R->m01 * R->m22, n_1 = n_1a - n_1b;

@@ -10,8 +10,8 @@
 /* vo = R v.
    R: rotation or other 3×3 matrix; v, vo: vector.
    9 mul, 6 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
       vo_0d = R->m02 * v->z, vo_0 = vo_0c + vo_0d;
@@ -27,8 +27,8 @@ static inline void ksl_product_drv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, k
 /* vo = R (-v).
    R: rotation or other 3×3 matrix; v, vo: vector.
    9 mul, 6 add, 3 neg.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drvinv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
       vo_0d = R->m02 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
@@ -44,8 +44,8 @@ static inline void ksl_product_drvinv(const ksl_mat3x3_t *R, const ksl_vec3_t *v
 /* vo = R^T v.
    R: rotation or other 3×3 matrix; v, vo: vector.
    9 mul, 6 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drinvv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
       vo_0d = R->m20 * v->z, vo_0 = vo_0c + vo_0d;
@@ -61,8 +61,8 @@ static inline void ksl_product_drinvv(const ksl_mat3x3_t *R, const ksl_vec3_t *v
 /* vo = R^T (-v).
    R: rotation or other 3×3 matrix; v, vo: vector.
    9 mul, 6 add, 3 neg.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drinvvinv(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
   const double vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
@@ -79,8 +79,8 @@ static inline void ksl_product_drinvvinv(const ksl_mat3x3_t *R, const ksl_vec3_t
 /* vo = R v + t.
    D: displacement [R | t], R rotation, t in m; v, vo: vector.
    9 mul, 9 add.
-   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_dv(const ksl_SE3_t *D, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double vo_0a = D->m00 * v->x, vo_0b = D->m01 * v->y, vo_0c = vo_0a + vo_0b,
       vo_0d = D->m02 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = vo_0e + D->m03;
@@ -96,8 +96,8 @@ static inline void ksl_product_dv(const ksl_SE3_t *D, const ksl_vec3_t *v, ksl_v
 /* vo = R^T (v - t).
    D: displacement [R | t], R rotation, t in m; v, vo: vector.
    9 mul, 9 add.
-   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_dinvv(const ksl_SE3_t *D, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double p_0 = v->x - D->m03;
   const double p_1 = v->y - D->m13;
@@ -116,8 +116,8 @@ static inline void ksl_product_dinvv(const ksl_SE3_t *D, const ksl_vec3_t *v, ks
 /* Ro = R1 R2.
    R1, R2, Ro: rotation or other 3×3 matrix.
    27 mul, 18 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
   const double Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
@@ -152,8 +152,8 @@ static inline void ksl_product_drdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *
 /* Ro = R1 R2^T.
    R1, R2, Ro: rotation or other 3×3 matrix.
    27 mul, 18 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrinv(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
   const double Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m01, Ro_00c = Ro_00a + Ro_00b,
@@ -188,8 +188,8 @@ static inline void ksl_product_drdrinv(const ksl_mat3x3_t *R1, const ksl_mat3x3_
 /* Ro = R1^T R2.
    R1, R2, Ro: rotation or other 3×3 matrix.
    27 mul, 18 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drinvdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
   const double Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m10 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
@@ -224,8 +224,8 @@ static inline void ksl_product_drinvdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_
 /* Do = D1 D2 = [R1 R2 | R1 t2 + t1].
    D1, D2, Do: displacement [R | t], R rotation, t in m.
    36 mul, 27 add.
-   Error <= u |x| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_dd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
   const double Do_00a = D1->m00 * D2->m00, Do_00b = D1->m01 * D2->m10, Do_00c = Do_00a + Do_00b,
       Do_00d = D1->m02 * D2->m20, Do_00 = Do_00c + Do_00d;
@@ -268,8 +268,8 @@ static inline void ksl_product_dd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_
 /* Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T.
    D1, D2, Do: displacement [R | t], R rotation, t in m.
    36 mul, 27 add.
-   Error <= u |x| + (R: 2, t: 6) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 2, t: 6) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddinv(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
   const double R_0a = D1->m00 * D2->m00, R_0b = D1->m01 * D2->m01, R_0c = R_0a + R_0b,
       R_0d = D1->m02 * D2->m02, R_0 = R_0c + R_0d;
@@ -312,8 +312,8 @@ static inline void ksl_product_ddinv(const ksl_SE3_t *D1, const ksl_SE3_t *D2, k
 /* Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)].
    D1, D2, Do: displacement [R | t], R rotation, t in m.
    36 mul, 27 add.
-   Error <= u |x| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_dinvd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
   const double p_0 = D2->m03 - D1->m03;
   const double p_1 = D2->m13 - D1->m13;
@@ -359,8 +359,8 @@ static inline void ksl_product_dinvd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, k
 /* Do = D [R | 0].
    D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
    27 mul, 18 add.
-   Error <= u |x| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddr(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ksl_SE3_t *Do) {
   const double Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m10, Do_00c = Do_00a + Do_00b,
       Do_00d = D->m02 * R->m20, Do_00 = Do_00c + Do_00d;
@@ -400,8 +400,8 @@ static inline void ksl_product_ddr(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ks
 /* Do = D [R^T | 0].
    D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
    27 mul, 18 add.
-   Error <= u |x| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrinv(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ksl_SE3_t *Do) {
   const double Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m01, Do_00c = Do_00a + Do_00b,
       Do_00d = D->m02 * R->m02, Do_00 = Do_00c + Do_00d;
@@ -441,8 +441,8 @@ static inline void ksl_product_ddrinv(const ksl_SE3_t *D, const ksl_mat3x3_t *R,
 /* Do = D [I | t].
    D, Do: displacement [R | t], R rotation, t in m; t: vector.
    9 mul, 9 add.
-   Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddt(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
   const double Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
       Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D->m03;
@@ -476,8 +476,8 @@ static inline void ksl_product_ddt(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_
 /* Do = D [I | -t].
    D, Do: displacement [R | t], R rotation, t in m; t: vector.
    9 mul, 9 add.
-   Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtinv(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
   const double Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
       Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = D->m03 - Do_03e;
@@ -511,8 +511,8 @@ static inline void ksl_product_ddtinv(const ksl_SE3_t *D, const ksl_vec3_t *t, k
 /* Do = D^-1 [I | t] = [R^T | R^T (t - t_D)].
    D, Do: displacement [R | t], R rotation, t in m; t: vector.
    9 mul, 9 add.
-   Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_dinvdt(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
   const double p_0 = t->x - D->m03;
   const double p_1 = t->y - D->m13;
@@ -549,7 +549,7 @@ static inline void ksl_product_dinvdt(const ksl_SE3_t *D, const ksl_vec3_t *t, k
 /* vo = R (k e_x).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtx(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
   const double vo_0 = R->m00 * k;
   const double vo_1 = R->m10 * k;
@@ -562,8 +562,8 @@ static inline void ksl_product_drvtx(const ksl_mat3x3_t *R, const double k, ksl_
 /* Ro = R R_x(θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrx(const ksl_mat3x3_t *R, const double dc[2], ksl_mat3x3_t *Ro) {
   const double Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a + Ro_01b;
   const double Ro_02a = R->m02 * dc[1], Ro_02b = R->m01 * dc[0], Ro_02 = Ro_02a - Ro_02b;
@@ -588,8 +588,8 @@ static inline void ksl_product_drdrx(const ksl_mat3x3_t *R, const double dc[2], 
 /* Do = D [R_x(θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrx(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
   const double Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a + Do_01b;
   const double Do_02a = D->m02 * dc[1], Do_02b = D->m01 * dc[0], Do_02 = Do_02a - Do_02b;
@@ -620,8 +620,8 @@ static inline void ksl_product_ddrx(const ksl_SE3_t *D, const double dc[2], ksl_
 /* Do = D [I | k e_x].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtx(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
   const double Do_03a = D->m00 * k, Do_03 = Do_03a + D->m03;
   const double Do_13a = D->m10 * k, Do_13 = Do_13a + D->m13;
@@ -652,7 +652,7 @@ static inline void ksl_product_ddtx(const ksl_SE3_t *D, const double k, ksl_SE3_
 /* vo = R (-k e_x).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul, 3 neg.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxinv(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
   const double vo_0a = R->m00 * k, vo_0 = -vo_0a;
   const double vo_1a = R->m10 * k, vo_1 = -vo_1a;
@@ -665,8 +665,8 @@ static inline void ksl_product_drvtxinv(const ksl_mat3x3_t *R, const double k, k
 /* Ro = R R_x(-θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrxinv(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
   const double Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a - Ro_01b;
@@ -692,8 +692,8 @@ static inline void ksl_product_drdrxinv(const ksl_mat3x3_t *R, const double dc[2
 /* Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrxinv(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
   const double Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a - Do_01b;
   const double Do_02a = D->m01 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
@@ -724,8 +724,8 @@ static inline void ksl_product_ddrxinv(const ksl_SE3_t *D, const double dc[2], k
 /* Do = D [I | -k e_x].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtxinv(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
   const double Do_03a = D->m00 * k, Do_03 = D->m03 - Do_03a;
   const double Do_13a = D->m10 * k, Do_13 = D->m13 - Do_13a;
@@ -756,7 +756,7 @@ static inline void ksl_product_ddtxinv(const ksl_SE3_t *D, const double k, ksl_S
 /* vo = R (k e_y).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvty(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
   const double vo_0 = R->m01 * k;
   const double vo_1 = R->m11 * k;
@@ -769,8 +769,8 @@ static inline void ksl_product_drvty(const ksl_mat3x3_t *R, const double k, ksl_
 /* Ro = R R_y(θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdry(const ksl_mat3x3_t *R, const double dc[2], ksl_mat3x3_t *Ro) {
   const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a - Ro_00b;
   const double Ro_02a = R->m00 * dc[0], Ro_02b = R->m02 * dc[1], Ro_02 = Ro_02a + Ro_02b;
@@ -795,8 +795,8 @@ static inline void ksl_product_drdry(const ksl_mat3x3_t *R, const double dc[2], 
 /* Do = D [R_y(θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddry(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
   const double Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a - Do_00b;
   const double Do_02a = D->m00 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
@@ -827,8 +827,8 @@ static inline void ksl_product_ddry(const ksl_SE3_t *D, const double dc[2], ksl_
 /* Do = D [I | k e_y].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddty(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
   const double Do_03a = D->m01 * k, Do_03 = Do_03a + D->m03;
   const double Do_13a = D->m11 * k, Do_13 = Do_13a + D->m13;
@@ -859,7 +859,7 @@ static inline void ksl_product_ddty(const ksl_SE3_t *D, const double k, ksl_SE3_
 /* vo = R (-k e_y).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul, 3 neg.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyinv(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
   const double vo_0a = R->m01 * k, vo_0 = -vo_0a;
   const double vo_1a = R->m11 * k, vo_1 = -vo_1a;
@@ -872,8 +872,8 @@ static inline void ksl_product_drvtyinv(const ksl_mat3x3_t *R, const double k, k
 /* Ro = R R_y(-θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdryinv(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
   const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a + Ro_00b;
@@ -899,8 +899,8 @@ static inline void ksl_product_drdryinv(const ksl_mat3x3_t *R, const double dc[2
 /* Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddryinv(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
   const double Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a + Do_00b;
   const double Do_02a = D->m02 * dc[1], Do_02b = D->m00 * dc[0], Do_02 = Do_02a - Do_02b;
@@ -931,8 +931,8 @@ static inline void ksl_product_ddryinv(const ksl_SE3_t *D, const double dc[2], k
 /* Do = D [I | -k e_y].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtyinv(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
   const double Do_03a = D->m01 * k, Do_03 = D->m03 - Do_03a;
   const double Do_13a = D->m11 * k, Do_13 = D->m13 - Do_13a;
@@ -963,7 +963,7 @@ static inline void ksl_product_ddtyinv(const ksl_SE3_t *D, const double k, ksl_S
 /* vo = R (k e_z).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtz(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
   const double vo_0 = R->m02 * k;
   const double vo_1 = R->m12 * k;
@@ -976,8 +976,8 @@ static inline void ksl_product_drvtz(const ksl_mat3x3_t *R, const double k, ksl_
 /* Ro = R R_z(θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrz(const ksl_mat3x3_t *R, const double dc[2], ksl_mat3x3_t *Ro) {
   const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a + Ro_00b;
   const double Ro_01a = R->m01 * dc[1], Ro_01b = R->m00 * dc[0], Ro_01 = Ro_01a - Ro_01b;
@@ -1002,8 +1002,8 @@ static inline void ksl_product_drdrz(const ksl_mat3x3_t *R, const double dc[2], 
 /* Do = D [R_z(θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrz(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
   const double Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a + Do_00b;
   const double Do_01a = D->m01 * dc[1], Do_01b = D->m00 * dc[0], Do_01 = Do_01a - Do_01b;
@@ -1034,8 +1034,8 @@ static inline void ksl_product_ddrz(const ksl_SE3_t *D, const double dc[2], ksl_
 /* Do = D [I | k e_z].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtz(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
   const double Do_03a = D->m02 * k, Do_03 = Do_03a + D->m03;
   const double Do_13a = D->m12 * k, Do_13 = Do_13a + D->m13;
@@ -1066,7 +1066,7 @@ static inline void ksl_product_ddtz(const ksl_SE3_t *D, const double k, ksl_SE3_
 /* vo = R (-k e_z).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul, 3 neg.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzinv(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
   const double vo_0a = R->m02 * k, vo_0 = -vo_0a;
   const double vo_1a = R->m12 * k, vo_1 = -vo_1a;
@@ -1079,8 +1079,8 @@ static inline void ksl_product_drvtzinv(const ksl_mat3x3_t *R, const double k, k
 /* Ro = R R_z(-θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrzinv(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
   const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a - Ro_00b;
@@ -1106,8 +1106,8 @@ static inline void ksl_product_drdrzinv(const ksl_mat3x3_t *R, const double dc[2
 /* Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrzinv(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
   const double Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a - Do_00b;
   const double Do_01a = D->m00 * dc[0], Do_01b = D->m01 * dc[1], Do_01 = Do_01a + Do_01b;
@@ -1138,8 +1138,8 @@ static inline void ksl_product_ddrzinv(const ksl_SE3_t *D, const double dc[2], k
 /* Do = D [I | -k e_z].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtzinv(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
   const double Do_03a = D->m02 * k, Do_03 = D->m03 - Do_03a;
   const double Do_13a = D->m12 * k, Do_13 = D->m13 - Do_13a;
@@ -1170,8 +1170,8 @@ static inline void ksl_product_ddtzinv(const ksl_SE3_t *D, const double k, ksl_S
 /* vo = R v.
    R: rotation or other 3×3 matrix; v, vo: vector.
    9 mul, 6 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
       vo_0d = R->m02 * v->z, vo_0 = vo_0c + vo_0d;
@@ -1187,8 +1187,8 @@ static inline void ksl_product_drvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v
 /* vo = R (-v).
    R: rotation or other 3×3 matrix; v, vo: vector.
    9 mul, 6 add, 3 neg.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drvinvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const float vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
@@ -1205,8 +1205,8 @@ static inline void ksl_product_drvinvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t
 /* vo = R^T v.
    R: rotation or other 3×3 matrix; v, vo: vector.
    9 mul, 6 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drinvvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const float vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
@@ -1223,8 +1223,8 @@ static inline void ksl_product_drinvvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t
 /* vo = R^T (-v).
    R: rotation or other 3×3 matrix; v, vo: vector.
    9 mul, 6 add, 3 neg.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drinvvinvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const float vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
@@ -1241,8 +1241,8 @@ static inline void ksl_product_drinvvinvf(const ksl_mat3x3f_t *R, const ksl_vec3
 /* vo = R v + t.
    D: displacement [R | t], R rotation, t in m; v, vo: vector.
    9 mul, 9 add.
-   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_dvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float vo_0a = D->m00 * v->x, vo_0b = D->m01 * v->y, vo_0c = vo_0a + vo_0b,
       vo_0d = D->m02 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = vo_0e + D->m03;
@@ -1258,8 +1258,8 @@ static inline void ksl_product_dvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v, ks
 /* vo = R^T (v - t).
    D: displacement [R | t], R rotation, t in m; v, vo: vector.
    9 mul, 9 add.
-   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_dinvvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float p_0 = v->x - D->m03;
   const float p_1 = v->y - D->m13;
@@ -1278,8 +1278,8 @@ static inline void ksl_product_dinvvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v,
 /* Ro = R1 R2.
    R1, R2, Ro: rotation or other 3×3 matrix.
    27 mul, 18 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
   const float Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
@@ -1314,8 +1314,8 @@ static inline void ksl_product_drdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_
 /* Ro = R1 R2^T.
    R1, R2, Ro: rotation or other 3×3 matrix.
    27 mul, 18 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrinvf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
   const float Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m01, Ro_00c = Ro_00a + Ro_00b,
@@ -1350,8 +1350,8 @@ static inline void ksl_product_drdrinvf(const ksl_mat3x3f_t *R1, const ksl_mat3x
 /* Ro = R1^T R2.
    R1, R2, Ro: rotation or other 3×3 matrix.
    27 mul, 18 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drinvdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
   const float Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m10 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
@@ -1386,8 +1386,8 @@ static inline void ksl_product_drinvdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x
 /* Do = D1 D2 = [R1 R2 | R1 t2 + t1].
    D1, D2, Do: displacement [R | t], R rotation, t in m.
    36 mul, 27 add.
-   Error <= u |x| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, ksl_SE3f_t *Do) {
   const float Do_00a = D1->m00 * D2->m00, Do_00b = D1->m01 * D2->m10, Do_00c = Do_00a + Do_00b,
       Do_00d = D1->m02 * D2->m20, Do_00 = Do_00c + Do_00d;
@@ -1430,8 +1430,8 @@ static inline void ksl_product_ddf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, k
 /* Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T.
    D1, D2, Do: displacement [R | t], R rotation, t in m.
    36 mul, 27 add.
-   Error <= u |x| + (R: 2, t: 6) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 2, t: 6) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddinvf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, ksl_SE3f_t *Do) {
   const float R_0a = D1->m00 * D2->m00, R_0b = D1->m01 * D2->m01, R_0c = R_0a + R_0b,
       R_0d = D1->m02 * D2->m02, R_0 = R_0c + R_0d;
@@ -1474,8 +1474,8 @@ static inline void ksl_product_ddinvf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2
 /* Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)].
    D1, D2, Do: displacement [R | t], R rotation, t in m.
    36 mul, 27 add.
-   Error <= u |x| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_dinvdf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, ksl_SE3f_t *Do) {
   const float p_0 = D2->m03 - D1->m03;
   const float p_1 = D2->m13 - D1->m13;
@@ -1521,8 +1521,8 @@ static inline void ksl_product_dinvdf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2
 /* Do = D [R | 0].
    D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
    27 mul, 18 add.
-   Error <= u |x| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrf(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R, ksl_SE3f_t *Do) {
   const float Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m10, Do_00c = Do_00a + Do_00b,
       Do_00d = D->m02 * R->m20, Do_00 = Do_00c + Do_00d;
@@ -1562,8 +1562,8 @@ static inline void ksl_product_ddrf(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
 /* Do = D [R^T | 0].
    D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
    27 mul, 18 add.
-   Error <= u |x| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrinvf(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
     ksl_SE3f_t *Do) {
   const float Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m01, Do_00c = Do_00a + Do_00b,
@@ -1604,8 +1604,8 @@ static inline void ksl_product_ddrinvf(const ksl_SE3f_t *D, const ksl_mat3x3f_t 
 /* Do = D [I | t].
    D, Do: displacement [R | t], R rotation, t in m; t: vector.
    9 mul, 9 add.
-   Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, ksl_SE3f_t *Do) {
   const float Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
       Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D->m03;
@@ -1639,8 +1639,8 @@ static inline void ksl_product_ddtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, k
 /* Do = D [I | -t].
    D, Do: displacement [R | t], R rotation, t in m; t: vector.
    9 mul, 9 add.
-   Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtinvf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, ksl_SE3f_t *Do) {
   const float Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
       Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = D->m03 - Do_03e;
@@ -1674,8 +1674,8 @@ static inline void ksl_product_ddtinvf(const ksl_SE3f_t *D, const ksl_vec3f_t *t
 /* Do = D^-1 [I | t] = [R^T | R^T (t - t_D)].
    D, Do: displacement [R | t], R rotation, t in m; t: vector.
    9 mul, 9 add.
-   Error <= u |x| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_dinvdtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, ksl_SE3f_t *Do) {
   const float p_0 = t->x - D->m03;
   const float p_1 = t->y - D->m13;
@@ -1712,7 +1712,7 @@ static inline void ksl_product_dinvdtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t
 /* vo = R (k e_x).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
   const float vo_0 = R->m00 * k;
   const float vo_1 = R->m10 * k;
@@ -1725,8 +1725,8 @@ static inline void ksl_product_drvtxf(const ksl_mat3x3f_t *R, const float k, ksl
 /* Ro = R R_x(θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrxf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const float Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a + Ro_01b;
@@ -1752,8 +1752,8 @@ static inline void ksl_product_drdrxf(const ksl_mat3x3f_t *R, const float dc[2],
 /* Do = D [R_x(θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrxf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
   const float Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a + Do_01b;
   const float Do_02a = D->m02 * dc[1], Do_02b = D->m01 * dc[0], Do_02 = Do_02a - Do_02b;
@@ -1784,8 +1784,8 @@ static inline void ksl_product_ddrxf(const ksl_SE3f_t *D, const float dc[2], ksl
 /* Do = D [I | k e_x].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtxf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
   const float Do_03a = D->m00 * k, Do_03 = Do_03a + D->m03;
   const float Do_13a = D->m10 * k, Do_13 = Do_13a + D->m13;
@@ -1816,7 +1816,7 @@ static inline void ksl_product_ddtxf(const ksl_SE3f_t *D, const float k, ksl_SE3
 /* vo = R (-k e_x).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul, 3 neg.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxinvf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
   const float vo_0a = R->m00 * k, vo_0 = -vo_0a;
   const float vo_1a = R->m10 * k, vo_1 = -vo_1a;
@@ -1829,8 +1829,8 @@ static inline void ksl_product_drvtxinvf(const ksl_mat3x3f_t *R, const float k, 
 /* Ro = R R_x(-θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrxinvf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const float Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a - Ro_01b;
@@ -1856,8 +1856,8 @@ static inline void ksl_product_drdrxinvf(const ksl_mat3x3f_t *R, const float dc[
 /* Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrxinvf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
   const float Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a - Do_01b;
   const float Do_02a = D->m01 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
@@ -1888,8 +1888,8 @@ static inline void ksl_product_ddrxinvf(const ksl_SE3f_t *D, const float dc[2], 
 /* Do = D [I | -k e_x].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtxinvf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
   const float Do_03a = D->m00 * k, Do_03 = D->m03 - Do_03a;
   const float Do_13a = D->m10 * k, Do_13 = D->m13 - Do_13a;
@@ -1920,7 +1920,7 @@ static inline void ksl_product_ddtxinvf(const ksl_SE3f_t *D, const float k, ksl_
 /* vo = R (k e_y).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
   const float vo_0 = R->m01 * k;
   const float vo_1 = R->m11 * k;
@@ -1933,8 +1933,8 @@ static inline void ksl_product_drvtyf(const ksl_mat3x3f_t *R, const float k, ksl
 /* Ro = R R_y(θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdryf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a - Ro_00b;
@@ -1960,8 +1960,8 @@ static inline void ksl_product_drdryf(const ksl_mat3x3f_t *R, const float dc[2],
 /* Do = D [R_y(θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddryf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
   const float Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a - Do_00b;
   const float Do_02a = D->m00 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
@@ -1992,8 +1992,8 @@ static inline void ksl_product_ddryf(const ksl_SE3f_t *D, const float dc[2], ksl
 /* Do = D [I | k e_y].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtyf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
   const float Do_03a = D->m01 * k, Do_03 = Do_03a + D->m03;
   const float Do_13a = D->m11 * k, Do_13 = Do_13a + D->m13;
@@ -2024,7 +2024,7 @@ static inline void ksl_product_ddtyf(const ksl_SE3f_t *D, const float k, ksl_SE3
 /* vo = R (-k e_y).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul, 3 neg.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyinvf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
   const float vo_0a = R->m01 * k, vo_0 = -vo_0a;
   const float vo_1a = R->m11 * k, vo_1 = -vo_1a;
@@ -2037,8 +2037,8 @@ static inline void ksl_product_drvtyinvf(const ksl_mat3x3f_t *R, const float k, 
 /* Ro = R R_y(-θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdryinvf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a + Ro_00b;
@@ -2064,8 +2064,8 @@ static inline void ksl_product_drdryinvf(const ksl_mat3x3f_t *R, const float dc[
 /* Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddryinvf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
   const float Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a + Do_00b;
   const float Do_02a = D->m02 * dc[1], Do_02b = D->m00 * dc[0], Do_02 = Do_02a - Do_02b;
@@ -2096,8 +2096,8 @@ static inline void ksl_product_ddryinvf(const ksl_SE3f_t *D, const float dc[2], 
 /* Do = D [I | -k e_y].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtyinvf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
   const float Do_03a = D->m01 * k, Do_03 = D->m03 - Do_03a;
   const float Do_13a = D->m11 * k, Do_13 = D->m13 - Do_13a;
@@ -2128,7 +2128,7 @@ static inline void ksl_product_ddtyinvf(const ksl_SE3f_t *D, const float k, ksl_
 /* vo = R (k e_z).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
   const float vo_0 = R->m02 * k;
   const float vo_1 = R->m12 * k;
@@ -2141,8 +2141,8 @@ static inline void ksl_product_drvtzf(const ksl_mat3x3f_t *R, const float k, ksl
 /* Ro = R R_z(θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrzf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a + Ro_00b;
@@ -2168,8 +2168,8 @@ static inline void ksl_product_drdrzf(const ksl_mat3x3f_t *R, const float dc[2],
 /* Do = D [R_z(θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrzf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
   const float Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a + Do_00b;
   const float Do_01a = D->m01 * dc[1], Do_01b = D->m00 * dc[0], Do_01 = Do_01a - Do_01b;
@@ -2200,8 +2200,8 @@ static inline void ksl_product_ddrzf(const ksl_SE3f_t *D, const float dc[2], ksl
 /* Do = D [I | k e_z].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtzf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
   const float Do_03a = D->m02 * k, Do_03 = Do_03a + D->m03;
   const float Do_13a = D->m12 * k, Do_13 = Do_13a + D->m13;
@@ -2232,7 +2232,7 @@ static inline void ksl_product_ddtzf(const ksl_SE3f_t *D, const float k, ksl_SE3
 /* vo = R (-k e_z).
    R: rotation or other 3×3 matrix; k: number; vo: vector.
    3 mul, 3 neg.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzinvf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
   const float vo_0a = R->m02 * k, vo_0 = -vo_0a;
   const float vo_1a = R->m12 * k, vo_1 = -vo_1a;
@@ -2245,8 +2245,8 @@ static inline void ksl_product_drvtzinvf(const ksl_mat3x3f_t *R, const float k, 
 /* Ro = R R_z(-θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_drdrzinvf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a - Ro_00b;
@@ -2272,8 +2272,8 @@ static inline void ksl_product_drdrzinvf(const ksl_mat3x3f_t *R, const float dc[
 /* Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
    12 mul, 6 add.
-   Error <= u |x| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddrzinvf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
   const float Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a - Do_00b;
   const float Do_01a = D->m00 * dc[0], Do_01b = D->m01 * dc[1], Do_01 = Do_01a + Do_01b;
@@ -2304,8 +2304,8 @@ static inline void ksl_product_ddrzinvf(const ksl_SE3f_t *D, const float dc[2], 
 /* Do = D [I | -k e_z].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
    3 mul, 3 add.
-   Error <= u |x| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
+   Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
 static inline void ksl_product_ddtzinvf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
   const float Do_03a = D->m02 * k, Do_03 = D->m03 - Do_03a;
   const float Do_13a = D->m12 * k, Do_13 = D->m13 - Do_13a;

@@ -42,7 +42,7 @@ static inline void ksl_screw_copy(const ksl_screw_t *si, ksl_screw_t *so) {
 /* self = a self.
    self: screw (v in m/s; ω in rad/s); a: number.
    6 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_screw_scale(ksl_screw_t *self, const double a) {
   const double self_0_new = self->m0 * a;
   const double self_1_new = self->m1 * a;
@@ -99,8 +99,8 @@ static inline void ksl_screw_invert(ksl_screw_t *self) {
 /* y = a x + y.
    a: number; x, y: screw (v in m/s; ω in rad/s).
    6 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_axpy_ss(const double a, const ksl_screw_t *x, ksl_screw_t *y) {
   const double y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
   const double y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
@@ -119,7 +119,7 @@ static inline void ksl_axpy_ss(const double a, const ksl_screw_t *x, ksl_screw_t
 /* y = x + y.
    x, y: screw (v in m/s; ω in rad/s).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
   const double y_0_new = x->m0 + y->m0;
   const double y_1_new = x->m1 + y->m1;
@@ -138,7 +138,7 @@ static inline void ksl_xpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
 /* y = -x + y.
    x, y: screw (v in m/s; ω in rad/s).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
   const double y_0_new = y->m0 - x->m0;
   const double y_1_new = y->m1 - x->m1;
@@ -157,7 +157,7 @@ static inline void ksl_nxpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
 /* so = a si.
    a: number; si, so: screw (v in m/s; ω in rad/s).
    6 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_as(const double a, const ksl_screw_t *si, ksl_screw_t *so) {
   const double so_0 = a * si->m0;
   const double so_1 = a * si->m1;
@@ -176,7 +176,7 @@ static inline void ksl_product_as(const double a, const ksl_screw_t *si, ksl_scr
 /* so = s1 + s2.
    s1, s2, so: screw (v in m/s; ω in rad/s).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
   const double so_0 = s1->m0 + s2->m0;
   const double so_1 = s1->m1 + s2->m1;
@@ -195,7 +195,7 @@ static inline void ksl_add_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_
 /* so = s1 - s2.
    s1, s2, so: screw (v in m/s; ω in rad/s).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
   const double so_0 = s1->m0 - s2->m0;
   const double so_1 = s1->m1 - s2->m1;
@@ -211,7 +211,8 @@ static inline void ksl_subtract_ss(const ksl_screw_t *s1, const ksl_screw_t *s2,
   so->m5 = so_5;
 }
 
-/* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
+/* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6); squares must neither over-
+     nor underflow.
    si: screw (v in m/s; ω in rad/s).
    6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select. */
 static inline double ksl_screw_norm(const ksl_screw_t *si) {
@@ -224,7 +225,8 @@ static inline double ksl_screw_norm(const ksl_screw_t *si) {
   return norm;
 }
 
-/* self = self / |self|, with screw_norm; the zero screw stays zero.
+/* self = self / |self|, with screw_norm; the zero screw stays zero; squares must neither over-
+     nor underflow.
    self: screw (v in m/s; ω in rad/s).
    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
 static inline void ksl_screw_normalize(ksl_screw_t *self) {
@@ -249,7 +251,8 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
   self->m5 = self_5_new;
 }
 
-/* so = si / |si|, with screw_norm; the zero screw stays zero.
+/* so = si / |si|, with screw_norm; the zero screw stays zero; squares must neither over- nor
+     underflow.
    si, so: screw (v in m/s; ω in rad/s).
    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
 static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) {
@@ -335,7 +338,7 @@ static inline void ksl_screw_from_angular_first(const double x[6], ksl_screw_t *
 /* so = (s1.lin + s2.lin ; s1.ang).
    s1, s2, so: screw (v in m/s; ω in rad/s).
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
   const double so_0 = s1->m0 + s2->m0;
   const double so_1 = s1->m1 + s2->m1;
@@ -354,7 +357,7 @@ static inline void ksl_add_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl
 /* so = [Ad](t) si.
    t: vector; si, so: screw (v in m/s; ω in rad/s).
    6 mul, 6 add.
-   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adts(const ksl_vec3_t *t, const ksl_screw_t *si, ksl_screw_t *so) {
   const double so_0a = t->y * si->m5, so_0b = t->z * si->m4, so_0c = so_0a - so_0b,
@@ -377,7 +380,7 @@ static inline void ksl_product_Adts(const ksl_vec3_t *t, const ksl_screw_t *si, 
 /* so = [Ad](t)^-1 si.
    t: vector; si, so: screw (v in m/s; ω in rad/s).
    6 mul, 6 add.
-   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adtinvs(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
@@ -401,7 +404,7 @@ static inline void ksl_product_Adtinvs(const ksl_vec3_t *t, const ksl_screw_t *s
 /* so = [Ad](t) (-si).
    t: vector; si, so: screw (v in m/s; ω in rad/s).
    6 mul, 6 add, 3 neg.
-   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adtsinv(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
@@ -425,8 +428,8 @@ static inline void ksl_product_Adtsinv(const ksl_vec3_t *t, const ksl_screw_t *s
 /* so = [Ad](R) si.
    R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
    18 mul, 12 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_Adrs(const ksl_mat3x3_t *R, const ksl_screw_t *si, ksl_screw_t *so) {
   const double so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
       so_0d = R->m02 * si->m2, so_0 = so_0c + so_0d;
@@ -451,8 +454,8 @@ static inline void ksl_product_Adrs(const ksl_mat3x3_t *R, const ksl_screw_t *si
 /* so = [Ad](R)^-1 si.
    R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
    18 mul, 12 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_Adrinvs(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
   const double so_0a = R->m00 * si->m0, so_0b = R->m10 * si->m1, so_0c = so_0a + so_0b,
@@ -478,8 +481,8 @@ static inline void ksl_product_Adrinvs(const ksl_mat3x3_t *R, const ksl_screw_t 
 /* so = [Ad](R) (-si).
    R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
    18 mul, 12 add, 6 neg.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_Adrsinv(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
   const double so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
@@ -505,7 +508,7 @@ static inline void ksl_product_Adrsinv(const ksl_mat3x3_t *R, const ksl_screw_t 
 /* so = [Ad](D) si = [Ad](t) [Ad](R) si.
    D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
    24 mul, 18 add.
-   Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Ads(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
   const double w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
@@ -537,7 +540,7 @@ static inline void ksl_product_Ads(const ksl_SE3_t *D, const ksl_screw_t *si, ks
 /* so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si.
    D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
    24 mul, 18 add.
-   Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adinvs(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
   const double w_0a = D->m23 * si->m4, w_0b = D->m13 * si->m5, w_0c = w_0a - w_0b,
@@ -569,7 +572,7 @@ static inline void ksl_product_Adinvs(const ksl_SE3_t *D, const ksl_screw_t *si,
 /* so = [Ad](D) (-si).
    D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
    24 mul, 18 add, 6 neg.
-   Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adsinv(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
   const double w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
@@ -649,7 +652,7 @@ static inline void ksl_hstz(const ksl_SE3_t *D, ksl_screw_t *so) {
 /* so = h_rx: column 3 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrx(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = D->m20 * D->m13, so_0b = D->m10 * D->m23, so_0 = so_0a - so_0b;
@@ -669,7 +672,7 @@ static inline void ksl_hsrx(const ksl_SE3_t *D, ksl_screw_t *so) {
 /* so = h_ry: column 4 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsry(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = D->m21 * D->m13, so_0b = D->m11 * D->m23, so_0 = so_0a - so_0b;
@@ -689,7 +692,7 @@ static inline void ksl_hsry(const ksl_SE3_t *D, ksl_screw_t *so) {
 /* so = h_rz: column 5 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrz(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = D->m22 * D->m13, so_0b = D->m12 * D->m23, so_0 = so_0a - so_0b;
@@ -757,7 +760,7 @@ static inline void ksl_hstzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
 /* so = -h_rx: -column 3 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = D->m10 * D->m23, so_0b = D->m20 * D->m13, so_0 = so_0a - so_0b;
@@ -777,7 +780,7 @@ static inline void ksl_hsrxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
 /* so = -h_ry: -column 4 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryinv(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = D->m11 * D->m23, so_0b = D->m21 * D->m13, so_0 = so_0a - so_0b;
@@ -797,7 +800,7 @@ static inline void ksl_hsryinv(const ksl_SE3_t *D, ksl_screw_t *so) {
 /* so = -h_rz: -column 5 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = D->m12 * D->m23, so_0b = D->m22 * D->m13, so_0 = so_0a - so_0b;
@@ -817,8 +820,8 @@ static inline void ksl_hsrzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
 /* M = [Ad](D).
    D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
    18 mul, 9 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_Ad(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
   const double M_03a = D->m20 * D->m13, M_03b = D->m10 * D->m23, M_03 = M_03a - M_03b;
   const double M_04a = D->m21 * D->m13, M_04b = D->m11 * D->m23, M_04 = M_04a - M_04b;
@@ -879,8 +882,8 @@ static inline void ksl_Ad(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
 /* power = f·v + τ·ω, in W.
    c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s).
    6 mul, 5 add.
-   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline double ksl_dot_cs(const ksl_coscrew_t *c, const ksl_screw_t *s) {
   const double power_a = c->m0 * s->m0, power_b = c->m1 * s->m1, power_c = power_a + power_b,
       power_d = c->m2 * s->m2, power_e = power_c + power_d, power_f = c->m3 * s->m3,
@@ -889,10 +892,11 @@ static inline double ksl_dot_cs(const ksl_coscrew_t *c, const ksl_screw_t *s) {
   return power;
 }
 
-/* so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2); exactly zero for s1 = s2.
+/* so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2).  Exactly zero for s1 = s2, unless products
+     overflow.
    s1, s2, so: screw (v in m/s; ω in rad/s).
    18 mul, 12 add.
-   Error <= u |x| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
   const double so_0a = s1->m1 * s2->m5, so_0b = s1->m5 * s2->m1, so_0c = so_0a - so_0b,
@@ -915,7 +919,7 @@ static inline void ksl_cross_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ks
 /* so = (ω1×v2 ; 0).
    s1, s2, so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
   const double so_0a = s1->m4 * s2->m2, so_0b = s1->m5 * s2->m1, so_0 = so_0a - so_0b;
@@ -932,7 +936,7 @@ static inline void ksl_cross_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, k
 /* so = (t×R a ; R a), a = axis in the body's frame.
    D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
    15 mul, 9 add.
-   Error <= u |x| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsra(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
   const double a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
@@ -955,7 +959,7 @@ static inline void ksl_hsra(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_scre
 /* so = (R a ; 0), a = axis in the body's frame.
    D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
    9 mul, 6 add.
-   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsta(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
   const double so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
@@ -1062,7 +1066,7 @@ static inline void ksl_screwf_copy(const ksl_screwf_t *si, ksl_screwf_t *so) {
 /* self = a self.
    self: screw (v in m/s; ω in rad/s); a: number.
    6 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_screwf_scale(ksl_screwf_t *self, const float a) {
   const float self_0_new = self->m0 * a;
   const float self_1_new = self->m1 * a;
@@ -1119,8 +1123,8 @@ static inline void ksl_screwf_invert(ksl_screwf_t *self) {
 /* y = a x + y.
    a: number; x, y: screw (v in m/s; ω in rad/s).
    6 mul, 6 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_axpy_ssf(const float a, const ksl_screwf_t *x, ksl_screwf_t *y) {
   const float y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
   const float y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
@@ -1139,7 +1143,7 @@ static inline void ksl_axpy_ssf(const float a, const ksl_screwf_t *x, ksl_screwf
 /* y = x + y.
    x, y: screw (v in m/s; ω in rad/s).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
   const float y_0_new = x->m0 + y->m0;
   const float y_1_new = x->m1 + y->m1;
@@ -1158,7 +1162,7 @@ static inline void ksl_xpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
 /* y = -x + y.
    x, y: screw (v in m/s; ω in rad/s).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
   const float y_0_new = y->m0 - x->m0;
   const float y_1_new = y->m1 - x->m1;
@@ -1177,7 +1181,7 @@ static inline void ksl_nxpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
 /* so = a si.
    a: number; si, so: screw (v in m/s; ω in rad/s).
    6 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_asf(const float a, const ksl_screwf_t *si, ksl_screwf_t *so) {
   const float so_0 = a * si->m0;
   const float so_1 = a * si->m1;
@@ -1196,7 +1200,7 @@ static inline void ksl_product_asf(const float a, const ksl_screwf_t *si, ksl_sc
 /* so = s1 + s2.
    s1, s2, so: screw (v in m/s; ω in rad/s).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, ksl_screwf_t *so) {
   const float so_0 = s1->m0 + s2->m0;
   const float so_1 = s1->m1 + s2->m1;
@@ -1215,7 +1219,7 @@ static inline void ksl_add_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, k
 /* so = s1 - s2.
    s1, s2, so: screw (v in m/s; ω in rad/s).
    6 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
   const float so_0 = s1->m0 - s2->m0;
@@ -1232,7 +1236,8 @@ static inline void ksl_subtract_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *
   so->m5 = so_5;
 }
 
-/* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
+/* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6); squares must neither over-
+     nor underflow.
    si: screw (v in m/s; ω in rad/s).
    6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select. */
 static inline float ksl_screwf_norm(const ksl_screwf_t *si) {
@@ -1245,7 +1250,8 @@ static inline float ksl_screwf_norm(const ksl_screwf_t *si) {
   return norm;
 }
 
-/* self = self / |self|, with screw_norm; the zero screw stays zero.
+/* self = self / |self|, with screw_norm; the zero screw stays zero; squares must neither over-
+     nor underflow.
    self: screw (v in m/s; ω in rad/s).
    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
 static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
@@ -1270,7 +1276,8 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   self->m5 = self_5_new;
 }
 
-/* so = si / |si|, with screw_norm; the zero screw stays zero.
+/* so = si / |si|, with screw_norm; the zero screw stays zero; squares must neither over- nor
+     underflow.
    si, so: screw (v in m/s; ω in rad/s).
    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
 static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *so) {
@@ -1356,7 +1363,7 @@ static inline void ksl_screwf_from_angular_first(const float x[6], ksl_screwf_t 
 /* so = (s1.lin + s2.lin ; s1.ang).
    s1, s2, so: screw (v in m/s; ω in rad/s).
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, ksl_screwf_t *so) {
   const float so_0 = s1->m0 + s2->m0;
   const float so_1 = s1->m1 + s2->m1;
@@ -1375,7 +1382,7 @@ static inline void ksl_add_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, 
 /* so = [Ad](t) si.
    t: vector; si, so: screw (v in m/s; ω in rad/s).
    6 mul, 6 add.
-   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adtsf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
@@ -1399,7 +1406,7 @@ static inline void ksl_product_Adtsf(const ksl_vec3f_t *t, const ksl_screwf_t *s
 /* so = [Ad](t)^-1 si.
    t: vector; si, so: screw (v in m/s; ω in rad/s).
    6 mul, 6 add.
-   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adtinvsf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
@@ -1423,7 +1430,7 @@ static inline void ksl_product_Adtinvsf(const ksl_vec3f_t *t, const ksl_screwf_t
 /* so = [Ad](t) (-si).
    t: vector; si, so: screw (v in m/s; ω in rad/s).
    6 mul, 6 add, 3 neg.
-   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adtsinvf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
@@ -1447,8 +1454,8 @@ static inline void ksl_product_Adtsinvf(const ksl_vec3f_t *t, const ksl_screwf_t
 /* so = [Ad](R) si.
    R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
    18 mul, 12 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_Adrsf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const float so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
@@ -1474,8 +1481,8 @@ static inline void ksl_product_Adrsf(const ksl_mat3x3f_t *R, const ksl_screwf_t 
 /* so = [Ad](R)^-1 si.
    R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
    18 mul, 12 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_Adrinvsf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const float so_0a = R->m00 * si->m0, so_0b = R->m10 * si->m1, so_0c = so_0a + so_0b,
@@ -1501,8 +1508,8 @@ static inline void ksl_product_Adrinvsf(const ksl_mat3x3f_t *R, const ksl_screwf
 /* so = [Ad](R) (-si).
    R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
    18 mul, 12 add, 6 neg.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_product_Adrsinvf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const float so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
@@ -1528,7 +1535,7 @@ static inline void ksl_product_Adrsinvf(const ksl_mat3x3f_t *R, const ksl_screwf
 /* so = [Ad](D) si = [Ad](t) [Ad](R) si.
    D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
    24 mul, 18 add.
-   Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adsf(const ksl_SE3f_t *D, const ksl_screwf_t *si, ksl_screwf_t *so) {
   const float w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
@@ -1557,7 +1564,7 @@ static inline void ksl_product_Adsf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
 /* so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si.
    D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
    24 mul, 18 add.
-   Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adinvsf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
@@ -1590,7 +1597,7 @@ static inline void ksl_product_Adinvsf(const ksl_SE3f_t *D, const ksl_screwf_t *
 /* so = [Ad](D) (-si).
    D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
    24 mul, 18 add, 6 neg.
-   Error <= u |x| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adsinvf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
@@ -1668,7 +1675,7 @@ static inline void ksl_hstzf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 /* so = h_rx: column 3 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float so_0a = D->m20 * D->m13, so_0b = D->m10 * D->m23, so_0 = so_0a - so_0b;
@@ -1688,7 +1695,7 @@ static inline void ksl_hsrxf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 /* so = h_ry: column 4 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float so_0a = D->m21 * D->m13, so_0b = D->m11 * D->m23, so_0 = so_0a - so_0b;
@@ -1708,7 +1715,7 @@ static inline void ksl_hsryf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 /* so = h_rz: column 5 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float so_0a = D->m22 * D->m13, so_0b = D->m12 * D->m23, so_0 = so_0a - so_0b;
@@ -1776,7 +1783,7 @@ static inline void ksl_hstzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 /* so = -h_rx: -column 3 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float so_0a = D->m10 * D->m23, so_0b = D->m20 * D->m13, so_0 = so_0a - so_0b;
@@ -1796,7 +1803,7 @@ static inline void ksl_hsrxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 /* so = -h_ry: -column 4 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float so_0a = D->m11 * D->m23, so_0b = D->m21 * D->m13, so_0 = so_0a - so_0b;
@@ -1816,7 +1823,7 @@ static inline void ksl_hsryinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 /* so = -h_rz: -column 5 of [Ad](D).
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add, 3 neg.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float so_0a = D->m12 * D->m23, so_0b = D->m22 * D->m13, so_0 = so_0a - so_0b;
@@ -1836,8 +1843,8 @@ static inline void ksl_hsrzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 /* M = [Ad](D).
    D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
    18 mul, 9 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_Adf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
   const float M_03a = D->m20 * D->m13, M_03b = D->m10 * D->m23, M_03 = M_03a - M_03b;
   const float M_04a = D->m21 * D->m13, M_04b = D->m11 * D->m23, M_04 = M_04a - M_04b;
@@ -1898,8 +1905,8 @@ static inline void ksl_Adf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
 /* power = f·v + τ·ω, in W.
    c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s).
    6 mul, 5 add.
-   Error <= u |x| + 3 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline float ksl_dot_csf(const ksl_coscrewf_t *c, const ksl_screwf_t *s) {
   const float power_a = c->m0 * s->m0, power_b = c->m1 * s->m1, power_c = power_a + power_b,
       power_d = c->m2 * s->m2, power_e = power_c + power_d, power_f = c->m3 * s->m3,
@@ -1908,10 +1915,11 @@ static inline float ksl_dot_csf(const ksl_coscrewf_t *c, const ksl_screwf_t *s) 
   return power;
 }
 
-/* so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2); exactly zero for s1 = s2.
+/* so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2).  Exactly zero for s1 = s2, unless products
+     overflow.
    s1, s2, so: screw (v in m/s; ω in rad/s).
    18 mul, 12 add.
-   Error <= u |x| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, ksl_screwf_t *so) {
   const float so_0a = s1->m1 * s2->m5, so_0b = s1->m5 * s2->m1, so_0c = so_0a - so_0b,
@@ -1934,7 +1942,7 @@ static inline void ksl_cross_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
 /* so = (ω1×v2 ; 0).
    s1, s2, so: screw (v in m/s; ω in rad/s).
    6 mul, 3 add.
-   Error <= u |x| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
@@ -1952,7 +1960,7 @@ static inline void ksl_cross_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2
 /* so = (t×R a ; R a), a = axis in the body's frame.
    D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
    15 mul, 9 add.
-   Error <= u |x| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsraf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
   const float a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
@@ -1975,7 +1983,7 @@ static inline void ksl_hsraf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_s
 /* so = (R a ; 0), a = axis in the body's frame.
    D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
    9 mul, 6 add.
-   Error <= u |x| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hstaf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
   const float so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,

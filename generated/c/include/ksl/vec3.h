@@ -30,7 +30,7 @@ static inline void ksl_vec3_copy(const ksl_vec3_t *vi, ksl_vec3_t *vo) {
 /* self = a self.
    self: vector; a: number.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3_scale(ksl_vec3_t *self, const double a) {
   const double self_0_new = self->x * a;
   const double self_1_new = self->y * a;
@@ -69,8 +69,8 @@ static inline void ksl_vec3_invert(ksl_vec3_t *self) {
 /* y = a x + y.
    a: number; x, y: vector.
    3 mul, 3 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_axpy_vv(const double a, const ksl_vec3_t *x, ksl_vec3_t *y) {
   const double y_0_new_a = a * x->x, y_0_new = y_0_new_a + y->x;
   const double y_1_new_a = a * x->y, y_1_new = y_1_new_a + y->y;
@@ -83,7 +83,7 @@ static inline void ksl_axpy_vv(const double a, const ksl_vec3_t *x, ksl_vec3_t *
 /* y = x + y.
    x, y: vector.
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_vv(const ksl_vec3_t *x, ksl_vec3_t *y) {
   const double y_0_new = x->x + y->x;
   const double y_1_new = x->y + y->y;
@@ -96,7 +96,7 @@ static inline void ksl_xpy_vv(const ksl_vec3_t *x, ksl_vec3_t *y) {
 /* y = -x + y.
    x, y: vector.
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_vv(const ksl_vec3_t *x, ksl_vec3_t *y) {
   const double y_0_new = y->x - x->x;
   const double y_1_new = y->y - x->y;
@@ -109,7 +109,7 @@ static inline void ksl_nxpy_vv(const ksl_vec3_t *x, ksl_vec3_t *y) {
 /* vo = a vi.
    a: number; vi, vo: vector.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_av(const double a, const ksl_vec3_t *vi, ksl_vec3_t *vo) {
   const double vo_0 = a * vi->x;
   const double vo_1 = a * vi->y;
@@ -122,7 +122,7 @@ static inline void ksl_product_av(const double a, const ksl_vec3_t *vi, ksl_vec3
 /* vo = v1 + v2.
    v1, v2, vo: vector.
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
   const double vo_0 = v1->x + v2->x;
   const double vo_1 = v1->y + v2->y;
@@ -135,7 +135,7 @@ static inline void ksl_add_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_ve
 /* vo = v1 - v2.
    v1, v2, vo: vector.
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
   const double vo_0 = v1->x - v2->x;
   const double vo_1 = v1->y - v2->y;
@@ -148,7 +148,7 @@ static inline void ksl_subtract_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, k
 /* vo = k v.
    v, vo: vector; k: number.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3_scaled(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_0 = v->x * k;
   const double vo_1 = v->y * k;
@@ -177,7 +177,7 @@ static inline void ksl_vec3_swap(ksl_vec3_t *v1, ksl_vec3_t *v2) {
   v2->z = v1_z;
 }
 
-/* |v| = sqrt(v·v).
+/* |v| = sqrt(v·v); squares must neither over- nor underflow.
    v: vector.
    3 mul, 2 add, 1 sqrt. */
 static inline double ksl_vec3_l2norm(const ksl_vec3_t *v) {
@@ -186,7 +186,7 @@ static inline double ksl_vec3_l2norm(const ksl_vec3_t *v) {
   return norm;
 }
 
-/* self = self / |self|; the zero vector stays zero.
+/* self = self / |self|; the zero vector stays zero; squares must neither over- nor underflow.
    self: vector.
    3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select. */
 static inline void ksl_vec3_normalize(ksl_vec3_t *self) {
@@ -201,7 +201,7 @@ static inline void ksl_vec3_normalize(ksl_vec3_t *self) {
   self->z = self_2_new;
 }
 
-/* vo = v / |v|; the zero vector stays zero.
+/* vo = v / |v|; the zero vector stays zero; squares must neither over- nor underflow.
    v, vo: vector.
    3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select. */
 static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
@@ -219,8 +219,8 @@ static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
 /* v1·v2.
    v1, v2: vector.
    3 mul, 2 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline double ksl_dot_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double dot_a = v1->x * v2->x, dot_b = v1->y * v2->y, dot_c = dot_a + dot_b,
       dot_d = v1->z * v2->z, dot = dot_c + dot_d;
@@ -230,7 +230,7 @@ static inline double ksl_dot_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
 /* vo = k (-v).
    k: number; v, vo: vector.
    3 mul, 3 neg.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avinv(const double k, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double vo_0a = k * v->x, vo_0 = -vo_0a;
   const double vo_1a = k * v->y, vo_1 = -vo_1a;
@@ -240,24 +240,23 @@ static inline void ksl_product_avinv(const double k, const ksl_vec3_t *v, ksl_ve
   vo->z = vo_2;
 }
 
-/* vo = k^-1 v.
+/* vo = v / k.
    k: number; v, vo: vector.
-   3 mul, 1 div. */
+   3 div. */
 static inline void ksl_product_ainvv(const double k, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double r = 1.0 / k;
-  const double vo_0 = v->x * r;
-  const double vo_1 = v->y * r;
-  const double vo_2 = v->z * r;
+  const double vo_0 = v->x / k;
+  const double vo_1 = v->y / k;
+  const double vo_2 = v->z / k;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
 }
 
-/* vo = v1 × v2; exactly zero for v1 = v2.
+/* vo = v1 × v2.  Exactly zero for v1 = v2, unless products overflow.
    v1, v2, vo: vector.
    6 mul, 3 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_cross_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
   const double vo_0a = v1->y * v2->z, vo_0b = v1->z * v2->y, vo_0 = vo_0a - vo_0b;
   const double vo_1a = v1->z * v2->x, vo_1b = v1->x * v2->z, vo_1 = vo_1a - vo_1b;
@@ -270,8 +269,8 @@ static inline void ksl_cross_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_
 /* vo = v1 × (-v2).
    v1, v2, vo: vector.
    6 mul, 3 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_cross_vvinv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
   const double vo_0a = v1->z * v2->y, vo_0b = v1->y * v2->z, vo_0 = vo_0a - vo_0b;
   const double vo_1a = v1->x * v2->z, vo_1b = v1->z * v2->x, vo_1 = vo_1a - vo_1b;
@@ -284,7 +283,7 @@ static inline void ksl_cross_vvinv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, k
 /* vo = v + k e_x.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvx(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_0 = v->x + k;
   const double v_y = v->y;
@@ -297,7 +296,7 @@ static inline void ksl_add_vvx(const ksl_vec3_t *v, const double k, ksl_vec3_t *
 /* vo = v - k e_x.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvxinv(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_0 = v->x - k;
   const double v_y = v->y;
@@ -310,7 +309,7 @@ static inline void ksl_add_vvxinv(const ksl_vec3_t *v, const double k, ksl_vec3_
 /* vo = v + k e_y.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvy(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_1 = v->y + k;
   const double v_x = v->x;
@@ -323,7 +322,7 @@ static inline void ksl_add_vvy(const ksl_vec3_t *v, const double k, ksl_vec3_t *
 /* vo = v - k e_y.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvyinv(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_1 = v->y - k;
   const double v_x = v->x;
@@ -336,7 +335,7 @@ static inline void ksl_add_vvyinv(const ksl_vec3_t *v, const double k, ksl_vec3_
 /* vo = v + k e_z.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvz(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_2 = v->z + k;
   const double v_x = v->x;
@@ -349,7 +348,7 @@ static inline void ksl_add_vvz(const ksl_vec3_t *v, const double k, ksl_vec3_t *
 /* vo = v - k e_z.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvzinv(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
   const double vo_2 = v->z - k;
   const double v_x = v->x;
@@ -384,7 +383,7 @@ static inline void ksl_vec3f_copy(const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
 /* self = a self.
    self: vector; a: number.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3f_scale(ksl_vec3f_t *self, const float a) {
   const float self_0_new = self->x * a;
   const float self_1_new = self->y * a;
@@ -423,8 +422,8 @@ static inline void ksl_vec3f_invert(ksl_vec3f_t *self) {
 /* y = a x + y.
    a: number; x, y: vector.
    3 mul, 3 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_axpy_vvf(const float a, const ksl_vec3f_t *x, ksl_vec3f_t *y) {
   const float y_0_new_a = a * x->x, y_0_new = y_0_new_a + y->x;
   const float y_1_new_a = a * x->y, y_1_new = y_1_new_a + y->y;
@@ -437,7 +436,7 @@ static inline void ksl_axpy_vvf(const float a, const ksl_vec3f_t *x, ksl_vec3f_t
 /* y = x + y.
    x, y: vector.
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_vvf(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
   const float y_0_new = x->x + y->x;
   const float y_1_new = x->y + y->y;
@@ -450,7 +449,7 @@ static inline void ksl_xpy_vvf(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
 /* y = -x + y.
    x, y: vector.
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_vvf(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
   const float y_0_new = y->x - x->x;
   const float y_1_new = y->y - x->y;
@@ -463,7 +462,7 @@ static inline void ksl_nxpy_vvf(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
 /* vo = a vi.
    a: number; vi, vo: vector.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avf(const float a, const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
   const float vo_0 = a * vi->x;
   const float vo_1 = a * vi->y;
@@ -476,7 +475,7 @@ static inline void ksl_product_avf(const float a, const ksl_vec3f_t *vi, ksl_vec
 /* vo = v1 + v2.
    v1, v2, vo: vector.
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
   const float vo_0 = v1->x + v2->x;
   const float vo_1 = v1->y + v2->y;
@@ -489,7 +488,7 @@ static inline void ksl_add_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl
 /* vo = v1 - v2.
    v1, v2, vo: vector.
    3 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
   const float vo_0 = v1->x - v2->x;
   const float vo_1 = v1->y - v2->y;
@@ -502,7 +501,7 @@ static inline void ksl_subtract_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2
 /* vo = k v.
    v, vo: vector; k: number.
    3 mul.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3f_scaled(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_0 = v->x * k;
   const float vo_1 = v->y * k;
@@ -531,7 +530,7 @@ static inline void ksl_vec3f_swap(ksl_vec3f_t *v1, ksl_vec3f_t *v2) {
   v2->z = v1_z;
 }
 
-/* |v| = sqrt(v·v).
+/* |v| = sqrt(v·v); squares must neither over- nor underflow.
    v: vector.
    3 mul, 2 add, 1 sqrt. */
 static inline float ksl_vec3f_l2norm(const ksl_vec3f_t *v) {
@@ -540,7 +539,7 @@ static inline float ksl_vec3f_l2norm(const ksl_vec3f_t *v) {
   return norm;
 }
 
-/* self = self / |self|; the zero vector stays zero.
+/* self = self / |self|; the zero vector stays zero; squares must neither over- nor underflow.
    self: vector.
    3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select. */
 static inline void ksl_vec3f_normalize(ksl_vec3f_t *self) {
@@ -555,7 +554,7 @@ static inline void ksl_vec3f_normalize(ksl_vec3f_t *self) {
   self->z = self_2_new;
 }
 
-/* vo = v / |v|; the zero vector stays zero.
+/* vo = v / |v|; the zero vector stays zero; squares must neither over- nor underflow.
    v, vo: vector.
    3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select. */
 static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
@@ -573,8 +572,8 @@ static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
 /* v1·v2.
    v1, v2: vector.
    3 mul, 2 add.
-   Error <= u |x| + 2 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline float ksl_dot_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
   const float dot_a = v1->x * v2->x, dot_b = v1->y * v2->y, dot_c = dot_a + dot_b,
       dot_d = v1->z * v2->z, dot = dot_c + dot_d;
@@ -584,7 +583,7 @@ static inline float ksl_dot_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
 /* vo = k (-v).
    k: number; v, vo: vector.
    3 mul, 3 neg.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avinvf(const float k, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float vo_0a = k * v->x, vo_0 = -vo_0a;
   const float vo_1a = k * v->y, vo_1 = -vo_1a;
@@ -594,24 +593,23 @@ static inline void ksl_product_avinvf(const float k, const ksl_vec3f_t *v, ksl_v
   vo->z = vo_2;
 }
 
-/* vo = k^-1 v.
+/* vo = v / k.
    k: number; v, vo: vector.
-   3 mul, 1 div. */
+   3 div. */
 static inline void ksl_product_ainvvf(const float k, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
-  const float r = 1.0f / k;
-  const float vo_0 = v->x * r;
-  const float vo_1 = v->y * r;
-  const float vo_2 = v->z * r;
+  const float vo_0 = v->x / k;
+  const float vo_1 = v->y / k;
+  const float vo_2 = v->z / k;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
 }
 
-/* vo = v1 × v2; exactly zero for v1 = v2.
+/* vo = v1 × v2.  Exactly zero for v1 = v2, unless products overflow.
    v1, v2, vo: vector.
    6 mul, 3 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_cross_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
   const float vo_0a = v1->y * v2->z, vo_0b = v1->z * v2->y, vo_0 = vo_0a - vo_0b;
   const float vo_1a = v1->z * v2->x, vo_1b = v1->x * v2->z, vo_1 = vo_1a - vo_1b;
@@ -624,8 +622,8 @@ static inline void ksl_cross_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, k
 /* vo = v1 × (-v2).
    v1, v2, vo: vector.
    6 mul, 3 add.
-   Error <= u |x| + 1 u S, S the sum of the |terms| of the expanded formula; barring over- and
-     underflow. */
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
 static inline void ksl_cross_vvinvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
   const float vo_0a = v1->z * v2->y, vo_0b = v1->y * v2->z, vo_0 = vo_0a - vo_0b;
   const float vo_1a = v1->x * v2->z, vo_1b = v1->z * v2->x, vo_1 = vo_1a - vo_1b;
@@ -638,7 +636,7 @@ static inline void ksl_cross_vvinvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2
 /* vo = v + k e_x.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvxf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_0 = v->x + k;
   const float v_y = v->y;
@@ -651,7 +649,7 @@ static inline void ksl_add_vvxf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t
 /* vo = v - k e_x.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvxinvf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_0 = v->x - k;
   const float v_y = v->y;
@@ -664,7 +662,7 @@ static inline void ksl_add_vvxinvf(const ksl_vec3f_t *v, const float k, ksl_vec3
 /* vo = v + k e_y.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvyf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_1 = v->y + k;
   const float v_x = v->x;
@@ -677,7 +675,7 @@ static inline void ksl_add_vvyf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t
 /* vo = v - k e_y.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvyinvf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_1 = v->y - k;
   const float v_x = v->x;
@@ -690,7 +688,7 @@ static inline void ksl_add_vvyinvf(const ksl_vec3f_t *v, const float k, ksl_vec3
 /* vo = v + k e_z.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvzf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_2 = v->z + k;
   const float v_x = v->x;
@@ -703,7 +701,7 @@ static inline void ksl_add_vvzf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t
 /* vo = v - k e_z.
    v, vo: vector; k: number.
    1 add.
-   Error <= u |x|, barring underflow. */
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvzinvf(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
   const float vo_2 = v->z - k;
   const float v_x = v->x;

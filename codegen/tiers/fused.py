@@ -1,0 +1,38 @@
+"""The fused tier: the plain order, with each product that only one sum uses fused into it.
+
+fma rounds once where plain rounds twice, so c1 is smaller; results differ from plain in bits, and
+antisymmetric products of equal arguments are no longer exactly zero.  C only.
+"""
+
+from collections import Counter
+from dataclasses import replace
+
+from coscrew_codegen.program import Instruction, Op, Program, Ref
+
+
+def fused(program: Program) -> Program:
+    """The plain program with fused multiply-adds."""
+    uses = Counter(x.name for step in program.instructions for x in step.operands
+                   if isinstance(x, Ref))
+    uses.update(x.name for x in program.results if isinstance(x, Ref))
+    products = {step.name: step for step in program.instructions
+                if step.op is Op.MUL and uses[step.name] == 1}
+    steps = [_fused(step, products) for step in program.instructions]
+    absorbed = {x.name for step in program.instructions for x in step.operands
+                if isinstance(x, Ref)} - {x.name for step in steps for x in step.operands
+                                          if isinstance(x, Ref)}
+    return replace(program, instructions=tuple(s for s in steps if s.name not in absorbed))
+
+
+def _fused(step: Instruction, products: dict[str, Instruction]) -> Instruction:
+    """a b + c, c + a b, a b - c or c - a b as one instruction; the right product first."""
+    if step.op not in (Op.ADD, Op.SUB):
+        return step
+    left, right = step.operands
+    if isinstance(right, Ref) and right.name in products:
+        op = Op.FMA if step.op is Op.ADD else Op.FNMA
+        return replace(step, op=op, operands=(*products[right.name].operands, left))
+    if isinstance(left, Ref) and left.name in products:
+        op = Op.FMA if step.op is Op.ADD else Op.FMS
+        return replace(step, op=op, operands=(*products[left.name].operands, right))
+    return step

@@ -1,0 +1,38 @@
+"""The table of tiers behind plain: what each makes of a plain program, per precision."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from coscrew_codegen.program import Op, Program
+from coscrew_codegen.tiers.accurate import accurate
+from coscrew_codegen.tiers.fused import fused
+
+_POLYNOMIAL = {Op.ADD, Op.SUB, Op.MUL, Op.NEG}
+
+
+@dataclass(frozen=True)
+class Tier:
+    """A tier's name, and its program in double and in single precision."""
+
+    name: str
+    title: str
+    header: str  # what its C functions need
+    double: Callable[[Program], Program]
+    single: Callable[[Program], Program]
+
+
+def widened(program: Program) -> Program:
+    """The plain program computed in the wider precision."""
+    return replace(program, wide=True)
+
+
+def has_tiers(program: Program) -> bool:
+    """Polynomial, and rounded at all: elsewhere every tier would be plain again."""
+    ops = set(program.counts)
+    return ops <= _POLYNOMIAL and bool(ops - {Op.NEG})
+
+
+FUSED = Tier("fused", "Fused tier: products fused into sums.", "ksl_types", fused, fused)
+ACCURATE = Tier("accurate", "Accurate tier: double compensated, single computed in double.",
+                "ksl_exact", accurate, widened)
+TIERS = (FUSED, ACCURATE)

@@ -1,0 +1,6325 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* All headers of fused kernels in one file, for vendoring; it may be included together with
+   them. */
+
+/* Types of the spatial algebra, in double and single precision.
+
+   Every quantity is a union, so that it can be reached several ways.  Matrices are stored column by
+   column.  Screws s = (v; ω) and coscrews c = (f; τ) have the linear part on top, so that power is
+   their dot product.
+
+   All functions: pointers must point to valid objects; an output may be the same object as an
+   input; nothing else is read or written.  Every operation is rounded once, in the order written, so
+   that results are the same bits everywhere: compile with -ffp-contract=off (and, where the target
+   has fused multiply-adds, with gcc's -fno-tree-vectorize: gcc 12 fuses in spite of the former).
+
+   Error bounds are derived from that order, to first order in u: u = 2^-53 in double and 2^-24 in
+   single precision. */
+#ifndef KSL_TYPES_H
+#define KSL_TYPES_H
+
+#include <math.h>
+#include <string.h>
+
+#if defined(__FAST_MATH__) && !defined(KSL_ALLOW_FAST_MATH)
+#error "-ffast-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#endif
+
+#if defined(__GNUC__)
+#define KSL_VIEW __extension__ struct
+#else
+#define KSL_VIEW struct
+#endif
+
+/* vector (x, y, z); double precision. */
+typedef union ksl_vec3_t {
+  KSL_VIEW { double at[3]; };
+  KSL_VIEW { double x, y, z; };
+} ksl_vec3_t;
+
+/* vector (x, y, z); single precision. */
+typedef union ksl_vec3f_t {
+  KSL_VIEW { float at[3]; };
+  KSL_VIEW { float x, y, z; };
+} ksl_vec3f_t;
+
+/* 3×3 matrix, stored column by column: m21 is row 2, column 1, also at[1][2]; double precision. */
+typedef union ksl_mat3x3_t {
+  KSL_VIEW { double as_array[9]; };
+  KSL_VIEW { double at[3][3]; };
+  KSL_VIEW {
+    double m00, m10, m20;
+    double m01, m11, m21;
+    double m02, m12, m22;
+  };
+  KSL_VIEW { ksl_vec3_t v0, v1, v2; };
+  KSL_VIEW { ksl_vec3_t v[3]; };
+} ksl_mat3x3_t;
+
+/* 3×3 matrix, stored column by column: m21 is row 2, column 1, also at[1][2]; single precision. */
+typedef union ksl_mat3x3f_t {
+  KSL_VIEW { float as_array[9]; };
+  KSL_VIEW { float at[3][3]; };
+  KSL_VIEW {
+    float m00, m10, m20;
+    float m01, m11, m21;
+    float m02, m12, m22;
+  };
+  KSL_VIEW { ksl_vec3f_t v0, v1, v2; };
+  KSL_VIEW { ksl_vec3f_t v[3]; };
+} ksl_mat3x3f_t;
+
+/* displacement [R | t], stored column by column: m13 is t.y, also at[3][1]; double precision. */
+typedef union ksl_SE3_t {
+  KSL_VIEW { double as_array[12]; };
+  KSL_VIEW { double at[4][3]; };
+  KSL_VIEW {
+    ksl_mat3x3_t R;
+    ksl_vec3_t t;
+  };
+  KSL_VIEW {
+    double m00, m10, m20;
+    double m01, m11, m21;
+    double m02, m12, m22;
+    double m03, m13, m23;
+  };
+  KSL_VIEW { ksl_vec3_t v0, v1, v2, v3; };
+  KSL_VIEW { ksl_vec3_t v[4]; };
+} ksl_SE3_t;
+
+/* displacement [R | t], stored column by column: m13 is t.y, also at[3][1]; single precision. */
+typedef union ksl_SE3f_t {
+  KSL_VIEW { float as_array[12]; };
+  KSL_VIEW { float at[4][3]; };
+  KSL_VIEW {
+    ksl_mat3x3f_t R;
+    ksl_vec3f_t t;
+  };
+  KSL_VIEW {
+    float m00, m10, m20;
+    float m01, m11, m21;
+    float m02, m12, m22;
+    float m03, m13, m23;
+  };
+  KSL_VIEW { ksl_vec3f_t v0, v1, v2, v3; };
+  KSL_VIEW { ksl_vec3f_t v[4]; };
+} ksl_SE3f_t;
+
+/* screw (lin; ang) = (v; ω); double precision. */
+typedef union ksl_screw_t {
+  KSL_VIEW { double at[6]; };
+  KSL_VIEW { ksl_vec3_t lin, ang; };
+  KSL_VIEW { double m0, m1, m2, m3, m4, m5; };
+} ksl_screw_t;
+
+/* screw (lin; ang) = (v; ω); single precision. */
+typedef union ksl_screwf_t {
+  KSL_VIEW { float at[6]; };
+  KSL_VIEW { ksl_vec3f_t lin, ang; };
+  KSL_VIEW { float m0, m1, m2, m3, m4, m5; };
+} ksl_screwf_t;
+
+/* coscrew (lin; ang) = (f; τ); double precision. */
+typedef union ksl_coscrew_t {
+  KSL_VIEW { double at[6]; };
+  KSL_VIEW { ksl_vec3_t lin, ang; };
+  KSL_VIEW { double m0, m1, m2, m3, m4, m5; };
+} ksl_coscrew_t;
+
+/* coscrew (lin; ang) = (f; τ); single precision. */
+typedef union ksl_coscrewf_t {
+  KSL_VIEW { float at[6]; };
+  KSL_VIEW { ksl_vec3f_t lin, ang; };
+  KSL_VIEW { float m0, m1, m2, m3, m4, m5; };
+} ksl_coscrewf_t;
+
+/* 6×6 operator, stored column by column: at[column][row]; double precision. */
+typedef union ksl_mat6x6_t {
+  KSL_VIEW { double as_array[36]; };
+  KSL_VIEW { double at[6][6]; };
+} ksl_mat6x6_t;
+
+/* 6×6 operator, stored column by column: at[column][row]; single precision. */
+typedef union ksl_mat6x6f_t {
+  KSL_VIEW { float as_array[36]; };
+  KSL_VIEW { float at[6][6]; };
+} ksl_mat6x6f_t;
+
+#endif
+
+/* Vectors of three components.
+   Fused tier: products fused into sums. */
+#ifndef KSL_VEC3_FUSED_H
+#define KSL_VEC3_FUSED_H
+
+
+/* self = a self.
+   self: vector; a: number.
+   3 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_vec3_scale_fused(ksl_vec3_t *self, const double a) {
+  const double self_0_new = self->x * a;
+  const double self_1_new = self->y * a;
+  const double self_2_new = self->z * a;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+}
+
+/* y = a x + y.
+   a: number; x, y: vector.
+   3 fma.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_axpy_vv_fused(const double a, const ksl_vec3_t *x, ksl_vec3_t *y) {
+  const double y_0_new = fma(a, x->x, y->x);
+  const double y_1_new = fma(a, x->y, y->y);
+  const double y_2_new = fma(a, x->z, y->z);
+  y->x = y_0_new;
+  y->y = y_1_new;
+  y->z = y_2_new;
+}
+
+/* y = x + y.
+   x, y: vector.
+   3 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_xpy_vv_fused(const ksl_vec3_t *x, ksl_vec3_t *y) {
+  const double y_0_new = x->x + y->x;
+  const double y_1_new = x->y + y->y;
+  const double y_2_new = x->z + y->z;
+  y->x = y_0_new;
+  y->y = y_1_new;
+  y->z = y_2_new;
+}
+
+/* y = -x + y.
+   x, y: vector.
+   3 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_nxpy_vv_fused(const ksl_vec3_t *x, ksl_vec3_t *y) {
+  const double y_0_new = y->x - x->x;
+  const double y_1_new = y->y - x->y;
+  const double y_2_new = y->z - x->z;
+  y->x = y_0_new;
+  y->y = y_1_new;
+  y->z = y_2_new;
+}
+
+/* vo = a vi.
+   a: number; vi, vo: vector.
+   3 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_av_fused(const double a, const ksl_vec3_t *vi, ksl_vec3_t *vo) {
+  const double vo_0 = a * vi->x;
+  const double vo_1 = a * vi->y;
+  const double vo_2 = a * vi->z;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = v1 + v2.
+   v1, v2, vo: vector.
+   3 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_vv_fused(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
+  const double vo_0 = v1->x + v2->x;
+  const double vo_1 = v1->y + v2->y;
+  const double vo_2 = v1->z + v2->z;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = v1 - v2.
+   v1, v2, vo: vector.
+   3 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_subtract_vv_fused(const ksl_vec3_t *v1, const ksl_vec3_t *v2,
+    ksl_vec3_t *vo) {
+  const double vo_0 = v1->x - v2->x;
+  const double vo_1 = v1->y - v2->y;
+  const double vo_2 = v1->z - v2->z;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = k v.
+   v, vo: vector; k: number.
+   3 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_vec3_scaled_fused(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
+  const double vo_0 = v->x * k;
+  const double vo_1 = v->y * k;
+  const double vo_2 = v->z * k;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* v1·v2.
+   v1, v2: vector.
+   1 mul, 2 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline double ksl_dot_vv_fused(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
+  const double dot_a = v1->x * v2->x, dot_c = fma(v1->y, v2->y, dot_a),
+      dot = fma(v1->z, v2->z, dot_c);
+  return dot;
+}
+
+/* vo = k (-v).
+   k: number; v, vo: vector.
+   3 mul, 3 neg.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_avinv_fused(const double k, const ksl_vec3_t *v, ksl_vec3_t *vo) {
+  const double vo_0a = k * v->x, vo_0 = -vo_0a;
+  const double vo_1a = k * v->y, vo_1 = -vo_1a;
+  const double vo_2a = k * v->z, vo_2 = -vo_2a;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = v1 × v2.
+   v1, v2, vo: vector.
+   3 mul, 3 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_cross_vv_fused(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
+  const double vo_0a = v1->y * v2->z, vo_0 = fma(-v1->z, v2->y, vo_0a);
+  const double vo_1a = v1->z * v2->x, vo_1 = fma(-v1->x, v2->z, vo_1a);
+  const double vo_2a = v1->x * v2->y, vo_2 = fma(-v1->y, v2->x, vo_2a);
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = v1 × (-v2).
+   v1, v2, vo: vector.
+   3 mul, 3 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_cross_vvinv_fused(const ksl_vec3_t *v1, const ksl_vec3_t *v2,
+    ksl_vec3_t *vo) {
+  const double vo_0a = v1->z * v2->y, vo_0 = fma(-v1->y, v2->z, vo_0a);
+  const double vo_1a = v1->x * v2->z, vo_1 = fma(-v1->z, v2->x, vo_1a);
+  const double vo_2a = v1->y * v2->x, vo_2 = fma(-v1->x, v2->y, vo_2a);
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = v + k e_x.
+   v, vo: vector; k: number.
+   1 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_vvx_fused(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
+  const double vo_0 = v->x + k;
+  const double v_y = v->y;
+  const double v_z = v->z;
+  vo->x = vo_0;
+  vo->y = v_y;
+  vo->z = v_z;
+}
+
+/* vo = v - k e_x.
+   v, vo: vector; k: number.
+   1 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_vvxinv_fused(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
+  const double vo_0 = v->x - k;
+  const double v_y = v->y;
+  const double v_z = v->z;
+  vo->x = vo_0;
+  vo->y = v_y;
+  vo->z = v_z;
+}
+
+/* vo = v + k e_y.
+   v, vo: vector; k: number.
+   1 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_vvy_fused(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
+  const double vo_1 = v->y + k;
+  const double v_x = v->x;
+  const double v_z = v->z;
+  vo->x = v_x;
+  vo->y = vo_1;
+  vo->z = v_z;
+}
+
+/* vo = v - k e_y.
+   v, vo: vector; k: number.
+   1 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_vvyinv_fused(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
+  const double vo_1 = v->y - k;
+  const double v_x = v->x;
+  const double v_z = v->z;
+  vo->x = v_x;
+  vo->y = vo_1;
+  vo->z = v_z;
+}
+
+/* vo = v + k e_z.
+   v, vo: vector; k: number.
+   1 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_vvz_fused(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
+  const double vo_2 = v->z + k;
+  const double v_x = v->x;
+  const double v_y = v->y;
+  vo->x = v_x;
+  vo->y = v_y;
+  vo->z = vo_2;
+}
+
+/* vo = v - k e_z.
+   v, vo: vector; k: number.
+   1 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_vvzinv_fused(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
+  const double vo_2 = v->z - k;
+  const double v_x = v->x;
+  const double v_y = v->y;
+  vo->x = v_x;
+  vo->y = v_y;
+  vo->z = vo_2;
+}
+
+/* self = a self.
+   self: vector; a: number.
+   3 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_vec3f_scale_fused(ksl_vec3f_t *self, const float a) {
+  const float self_0_new = self->x * a;
+  const float self_1_new = self->y * a;
+  const float self_2_new = self->z * a;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+}
+
+/* y = a x + y.
+   a: number; x, y: vector.
+   3 fma.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_axpy_vvf_fused(const float a, const ksl_vec3f_t *x, ksl_vec3f_t *y) {
+  const float y_0_new = fmaf(a, x->x, y->x);
+  const float y_1_new = fmaf(a, x->y, y->y);
+  const float y_2_new = fmaf(a, x->z, y->z);
+  y->x = y_0_new;
+  y->y = y_1_new;
+  y->z = y_2_new;
+}
+
+/* y = x + y.
+   x, y: vector.
+   3 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_xpy_vvf_fused(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
+  const float y_0_new = x->x + y->x;
+  const float y_1_new = x->y + y->y;
+  const float y_2_new = x->z + y->z;
+  y->x = y_0_new;
+  y->y = y_1_new;
+  y->z = y_2_new;
+}
+
+/* y = -x + y.
+   x, y: vector.
+   3 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_nxpy_vvf_fused(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
+  const float y_0_new = y->x - x->x;
+  const float y_1_new = y->y - x->y;
+  const float y_2_new = y->z - x->z;
+  y->x = y_0_new;
+  y->y = y_1_new;
+  y->z = y_2_new;
+}
+
+/* vo = a vi.
+   a: number; vi, vo: vector.
+   3 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_avf_fused(const float a, const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
+  const float vo_0 = a * vi->x;
+  const float vo_1 = a * vi->y;
+  const float vo_2 = a * vi->z;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = v1 + v2.
+   v1, v2, vo: vector.
+   3 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_vvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
+    ksl_vec3f_t *vo) {
+  const float vo_0 = v1->x + v2->x;
+  const float vo_1 = v1->y + v2->y;
+  const float vo_2 = v1->z + v2->z;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = v1 - v2.
+   v1, v2, vo: vector.
+   3 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_subtract_vvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
+    ksl_vec3f_t *vo) {
+  const float vo_0 = v1->x - v2->x;
+  const float vo_1 = v1->y - v2->y;
+  const float vo_2 = v1->z - v2->z;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = k v.
+   v, vo: vector; k: number.
+   3 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_vec3f_scaled_fused(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
+  const float vo_0 = v->x * k;
+  const float vo_1 = v->y * k;
+  const float vo_2 = v->z * k;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* v1·v2.
+   v1, v2: vector.
+   1 mul, 2 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline float ksl_dot_vvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
+  const float dot_a = v1->x * v2->x, dot_c = fmaf(v1->y, v2->y, dot_a),
+      dot = fmaf(v1->z, v2->z, dot_c);
+  return dot;
+}
+
+/* vo = k (-v).
+   k: number; v, vo: vector.
+   3 mul, 3 neg.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_avinvf_fused(const float k, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
+  const float vo_0a = k * v->x, vo_0 = -vo_0a;
+  const float vo_1a = k * v->y, vo_1 = -vo_1a;
+  const float vo_2a = k * v->z, vo_2 = -vo_2a;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = v1 × v2.
+   v1, v2, vo: vector.
+   3 mul, 3 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_cross_vvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
+    ksl_vec3f_t *vo) {
+  const float vo_0a = v1->y * v2->z, vo_0 = fmaf(-v1->z, v2->y, vo_0a);
+  const float vo_1a = v1->z * v2->x, vo_1 = fmaf(-v1->x, v2->z, vo_1a);
+  const float vo_2a = v1->x * v2->y, vo_2 = fmaf(-v1->y, v2->x, vo_2a);
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = v1 × (-v2).
+   v1, v2, vo: vector.
+   3 mul, 3 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_cross_vvinvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
+    ksl_vec3f_t *vo) {
+  const float vo_0a = v1->z * v2->y, vo_0 = fmaf(-v1->y, v2->z, vo_0a);
+  const float vo_1a = v1->x * v2->z, vo_1 = fmaf(-v1->z, v2->x, vo_1a);
+  const float vo_2a = v1->y * v2->x, vo_2 = fmaf(-v1->x, v2->y, vo_2a);
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = v + k e_x.
+   v, vo: vector; k: number.
+   1 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_vvxf_fused(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
+  const float vo_0 = v->x + k;
+  const float v_y = v->y;
+  const float v_z = v->z;
+  vo->x = vo_0;
+  vo->y = v_y;
+  vo->z = v_z;
+}
+
+/* vo = v - k e_x.
+   v, vo: vector; k: number.
+   1 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_vvxinvf_fused(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
+  const float vo_0 = v->x - k;
+  const float v_y = v->y;
+  const float v_z = v->z;
+  vo->x = vo_0;
+  vo->y = v_y;
+  vo->z = v_z;
+}
+
+/* vo = v + k e_y.
+   v, vo: vector; k: number.
+   1 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_vvyf_fused(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
+  const float vo_1 = v->y + k;
+  const float v_x = v->x;
+  const float v_z = v->z;
+  vo->x = v_x;
+  vo->y = vo_1;
+  vo->z = v_z;
+}
+
+/* vo = v - k e_y.
+   v, vo: vector; k: number.
+   1 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_vvyinvf_fused(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
+  const float vo_1 = v->y - k;
+  const float v_x = v->x;
+  const float v_z = v->z;
+  vo->x = v_x;
+  vo->y = vo_1;
+  vo->z = v_z;
+}
+
+/* vo = v + k e_z.
+   v, vo: vector; k: number.
+   1 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_vvzf_fused(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
+  const float vo_2 = v->z + k;
+  const float v_x = v->x;
+  const float v_y = v->y;
+  vo->x = v_x;
+  vo->y = v_y;
+  vo->z = vo_2;
+}
+
+/* vo = v - k e_z.
+   v, vo: vector; k: number.
+   1 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_vvzinvf_fused(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
+  const float vo_2 = v->z - k;
+  const float v_x = v->x;
+  const float v_y = v->y;
+  vo->x = v_x;
+  vo->y = v_y;
+  vo->z = vo_2;
+}
+
+#endif
+
+/* 3×3 matrices: rotations, and matrices in general.
+   Fused tier: products fused into sums. */
+#ifndef KSL_MAT3X3_FUSED_H
+#define KSL_MAT3X3_FUSED_H
+
+
+/* det R.
+   R: rotation or other 3×3 matrix.
+   4 mul, 5 fma.
+   Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline double ksl_mat3x3_determinant_fused(const ksl_mat3x3_t *R) {
+  const double n_0a = R->m11 * R->m22, n_0 = fma(-R->m12, R->m21, n_0a);
+  const double n_1a = R->m02 * R->m21, n_1 = fma(-R->m01, R->m22, n_1a);
+  const double n_2a = R->m01 * R->m12, n_2 = fma(-R->m02, R->m11, n_2a);
+  const double det_a = R->m00 * n_0, det_c = fma(R->m10, n_1, det_a), det = fma(R->m20, n_2, det_c);
+  return det;
+}
+
+/* det R.
+   R: rotation or other 3×3 matrix.
+   4 mul, 5 fma.
+   Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline float ksl_mat3x3f_determinant_fused(const ksl_mat3x3f_t *R) {
+  const float n_0a = R->m11 * R->m22, n_0 = fmaf(-R->m12, R->m21, n_0a);
+  const float n_1a = R->m02 * R->m21, n_1 = fmaf(-R->m01, R->m22, n_1a);
+  const float n_2a = R->m01 * R->m12, n_2 = fmaf(-R->m02, R->m11, n_2a);
+  const float det_a = R->m00 * n_0, det_c = fmaf(R->m10, n_1, det_a),
+      det = fmaf(R->m20, n_2, det_c);
+  return det;
+}
+
+#endif
+
+/* Displacements D = [R | t].
+   Fused tier: products fused into sums. */
+#ifndef KSL_SE3_FUSED_H
+#define KSL_SE3_FUSED_H
+
+
+/* self = self^-1 = [R^T | -R^T t].
+   self: displacement [R | t], R rotation, t in m.
+   3 mul, 6 fma, 3 neg.
+   Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_SE3_invert_fused(ksl_SE3_t *self) {
+  const double self_03_new_a = self->m00 * self->m03,
+      self_03_new_c = fma(self->m10, self->m13, self_03_new_a),
+      self_03_new_e = fma(self->m20, self->m23, self_03_new_c), self_03_new = -self_03_new_e;
+  const double self_13_new_a = self->m01 * self->m03,
+      self_13_new_c = fma(self->m11, self->m13, self_13_new_a),
+      self_13_new_e = fma(self->m21, self->m23, self_13_new_c), self_13_new = -self_13_new_e;
+  const double self_23_new_a = self->m02 * self->m03,
+      self_23_new_c = fma(self->m12, self->m13, self_23_new_a),
+      self_23_new_e = fma(self->m22, self->m23, self_23_new_c), self_23_new = -self_23_new_e;
+  const double self_m10 = self->m10;
+  const double self_m20 = self->m20;
+  const double self_m01 = self->m01;
+  const double self_m21 = self->m21;
+  const double self_m02 = self->m02;
+  const double self_m12 = self->m12;
+  self->m01 = self_m10;
+  self->m02 = self_m20;
+  self->m03 = self_03_new;
+  self->m10 = self_m01;
+  self->m12 = self_m21;
+  self->m13 = self_13_new;
+  self->m20 = self_m02;
+  self->m21 = self_m12;
+  self->m23 = self_23_new;
+}
+
+/* Do = D^-1 = [R^T | -R^T t].
+   D, Do: displacement [R | t], R rotation, t in m.
+   3 mul, 6 fma, 3 neg.
+   Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_SE3_inverted_fused(const ksl_SE3_t *D, ksl_SE3_t *Do) {
+  const double Do_03a = D->m00 * D->m03, Do_03c = fma(D->m10, D->m13, Do_03a),
+      Do_03e = fma(D->m20, D->m23, Do_03c), Do_03 = -Do_03e;
+  const double Do_13a = D->m01 * D->m03, Do_13c = fma(D->m11, D->m13, Do_13a),
+      Do_13e = fma(D->m21, D->m23, Do_13c), Do_13 = -Do_13e;
+  const double Do_23a = D->m02 * D->m03, Do_23c = fma(D->m12, D->m13, Do_23a),
+      Do_23e = fma(D->m22, D->m23, Do_23c), Do_23 = -Do_23e;
+  const double D_m00 = D->m00;
+  const double D_m10 = D->m10;
+  const double D_m20 = D->m20;
+  const double D_m01 = D->m01;
+  const double D_m11 = D->m11;
+  const double D_m21 = D->m21;
+  const double D_m02 = D->m02;
+  const double D_m12 = D->m12;
+  const double D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m10;
+  Do->m02 = D_m20;
+  Do->m03 = Do_03;
+  Do->m10 = D_m01;
+  Do->m11 = D_m11;
+  Do->m12 = D_m21;
+  Do->m13 = Do_13;
+  Do->m20 = D_m02;
+  Do->m21 = D_m12;
+  Do->m22 = D_m22;
+  Do->m23 = Do_23;
+}
+
+/* self = self^-1 = [R^T | -R^T t].
+   self: displacement [R | t], R rotation, t in m.
+   3 mul, 6 fma, 3 neg.
+   Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_SE3f_invert_fused(ksl_SE3f_t *self) {
+  const float self_03_new_a = self->m00 * self->m03,
+      self_03_new_c = fmaf(self->m10, self->m13, self_03_new_a),
+      self_03_new_e = fmaf(self->m20, self->m23, self_03_new_c), self_03_new = -self_03_new_e;
+  const float self_13_new_a = self->m01 * self->m03,
+      self_13_new_c = fmaf(self->m11, self->m13, self_13_new_a),
+      self_13_new_e = fmaf(self->m21, self->m23, self_13_new_c), self_13_new = -self_13_new_e;
+  const float self_23_new_a = self->m02 * self->m03,
+      self_23_new_c = fmaf(self->m12, self->m13, self_23_new_a),
+      self_23_new_e = fmaf(self->m22, self->m23, self_23_new_c), self_23_new = -self_23_new_e;
+  const float self_m10 = self->m10;
+  const float self_m20 = self->m20;
+  const float self_m01 = self->m01;
+  const float self_m21 = self->m21;
+  const float self_m02 = self->m02;
+  const float self_m12 = self->m12;
+  self->m01 = self_m10;
+  self->m02 = self_m20;
+  self->m03 = self_03_new;
+  self->m10 = self_m01;
+  self->m12 = self_m21;
+  self->m13 = self_13_new;
+  self->m20 = self_m02;
+  self->m21 = self_m12;
+  self->m23 = self_23_new;
+}
+
+/* Do = D^-1 = [R^T | -R^T t].
+   D, Do: displacement [R | t], R rotation, t in m.
+   3 mul, 6 fma, 3 neg.
+   Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_SE3f_inverted_fused(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
+  const float Do_03a = D->m00 * D->m03, Do_03c = fmaf(D->m10, D->m13, Do_03a),
+      Do_03e = fmaf(D->m20, D->m23, Do_03c), Do_03 = -Do_03e;
+  const float Do_13a = D->m01 * D->m03, Do_13c = fmaf(D->m11, D->m13, Do_13a),
+      Do_13e = fmaf(D->m21, D->m23, Do_13c), Do_13 = -Do_13e;
+  const float Do_23a = D->m02 * D->m03, Do_23c = fmaf(D->m12, D->m13, Do_23a),
+      Do_23e = fmaf(D->m22, D->m23, Do_23c), Do_23 = -Do_23e;
+  const float D_m00 = D->m00;
+  const float D_m10 = D->m10;
+  const float D_m20 = D->m20;
+  const float D_m01 = D->m01;
+  const float D_m11 = D->m11;
+  const float D_m21 = D->m21;
+  const float D_m02 = D->m02;
+  const float D_m12 = D->m12;
+  const float D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m10;
+  Do->m02 = D_m20;
+  Do->m03 = Do_03;
+  Do->m10 = D_m01;
+  Do->m11 = D_m11;
+  Do->m12 = D_m21;
+  Do->m13 = Do_13;
+  Do->m20 = D_m02;
+  Do->m21 = D_m12;
+  Do->m22 = D_m22;
+  Do->m23 = Do_23;
+}
+
+#endif
+
+/* Products between rotations, displacements and vectors.
+   Fused tier: products fused into sums. */
+#ifndef KSL_MATRIX_FUSED_H
+#define KSL_MATRIX_FUSED_H
+
+
+/* vo = R v.
+   R: rotation or other 3×3 matrix; v, vo: vector.
+   3 mul, 6 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drv_fused(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
+    ksl_vec3_t *vo) {
+  const double vo_0a = R->m00 * v->x, vo_0c = fma(R->m01, v->y, vo_0a),
+      vo_0 = fma(R->m02, v->z, vo_0c);
+  const double vo_1a = R->m10 * v->x, vo_1c = fma(R->m11, v->y, vo_1a),
+      vo_1 = fma(R->m12, v->z, vo_1c);
+  const double vo_2a = R->m20 * v->x, vo_2c = fma(R->m21, v->y, vo_2a),
+      vo_2 = fma(R->m22, v->z, vo_2c);
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = R (-v).
+   R: rotation or other 3×3 matrix; v, vo: vector.
+   3 mul, 6 fma, 3 neg.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drvinv_fused(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
+    ksl_vec3_t *vo) {
+  const double vo_0a = R->m00 * v->x, vo_0c = fma(R->m01, v->y, vo_0a),
+      vo_0e = fma(R->m02, v->z, vo_0c), vo_0 = -vo_0e;
+  const double vo_1a = R->m10 * v->x, vo_1c = fma(R->m11, v->y, vo_1a),
+      vo_1e = fma(R->m12, v->z, vo_1c), vo_1 = -vo_1e;
+  const double vo_2a = R->m20 * v->x, vo_2c = fma(R->m21, v->y, vo_2a),
+      vo_2e = fma(R->m22, v->z, vo_2c), vo_2 = -vo_2e;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = R^T v.
+   R: rotation or other 3×3 matrix; v, vo: vector.
+   3 mul, 6 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drinvv_fused(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
+    ksl_vec3_t *vo) {
+  const double vo_0a = R->m00 * v->x, vo_0c = fma(R->m10, v->y, vo_0a),
+      vo_0 = fma(R->m20, v->z, vo_0c);
+  const double vo_1a = R->m01 * v->x, vo_1c = fma(R->m11, v->y, vo_1a),
+      vo_1 = fma(R->m21, v->z, vo_1c);
+  const double vo_2a = R->m02 * v->x, vo_2c = fma(R->m12, v->y, vo_2a),
+      vo_2 = fma(R->m22, v->z, vo_2c);
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = R^T (-v).
+   R: rotation or other 3×3 matrix; v, vo: vector.
+   3 mul, 6 fma, 3 neg.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drinvvinv_fused(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
+    ksl_vec3_t *vo) {
+  const double vo_0a = R->m00 * v->x, vo_0c = fma(R->m10, v->y, vo_0a),
+      vo_0e = fma(R->m20, v->z, vo_0c), vo_0 = -vo_0e;
+  const double vo_1a = R->m01 * v->x, vo_1c = fma(R->m11, v->y, vo_1a),
+      vo_1e = fma(R->m21, v->z, vo_1c), vo_1 = -vo_1e;
+  const double vo_2a = R->m02 * v->x, vo_2c = fma(R->m12, v->y, vo_2a),
+      vo_2e = fma(R->m22, v->z, vo_2c), vo_2 = -vo_2e;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = R v + t.
+   D: displacement [R | t], R rotation, t in m; v, vo: vector.
+   3 mul, 3 add, 6 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_dv_fused(const ksl_SE3_t *D, const ksl_vec3_t *v, ksl_vec3_t *vo) {
+  const double vo_0a = D->m00 * v->x, vo_0c = fma(D->m01, v->y, vo_0a),
+      vo_0e = fma(D->m02, v->z, vo_0c), vo_0 = vo_0e + D->m03;
+  const double vo_1a = D->m10 * v->x, vo_1c = fma(D->m11, v->y, vo_1a),
+      vo_1e = fma(D->m12, v->z, vo_1c), vo_1 = vo_1e + D->m13;
+  const double vo_2a = D->m20 * v->x, vo_2c = fma(D->m21, v->y, vo_2a),
+      vo_2e = fma(D->m22, v->z, vo_2c), vo_2 = vo_2e + D->m23;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = R^T (v - t).
+   D: displacement [R | t], R rotation, t in m; v, vo: vector.
+   3 mul, 3 add, 6 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_dinvv_fused(const ksl_SE3_t *D, const ksl_vec3_t *v,
+    ksl_vec3_t *vo) {
+  const double p_0 = v->x - D->m03;
+  const double p_1 = v->y - D->m13;
+  const double p_2 = v->z - D->m23;
+  const double vo_0a = D->m00 * p_0, vo_0c = fma(D->m10, p_1, vo_0a),
+      vo_0 = fma(D->m20, p_2, vo_0c);
+  const double vo_1a = D->m01 * p_0, vo_1c = fma(D->m11, p_1, vo_1a),
+      vo_1 = fma(D->m21, p_2, vo_1c);
+  const double vo_2a = D->m02 * p_0, vo_2c = fma(D->m12, p_1, vo_2a),
+      vo_2 = fma(D->m22, p_2, vo_2c);
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* Ro = R1 R2.
+   R1, R2, Ro: rotation or other 3×3 matrix.
+   9 mul, 18 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drdr_fused(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
+    ksl_mat3x3_t *Ro) {
+  const double Ro_00a = R1->m00 * R2->m00, Ro_00c = fma(R1->m01, R2->m10, Ro_00a),
+      Ro_00 = fma(R1->m02, R2->m20, Ro_00c);
+  const double Ro_01a = R1->m00 * R2->m01, Ro_01c = fma(R1->m01, R2->m11, Ro_01a),
+      Ro_01 = fma(R1->m02, R2->m21, Ro_01c);
+  const double Ro_02a = R1->m00 * R2->m02, Ro_02c = fma(R1->m01, R2->m12, Ro_02a),
+      Ro_02 = fma(R1->m02, R2->m22, Ro_02c);
+  const double Ro_10a = R1->m10 * R2->m00, Ro_10c = fma(R1->m11, R2->m10, Ro_10a),
+      Ro_10 = fma(R1->m12, R2->m20, Ro_10c);
+  const double Ro_11a = R1->m10 * R2->m01, Ro_11c = fma(R1->m11, R2->m11, Ro_11a),
+      Ro_11 = fma(R1->m12, R2->m21, Ro_11c);
+  const double Ro_12a = R1->m10 * R2->m02, Ro_12c = fma(R1->m11, R2->m12, Ro_12a),
+      Ro_12 = fma(R1->m12, R2->m22, Ro_12c);
+  const double Ro_20a = R1->m20 * R2->m00, Ro_20c = fma(R1->m21, R2->m10, Ro_20a),
+      Ro_20 = fma(R1->m22, R2->m20, Ro_20c);
+  const double Ro_21a = R1->m20 * R2->m01, Ro_21c = fma(R1->m21, R2->m11, Ro_21a),
+      Ro_21 = fma(R1->m22, R2->m21, Ro_21c);
+  const double Ro_22a = R1->m20 * R2->m02, Ro_22c = fma(R1->m21, R2->m12, Ro_22a),
+      Ro_22 = fma(R1->m22, R2->m22, Ro_22c);
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+}
+
+/* Ro = R1 R2^T.
+   R1, R2, Ro: rotation or other 3×3 matrix.
+   9 mul, 18 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drdrinv_fused(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
+    ksl_mat3x3_t *Ro) {
+  const double Ro_00a = R1->m00 * R2->m00, Ro_00c = fma(R1->m01, R2->m01, Ro_00a),
+      Ro_00 = fma(R1->m02, R2->m02, Ro_00c);
+  const double Ro_01a = R1->m00 * R2->m10, Ro_01c = fma(R1->m01, R2->m11, Ro_01a),
+      Ro_01 = fma(R1->m02, R2->m12, Ro_01c);
+  const double Ro_02a = R1->m00 * R2->m20, Ro_02c = fma(R1->m01, R2->m21, Ro_02a),
+      Ro_02 = fma(R1->m02, R2->m22, Ro_02c);
+  const double Ro_10a = R1->m10 * R2->m00, Ro_10c = fma(R1->m11, R2->m01, Ro_10a),
+      Ro_10 = fma(R1->m12, R2->m02, Ro_10c);
+  const double Ro_11a = R1->m10 * R2->m10, Ro_11c = fma(R1->m11, R2->m11, Ro_11a),
+      Ro_11 = fma(R1->m12, R2->m12, Ro_11c);
+  const double Ro_12a = R1->m10 * R2->m20, Ro_12c = fma(R1->m11, R2->m21, Ro_12a),
+      Ro_12 = fma(R1->m12, R2->m22, Ro_12c);
+  const double Ro_20a = R1->m20 * R2->m00, Ro_20c = fma(R1->m21, R2->m01, Ro_20a),
+      Ro_20 = fma(R1->m22, R2->m02, Ro_20c);
+  const double Ro_21a = R1->m20 * R2->m10, Ro_21c = fma(R1->m21, R2->m11, Ro_21a),
+      Ro_21 = fma(R1->m22, R2->m12, Ro_21c);
+  const double Ro_22a = R1->m20 * R2->m20, Ro_22c = fma(R1->m21, R2->m21, Ro_22a),
+      Ro_22 = fma(R1->m22, R2->m22, Ro_22c);
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+}
+
+/* Ro = R1^T R2.
+   R1, R2, Ro: rotation or other 3×3 matrix.
+   9 mul, 18 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drinvdr_fused(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
+    ksl_mat3x3_t *Ro) {
+  const double Ro_00a = R1->m00 * R2->m00, Ro_00c = fma(R1->m10, R2->m10, Ro_00a),
+      Ro_00 = fma(R1->m20, R2->m20, Ro_00c);
+  const double Ro_01a = R1->m00 * R2->m01, Ro_01c = fma(R1->m10, R2->m11, Ro_01a),
+      Ro_01 = fma(R1->m20, R2->m21, Ro_01c);
+  const double Ro_02a = R1->m00 * R2->m02, Ro_02c = fma(R1->m10, R2->m12, Ro_02a),
+      Ro_02 = fma(R1->m20, R2->m22, Ro_02c);
+  const double Ro_10a = R1->m01 * R2->m00, Ro_10c = fma(R1->m11, R2->m10, Ro_10a),
+      Ro_10 = fma(R1->m21, R2->m20, Ro_10c);
+  const double Ro_11a = R1->m01 * R2->m01, Ro_11c = fma(R1->m11, R2->m11, Ro_11a),
+      Ro_11 = fma(R1->m21, R2->m21, Ro_11c);
+  const double Ro_12a = R1->m01 * R2->m02, Ro_12c = fma(R1->m11, R2->m12, Ro_12a),
+      Ro_12 = fma(R1->m21, R2->m22, Ro_12c);
+  const double Ro_20a = R1->m02 * R2->m00, Ro_20c = fma(R1->m12, R2->m10, Ro_20a),
+      Ro_20 = fma(R1->m22, R2->m20, Ro_20c);
+  const double Ro_21a = R1->m02 * R2->m01, Ro_21c = fma(R1->m12, R2->m11, Ro_21a),
+      Ro_21 = fma(R1->m22, R2->m21, Ro_21c);
+  const double Ro_22a = R1->m02 * R2->m02, Ro_22c = fma(R1->m12, R2->m12, Ro_22a),
+      Ro_22 = fma(R1->m22, R2->m22, Ro_22c);
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+}
+
+/* Do = D1 D2 = [R1 R2 | R1 t2 + t1].
+   D1, D2, Do: displacement [R | t], R rotation, t in m.
+   12 mul, 3 add, 24 fma.
+   Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_dd_fused(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
+  const double Do_00a = D1->m00 * D2->m00, Do_00c = fma(D1->m01, D2->m10, Do_00a),
+      Do_00 = fma(D1->m02, D2->m20, Do_00c);
+  const double Do_01a = D1->m00 * D2->m01, Do_01c = fma(D1->m01, D2->m11, Do_01a),
+      Do_01 = fma(D1->m02, D2->m21, Do_01c);
+  const double Do_02a = D1->m00 * D2->m02, Do_02c = fma(D1->m01, D2->m12, Do_02a),
+      Do_02 = fma(D1->m02, D2->m22, Do_02c);
+  const double Do_03a = D1->m00 * D2->m03, Do_03c = fma(D1->m01, D2->m13, Do_03a),
+      Do_03e = fma(D1->m02, D2->m23, Do_03c), Do_03 = Do_03e + D1->m03;
+  const double Do_10a = D1->m10 * D2->m00, Do_10c = fma(D1->m11, D2->m10, Do_10a),
+      Do_10 = fma(D1->m12, D2->m20, Do_10c);
+  const double Do_11a = D1->m10 * D2->m01, Do_11c = fma(D1->m11, D2->m11, Do_11a),
+      Do_11 = fma(D1->m12, D2->m21, Do_11c);
+  const double Do_12a = D1->m10 * D2->m02, Do_12c = fma(D1->m11, D2->m12, Do_12a),
+      Do_12 = fma(D1->m12, D2->m22, Do_12c);
+  const double Do_13a = D1->m10 * D2->m03, Do_13c = fma(D1->m11, D2->m13, Do_13a),
+      Do_13e = fma(D1->m12, D2->m23, Do_13c), Do_13 = Do_13e + D1->m13;
+  const double Do_20a = D1->m20 * D2->m00, Do_20c = fma(D1->m21, D2->m10, Do_20a),
+      Do_20 = fma(D1->m22, D2->m20, Do_20c);
+  const double Do_21a = D1->m20 * D2->m01, Do_21c = fma(D1->m21, D2->m11, Do_21a),
+      Do_21 = fma(D1->m22, D2->m21, Do_21c);
+  const double Do_22a = D1->m20 * D2->m02, Do_22c = fma(D1->m21, D2->m12, Do_22a),
+      Do_22 = fma(D1->m22, D2->m22, Do_22c);
+  const double Do_23a = D1->m20 * D2->m03, Do_23c = fma(D1->m21, D2->m13, Do_23a),
+      Do_23e = fma(D1->m22, D2->m23, Do_23c), Do_23 = Do_23e + D1->m23;
+  Do->m00 = Do_00;
+  Do->m01 = Do_01;
+  Do->m02 = Do_02;
+  Do->m03 = Do_03;
+  Do->m10 = Do_10;
+  Do->m11 = Do_11;
+  Do->m12 = Do_12;
+  Do->m13 = Do_13;
+  Do->m20 = Do_20;
+  Do->m21 = Do_21;
+  Do->m22 = Do_22;
+  Do->m23 = Do_23;
+}
+
+/* Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T.
+   D1, D2, Do: displacement [R | t], R rotation, t in m.
+   12 mul, 3 add, 24 fma.
+   Error <= u |result| + (R: 2, t: 6) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddinv_fused(const ksl_SE3_t *D1, const ksl_SE3_t *D2,
+    ksl_SE3_t *Do) {
+  const double R_0a = D1->m00 * D2->m00, R_0c = fma(D1->m01, D2->m01, R_0a),
+      R_0 = fma(D1->m02, D2->m02, R_0c);
+  const double R_1a = D1->m00 * D2->m10, R_1c = fma(D1->m01, D2->m11, R_1a),
+      R_1 = fma(D1->m02, D2->m12, R_1c);
+  const double R_2a = D1->m00 * D2->m20, R_2c = fma(D1->m01, D2->m21, R_2a),
+      R_2 = fma(D1->m02, D2->m22, R_2c);
+  const double R_3a = D1->m10 * D2->m00, R_3c = fma(D1->m11, D2->m01, R_3a),
+      R_3 = fma(D1->m12, D2->m02, R_3c);
+  const double R_4a = D1->m10 * D2->m10, R_4c = fma(D1->m11, D2->m11, R_4a),
+      R_4 = fma(D1->m12, D2->m12, R_4c);
+  const double R_5a = D1->m10 * D2->m20, R_5c = fma(D1->m11, D2->m21, R_5a),
+      R_5 = fma(D1->m12, D2->m22, R_5c);
+  const double R_6a = D1->m20 * D2->m00, R_6c = fma(D1->m21, D2->m01, R_6a),
+      R_6 = fma(D1->m22, D2->m02, R_6c);
+  const double R_7a = D1->m20 * D2->m10, R_7c = fma(D1->m21, D2->m11, R_7a),
+      R_7 = fma(D1->m22, D2->m12, R_7c);
+  const double R_8a = D1->m20 * D2->m20, R_8c = fma(D1->m21, D2->m21, R_8a),
+      R_8 = fma(D1->m22, D2->m22, R_8c);
+  const double Do_03a = D2->m03 * R_0, Do_03c = fma(D2->m13, R_1, Do_03a),
+      Do_03e = fma(D2->m23, R_2, Do_03c), Do_03 = D1->m03 - Do_03e;
+  const double Do_13a = D2->m03 * R_3, Do_13c = fma(D2->m13, R_4, Do_13a),
+      Do_13e = fma(D2->m23, R_5, Do_13c), Do_13 = D1->m13 - Do_13e;
+  const double Do_23a = D2->m03 * R_6, Do_23c = fma(D2->m13, R_7, Do_23a),
+      Do_23e = fma(D2->m23, R_8, Do_23c), Do_23 = D1->m23 - Do_23e;
+  Do->m00 = R_0;
+  Do->m01 = R_1;
+  Do->m02 = R_2;
+  Do->m03 = Do_03;
+  Do->m10 = R_3;
+  Do->m11 = R_4;
+  Do->m12 = R_5;
+  Do->m13 = Do_13;
+  Do->m20 = R_6;
+  Do->m21 = R_7;
+  Do->m22 = R_8;
+  Do->m23 = Do_23;
+}
+
+/* Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)].
+   D1, D2, Do: displacement [R | t], R rotation, t in m.
+   12 mul, 3 add, 24 fma.
+   Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_dinvd_fused(const ksl_SE3_t *D1, const ksl_SE3_t *D2,
+    ksl_SE3_t *Do) {
+  const double p_0 = D2->m03 - D1->m03;
+  const double p_1 = D2->m13 - D1->m13;
+  const double p_2 = D2->m23 - D1->m23;
+  const double Do_00a = D1->m00 * D2->m00, Do_00c = fma(D1->m10, D2->m10, Do_00a),
+      Do_00 = fma(D1->m20, D2->m20, Do_00c);
+  const double Do_01a = D1->m00 * D2->m01, Do_01c = fma(D1->m10, D2->m11, Do_01a),
+      Do_01 = fma(D1->m20, D2->m21, Do_01c);
+  const double Do_02a = D1->m00 * D2->m02, Do_02c = fma(D1->m10, D2->m12, Do_02a),
+      Do_02 = fma(D1->m20, D2->m22, Do_02c);
+  const double Do_03a = D1->m00 * p_0, Do_03c = fma(D1->m10, p_1, Do_03a),
+      Do_03 = fma(D1->m20, p_2, Do_03c);
+  const double Do_10a = D1->m01 * D2->m00, Do_10c = fma(D1->m11, D2->m10, Do_10a),
+      Do_10 = fma(D1->m21, D2->m20, Do_10c);
+  const double Do_11a = D1->m01 * D2->m01, Do_11c = fma(D1->m11, D2->m11, Do_11a),
+      Do_11 = fma(D1->m21, D2->m21, Do_11c);
+  const double Do_12a = D1->m01 * D2->m02, Do_12c = fma(D1->m11, D2->m12, Do_12a),
+      Do_12 = fma(D1->m21, D2->m22, Do_12c);
+  const double Do_13a = D1->m01 * p_0, Do_13c = fma(D1->m11, p_1, Do_13a),
+      Do_13 = fma(D1->m21, p_2, Do_13c);
+  const double Do_20a = D1->m02 * D2->m00, Do_20c = fma(D1->m12, D2->m10, Do_20a),
+      Do_20 = fma(D1->m22, D2->m20, Do_20c);
+  const double Do_21a = D1->m02 * D2->m01, Do_21c = fma(D1->m12, D2->m11, Do_21a),
+      Do_21 = fma(D1->m22, D2->m21, Do_21c);
+  const double Do_22a = D1->m02 * D2->m02, Do_22c = fma(D1->m12, D2->m12, Do_22a),
+      Do_22 = fma(D1->m22, D2->m22, Do_22c);
+  const double Do_23a = D1->m02 * p_0, Do_23c = fma(D1->m12, p_1, Do_23a),
+      Do_23 = fma(D1->m22, p_2, Do_23c);
+  Do->m00 = Do_00;
+  Do->m01 = Do_01;
+  Do->m02 = Do_02;
+  Do->m03 = Do_03;
+  Do->m10 = Do_10;
+  Do->m11 = Do_11;
+  Do->m12 = Do_12;
+  Do->m13 = Do_13;
+  Do->m20 = Do_20;
+  Do->m21 = Do_21;
+  Do->m22 = Do_22;
+  Do->m23 = Do_23;
+}
+
+/* Do = D [R | 0].
+   D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
+   9 mul, 18 fma.
+   Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddr_fused(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ksl_SE3_t *Do) {
+  const double Do_00a = D->m00 * R->m00, Do_00c = fma(D->m01, R->m10, Do_00a),
+      Do_00 = fma(D->m02, R->m20, Do_00c);
+  const double Do_01a = D->m00 * R->m01, Do_01c = fma(D->m01, R->m11, Do_01a),
+      Do_01 = fma(D->m02, R->m21, Do_01c);
+  const double Do_02a = D->m00 * R->m02, Do_02c = fma(D->m01, R->m12, Do_02a),
+      Do_02 = fma(D->m02, R->m22, Do_02c);
+  const double Do_10a = D->m10 * R->m00, Do_10c = fma(D->m11, R->m10, Do_10a),
+      Do_10 = fma(D->m12, R->m20, Do_10c);
+  const double Do_11a = D->m10 * R->m01, Do_11c = fma(D->m11, R->m11, Do_11a),
+      Do_11 = fma(D->m12, R->m21, Do_11c);
+  const double Do_12a = D->m10 * R->m02, Do_12c = fma(D->m11, R->m12, Do_12a),
+      Do_12 = fma(D->m12, R->m22, Do_12c);
+  const double Do_20a = D->m20 * R->m00, Do_20c = fma(D->m21, R->m10, Do_20a),
+      Do_20 = fma(D->m22, R->m20, Do_20c);
+  const double Do_21a = D->m20 * R->m01, Do_21c = fma(D->m21, R->m11, Do_21a),
+      Do_21 = fma(D->m22, R->m21, Do_21c);
+  const double Do_22a = D->m20 * R->m02, Do_22c = fma(D->m21, R->m12, Do_22a),
+      Do_22 = fma(D->m22, R->m22, Do_22c);
+  const double D_m03 = D->m03;
+  const double D_m13 = D->m13;
+  const double D_m23 = D->m23;
+  Do->m00 = Do_00;
+  Do->m01 = Do_01;
+  Do->m02 = Do_02;
+  Do->m03 = D_m03;
+  Do->m10 = Do_10;
+  Do->m11 = Do_11;
+  Do->m12 = Do_12;
+  Do->m13 = D_m13;
+  Do->m20 = Do_20;
+  Do->m21 = Do_21;
+  Do->m22 = Do_22;
+  Do->m23 = D_m23;
+}
+
+/* Do = D [R^T | 0].
+   D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
+   9 mul, 18 fma.
+   Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddrinv_fused(const ksl_SE3_t *D, const ksl_mat3x3_t *R,
+    ksl_SE3_t *Do) {
+  const double Do_00a = D->m00 * R->m00, Do_00c = fma(D->m01, R->m01, Do_00a),
+      Do_00 = fma(D->m02, R->m02, Do_00c);
+  const double Do_01a = D->m00 * R->m10, Do_01c = fma(D->m01, R->m11, Do_01a),
+      Do_01 = fma(D->m02, R->m12, Do_01c);
+  const double Do_02a = D->m00 * R->m20, Do_02c = fma(D->m01, R->m21, Do_02a),
+      Do_02 = fma(D->m02, R->m22, Do_02c);
+  const double Do_10a = D->m10 * R->m00, Do_10c = fma(D->m11, R->m01, Do_10a),
+      Do_10 = fma(D->m12, R->m02, Do_10c);
+  const double Do_11a = D->m10 * R->m10, Do_11c = fma(D->m11, R->m11, Do_11a),
+      Do_11 = fma(D->m12, R->m12, Do_11c);
+  const double Do_12a = D->m10 * R->m20, Do_12c = fma(D->m11, R->m21, Do_12a),
+      Do_12 = fma(D->m12, R->m22, Do_12c);
+  const double Do_20a = D->m20 * R->m00, Do_20c = fma(D->m21, R->m01, Do_20a),
+      Do_20 = fma(D->m22, R->m02, Do_20c);
+  const double Do_21a = D->m20 * R->m10, Do_21c = fma(D->m21, R->m11, Do_21a),
+      Do_21 = fma(D->m22, R->m12, Do_21c);
+  const double Do_22a = D->m20 * R->m20, Do_22c = fma(D->m21, R->m21, Do_22a),
+      Do_22 = fma(D->m22, R->m22, Do_22c);
+  const double D_m03 = D->m03;
+  const double D_m13 = D->m13;
+  const double D_m23 = D->m23;
+  Do->m00 = Do_00;
+  Do->m01 = Do_01;
+  Do->m02 = Do_02;
+  Do->m03 = D_m03;
+  Do->m10 = Do_10;
+  Do->m11 = Do_11;
+  Do->m12 = Do_12;
+  Do->m13 = D_m13;
+  Do->m20 = Do_20;
+  Do->m21 = Do_21;
+  Do->m22 = Do_22;
+  Do->m23 = D_m23;
+}
+
+/* Do = D [I | t].
+   D, Do: displacement [R | t], R rotation, t in m; t: vector.
+   3 mul, 3 add, 6 fma.
+   Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddt_fused(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
+  const double Do_03a = D->m00 * t->x, Do_03c = fma(D->m01, t->y, Do_03a),
+      Do_03e = fma(D->m02, t->z, Do_03c), Do_03 = Do_03e + D->m03;
+  const double Do_13a = D->m10 * t->x, Do_13c = fma(D->m11, t->y, Do_13a),
+      Do_13e = fma(D->m12, t->z, Do_13c), Do_13 = Do_13e + D->m13;
+  const double Do_23a = D->m20 * t->x, Do_23c = fma(D->m21, t->y, Do_23a),
+      Do_23e = fma(D->m22, t->z, Do_23c), Do_23 = Do_23e + D->m23;
+  const double D_m00 = D->m00;
+  const double D_m01 = D->m01;
+  const double D_m02 = D->m02;
+  const double D_m10 = D->m10;
+  const double D_m11 = D->m11;
+  const double D_m12 = D->m12;
+  const double D_m20 = D->m20;
+  const double D_m21 = D->m21;
+  const double D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m01;
+  Do->m02 = D_m02;
+  Do->m03 = Do_03;
+  Do->m10 = D_m10;
+  Do->m11 = D_m11;
+  Do->m12 = D_m12;
+  Do->m13 = Do_13;
+  Do->m20 = D_m20;
+  Do->m21 = D_m21;
+  Do->m22 = D_m22;
+  Do->m23 = Do_23;
+}
+
+/* Do = D [I | -t].
+   D, Do: displacement [R | t], R rotation, t in m; t: vector.
+   3 mul, 3 add, 6 fma.
+   Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddtinv_fused(const ksl_SE3_t *D, const ksl_vec3_t *t,
+    ksl_SE3_t *Do) {
+  const double Do_03a = D->m00 * t->x, Do_03c = fma(D->m01, t->y, Do_03a),
+      Do_03e = fma(D->m02, t->z, Do_03c), Do_03 = D->m03 - Do_03e;
+  const double Do_13a = D->m10 * t->x, Do_13c = fma(D->m11, t->y, Do_13a),
+      Do_13e = fma(D->m12, t->z, Do_13c), Do_13 = D->m13 - Do_13e;
+  const double Do_23a = D->m20 * t->x, Do_23c = fma(D->m21, t->y, Do_23a),
+      Do_23e = fma(D->m22, t->z, Do_23c), Do_23 = D->m23 - Do_23e;
+  const double D_m00 = D->m00;
+  const double D_m01 = D->m01;
+  const double D_m02 = D->m02;
+  const double D_m10 = D->m10;
+  const double D_m11 = D->m11;
+  const double D_m12 = D->m12;
+  const double D_m20 = D->m20;
+  const double D_m21 = D->m21;
+  const double D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m01;
+  Do->m02 = D_m02;
+  Do->m03 = Do_03;
+  Do->m10 = D_m10;
+  Do->m11 = D_m11;
+  Do->m12 = D_m12;
+  Do->m13 = Do_13;
+  Do->m20 = D_m20;
+  Do->m21 = D_m21;
+  Do->m22 = D_m22;
+  Do->m23 = Do_23;
+}
+
+/* Do = D^-1 [I | t] = [R^T | R^T (t - t_D)].
+   D, Do: displacement [R | t], R rotation, t in m; t: vector.
+   3 mul, 3 add, 6 fma.
+   Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_dinvdt_fused(const ksl_SE3_t *D, const ksl_vec3_t *t,
+    ksl_SE3_t *Do) {
+  const double p_0 = t->x - D->m03;
+  const double p_1 = t->y - D->m13;
+  const double p_2 = t->z - D->m23;
+  const double Do_03a = D->m00 * p_0, Do_03c = fma(D->m10, p_1, Do_03a),
+      Do_03 = fma(D->m20, p_2, Do_03c);
+  const double Do_13a = D->m01 * p_0, Do_13c = fma(D->m11, p_1, Do_13a),
+      Do_13 = fma(D->m21, p_2, Do_13c);
+  const double Do_23a = D->m02 * p_0, Do_23c = fma(D->m12, p_1, Do_23a),
+      Do_23 = fma(D->m22, p_2, Do_23c);
+  const double D_m00 = D->m00;
+  const double D_m10 = D->m10;
+  const double D_m20 = D->m20;
+  const double D_m01 = D->m01;
+  const double D_m11 = D->m11;
+  const double D_m21 = D->m21;
+  const double D_m02 = D->m02;
+  const double D_m12 = D->m12;
+  const double D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m10;
+  Do->m02 = D_m20;
+  Do->m03 = Do_03;
+  Do->m10 = D_m01;
+  Do->m11 = D_m11;
+  Do->m12 = D_m21;
+  Do->m13 = Do_13;
+  Do->m20 = D_m02;
+  Do->m21 = D_m12;
+  Do->m22 = D_m22;
+  Do->m23 = Do_23;
+}
+
+/* vo = R (k e_x).
+   R: rotation or other 3×3 matrix; k: number; vo: vector.
+   3 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_drvtx_fused(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
+  const double vo_0 = R->m00 * k;
+  const double vo_1 = R->m10 * k;
+  const double vo_2 = R->m20 * k;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* Ro = R R_x(θ), dc = (sin θ, cos θ).
+   R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drdrx_fused(const ksl_mat3x3_t *R, const double dc[2],
+    ksl_mat3x3_t *Ro) {
+  const double Ro_01a = R->m01 * dc[1], Ro_01 = fma(R->m02, dc[0], Ro_01a);
+  const double Ro_02a = R->m02 * dc[1], Ro_02 = fma(-R->m01, dc[0], Ro_02a);
+  const double Ro_11a = R->m11 * dc[1], Ro_11 = fma(R->m12, dc[0], Ro_11a);
+  const double Ro_12a = R->m12 * dc[1], Ro_12 = fma(-R->m11, dc[0], Ro_12a);
+  const double Ro_21a = R->m21 * dc[1], Ro_21 = fma(R->m22, dc[0], Ro_21a);
+  const double Ro_22a = R->m22 * dc[1], Ro_22 = fma(-R->m21, dc[0], Ro_22a);
+  const double R_m00 = R->m00;
+  const double R_m10 = R->m10;
+  const double R_m20 = R->m20;
+  Ro->m00 = R_m00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = R_m10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = R_m20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+}
+
+/* Do = D [R_x(θ) | 0], dc = (sin θ, cos θ).
+   D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddrx_fused(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
+  const double Do_01a = D->m01 * dc[1], Do_01 = fma(D->m02, dc[0], Do_01a);
+  const double Do_02a = D->m02 * dc[1], Do_02 = fma(-D->m01, dc[0], Do_02a);
+  const double Do_11a = D->m11 * dc[1], Do_11 = fma(D->m12, dc[0], Do_11a);
+  const double Do_12a = D->m12 * dc[1], Do_12 = fma(-D->m11, dc[0], Do_12a);
+  const double Do_21a = D->m21 * dc[1], Do_21 = fma(D->m22, dc[0], Do_21a);
+  const double Do_22a = D->m22 * dc[1], Do_22 = fma(-D->m21, dc[0], Do_22a);
+  const double D_m00 = D->m00;
+  const double D_m03 = D->m03;
+  const double D_m10 = D->m10;
+  const double D_m13 = D->m13;
+  const double D_m20 = D->m20;
+  const double D_m23 = D->m23;
+  Do->m00 = D_m00;
+  Do->m01 = Do_01;
+  Do->m02 = Do_02;
+  Do->m03 = D_m03;
+  Do->m10 = D_m10;
+  Do->m11 = Do_11;
+  Do->m12 = Do_12;
+  Do->m13 = D_m13;
+  Do->m20 = D_m20;
+  Do->m21 = Do_21;
+  Do->m22 = Do_22;
+  Do->m23 = D_m23;
+}
+
+/* Do = D [I | k e_x].
+   D, Do: displacement [R | t], R rotation, t in m; k: number.
+   3 fma.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_ddtx_fused(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
+  const double Do_03 = fma(D->m00, k, D->m03);
+  const double Do_13 = fma(D->m10, k, D->m13);
+  const double Do_23 = fma(D->m20, k, D->m23);
+  const double D_m00 = D->m00;
+  const double D_m01 = D->m01;
+  const double D_m02 = D->m02;
+  const double D_m10 = D->m10;
+  const double D_m11 = D->m11;
+  const double D_m12 = D->m12;
+  const double D_m20 = D->m20;
+  const double D_m21 = D->m21;
+  const double D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m01;
+  Do->m02 = D_m02;
+  Do->m03 = Do_03;
+  Do->m10 = D_m10;
+  Do->m11 = D_m11;
+  Do->m12 = D_m12;
+  Do->m13 = Do_13;
+  Do->m20 = D_m20;
+  Do->m21 = D_m21;
+  Do->m22 = D_m22;
+  Do->m23 = Do_23;
+}
+
+/* vo = R (-k e_x).
+   R: rotation or other 3×3 matrix; k: number; vo: vector.
+   3 mul, 3 neg.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_drvtxinv_fused(const ksl_mat3x3_t *R, const double k,
+    ksl_vec3_t *vo) {
+  const double vo_0a = R->m00 * k, vo_0 = -vo_0a;
+  const double vo_1a = R->m10 * k, vo_1 = -vo_1a;
+  const double vo_2a = R->m20 * k, vo_2 = -vo_2a;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* Ro = R R_x(-θ), dc = (sin θ, cos θ).
+   R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drdrxinv_fused(const ksl_mat3x3_t *R, const double dc[2],
+    ksl_mat3x3_t *Ro) {
+  const double Ro_01a = R->m01 * dc[1], Ro_01 = fma(-R->m02, dc[0], Ro_01a);
+  const double Ro_02a = R->m01 * dc[0], Ro_02 = fma(R->m02, dc[1], Ro_02a);
+  const double Ro_11a = R->m11 * dc[1], Ro_11 = fma(-R->m12, dc[0], Ro_11a);
+  const double Ro_12a = R->m11 * dc[0], Ro_12 = fma(R->m12, dc[1], Ro_12a);
+  const double Ro_21a = R->m21 * dc[1], Ro_21 = fma(-R->m22, dc[0], Ro_21a);
+  const double Ro_22a = R->m21 * dc[0], Ro_22 = fma(R->m22, dc[1], Ro_22a);
+  const double R_m00 = R->m00;
+  const double R_m10 = R->m10;
+  const double R_m20 = R->m20;
+  Ro->m00 = R_m00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = R_m10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = R_m20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+}
+
+/* Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ).
+   D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddrxinv_fused(const ksl_SE3_t *D, const double dc[2],
+    ksl_SE3_t *Do) {
+  const double Do_01a = D->m01 * dc[1], Do_01 = fma(-D->m02, dc[0], Do_01a);
+  const double Do_02a = D->m01 * dc[0], Do_02 = fma(D->m02, dc[1], Do_02a);
+  const double Do_11a = D->m11 * dc[1], Do_11 = fma(-D->m12, dc[0], Do_11a);
+  const double Do_12a = D->m11 * dc[0], Do_12 = fma(D->m12, dc[1], Do_12a);
+  const double Do_21a = D->m21 * dc[1], Do_21 = fma(-D->m22, dc[0], Do_21a);
+  const double Do_22a = D->m21 * dc[0], Do_22 = fma(D->m22, dc[1], Do_22a);
+  const double D_m00 = D->m00;
+  const double D_m03 = D->m03;
+  const double D_m10 = D->m10;
+  const double D_m13 = D->m13;
+  const double D_m20 = D->m20;
+  const double D_m23 = D->m23;
+  Do->m00 = D_m00;
+  Do->m01 = Do_01;
+  Do->m02 = Do_02;
+  Do->m03 = D_m03;
+  Do->m10 = D_m10;
+  Do->m11 = Do_11;
+  Do->m12 = Do_12;
+  Do->m13 = D_m13;
+  Do->m20 = D_m20;
+  Do->m21 = Do_21;
+  Do->m22 = Do_22;
+  Do->m23 = D_m23;
+}
+
+/* Do = D [I | -k e_x].
+   D, Do: displacement [R | t], R rotation, t in m; k: number.
+   3 fma.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_ddtxinv_fused(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
+  const double Do_03 = fma(-D->m00, k, D->m03);
+  const double Do_13 = fma(-D->m10, k, D->m13);
+  const double Do_23 = fma(-D->m20, k, D->m23);
+  const double D_m00 = D->m00;
+  const double D_m01 = D->m01;
+  const double D_m02 = D->m02;
+  const double D_m10 = D->m10;
+  const double D_m11 = D->m11;
+  const double D_m12 = D->m12;
+  const double D_m20 = D->m20;
+  const double D_m21 = D->m21;
+  const double D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m01;
+  Do->m02 = D_m02;
+  Do->m03 = Do_03;
+  Do->m10 = D_m10;
+  Do->m11 = D_m11;
+  Do->m12 = D_m12;
+  Do->m13 = Do_13;
+  Do->m20 = D_m20;
+  Do->m21 = D_m21;
+  Do->m22 = D_m22;
+  Do->m23 = Do_23;
+}
+
+/* vo = R (k e_y).
+   R: rotation or other 3×3 matrix; k: number; vo: vector.
+   3 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_drvty_fused(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
+  const double vo_0 = R->m01 * k;
+  const double vo_1 = R->m11 * k;
+  const double vo_2 = R->m21 * k;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* Ro = R R_y(θ), dc = (sin θ, cos θ).
+   R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drdry_fused(const ksl_mat3x3_t *R, const double dc[2],
+    ksl_mat3x3_t *Ro) {
+  const double Ro_00a = R->m00 * dc[1], Ro_00 = fma(-R->m02, dc[0], Ro_00a);
+  const double Ro_02a = R->m00 * dc[0], Ro_02 = fma(R->m02, dc[1], Ro_02a);
+  const double Ro_10a = R->m10 * dc[1], Ro_10 = fma(-R->m12, dc[0], Ro_10a);
+  const double Ro_12a = R->m10 * dc[0], Ro_12 = fma(R->m12, dc[1], Ro_12a);
+  const double Ro_20a = R->m20 * dc[1], Ro_20 = fma(-R->m22, dc[0], Ro_20a);
+  const double Ro_22a = R->m20 * dc[0], Ro_22 = fma(R->m22, dc[1], Ro_22a);
+  const double R_m01 = R->m01;
+  const double R_m11 = R->m11;
+  const double R_m21 = R->m21;
+  Ro->m00 = Ro_00;
+  Ro->m01 = R_m01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = R_m11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = R_m21;
+  Ro->m22 = Ro_22;
+}
+
+/* Do = D [R_y(θ) | 0], dc = (sin θ, cos θ).
+   D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddry_fused(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
+  const double Do_00a = D->m00 * dc[1], Do_00 = fma(-D->m02, dc[0], Do_00a);
+  const double Do_02a = D->m00 * dc[0], Do_02 = fma(D->m02, dc[1], Do_02a);
+  const double Do_10a = D->m10 * dc[1], Do_10 = fma(-D->m12, dc[0], Do_10a);
+  const double Do_12a = D->m10 * dc[0], Do_12 = fma(D->m12, dc[1], Do_12a);
+  const double Do_20a = D->m20 * dc[1], Do_20 = fma(-D->m22, dc[0], Do_20a);
+  const double Do_22a = D->m20 * dc[0], Do_22 = fma(D->m22, dc[1], Do_22a);
+  const double D_m01 = D->m01;
+  const double D_m03 = D->m03;
+  const double D_m11 = D->m11;
+  const double D_m13 = D->m13;
+  const double D_m21 = D->m21;
+  const double D_m23 = D->m23;
+  Do->m00 = Do_00;
+  Do->m01 = D_m01;
+  Do->m02 = Do_02;
+  Do->m03 = D_m03;
+  Do->m10 = Do_10;
+  Do->m11 = D_m11;
+  Do->m12 = Do_12;
+  Do->m13 = D_m13;
+  Do->m20 = Do_20;
+  Do->m21 = D_m21;
+  Do->m22 = Do_22;
+  Do->m23 = D_m23;
+}
+
+/* Do = D [I | k e_y].
+   D, Do: displacement [R | t], R rotation, t in m; k: number.
+   3 fma.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_ddty_fused(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
+  const double Do_03 = fma(D->m01, k, D->m03);
+  const double Do_13 = fma(D->m11, k, D->m13);
+  const double Do_23 = fma(D->m21, k, D->m23);
+  const double D_m00 = D->m00;
+  const double D_m01 = D->m01;
+  const double D_m02 = D->m02;
+  const double D_m10 = D->m10;
+  const double D_m11 = D->m11;
+  const double D_m12 = D->m12;
+  const double D_m20 = D->m20;
+  const double D_m21 = D->m21;
+  const double D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m01;
+  Do->m02 = D_m02;
+  Do->m03 = Do_03;
+  Do->m10 = D_m10;
+  Do->m11 = D_m11;
+  Do->m12 = D_m12;
+  Do->m13 = Do_13;
+  Do->m20 = D_m20;
+  Do->m21 = D_m21;
+  Do->m22 = D_m22;
+  Do->m23 = Do_23;
+}
+
+/* vo = R (-k e_y).
+   R: rotation or other 3×3 matrix; k: number; vo: vector.
+   3 mul, 3 neg.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_drvtyinv_fused(const ksl_mat3x3_t *R, const double k,
+    ksl_vec3_t *vo) {
+  const double vo_0a = R->m01 * k, vo_0 = -vo_0a;
+  const double vo_1a = R->m11 * k, vo_1 = -vo_1a;
+  const double vo_2a = R->m21 * k, vo_2 = -vo_2a;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* Ro = R R_y(-θ), dc = (sin θ, cos θ).
+   R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drdryinv_fused(const ksl_mat3x3_t *R, const double dc[2],
+    ksl_mat3x3_t *Ro) {
+  const double Ro_00a = R->m00 * dc[1], Ro_00 = fma(R->m02, dc[0], Ro_00a);
+  const double Ro_02a = R->m02 * dc[1], Ro_02 = fma(-R->m00, dc[0], Ro_02a);
+  const double Ro_10a = R->m10 * dc[1], Ro_10 = fma(R->m12, dc[0], Ro_10a);
+  const double Ro_12a = R->m12 * dc[1], Ro_12 = fma(-R->m10, dc[0], Ro_12a);
+  const double Ro_20a = R->m20 * dc[1], Ro_20 = fma(R->m22, dc[0], Ro_20a);
+  const double Ro_22a = R->m22 * dc[1], Ro_22 = fma(-R->m20, dc[0], Ro_22a);
+  const double R_m01 = R->m01;
+  const double R_m11 = R->m11;
+  const double R_m21 = R->m21;
+  Ro->m00 = Ro_00;
+  Ro->m01 = R_m01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = R_m11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = R_m21;
+  Ro->m22 = Ro_22;
+}
+
+/* Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ).
+   D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddryinv_fused(const ksl_SE3_t *D, const double dc[2],
+    ksl_SE3_t *Do) {
+  const double Do_00a = D->m00 * dc[1], Do_00 = fma(D->m02, dc[0], Do_00a);
+  const double Do_02a = D->m02 * dc[1], Do_02 = fma(-D->m00, dc[0], Do_02a);
+  const double Do_10a = D->m10 * dc[1], Do_10 = fma(D->m12, dc[0], Do_10a);
+  const double Do_12a = D->m12 * dc[1], Do_12 = fma(-D->m10, dc[0], Do_12a);
+  const double Do_20a = D->m20 * dc[1], Do_20 = fma(D->m22, dc[0], Do_20a);
+  const double Do_22a = D->m22 * dc[1], Do_22 = fma(-D->m20, dc[0], Do_22a);
+  const double D_m01 = D->m01;
+  const double D_m03 = D->m03;
+  const double D_m11 = D->m11;
+  const double D_m13 = D->m13;
+  const double D_m21 = D->m21;
+  const double D_m23 = D->m23;
+  Do->m00 = Do_00;
+  Do->m01 = D_m01;
+  Do->m02 = Do_02;
+  Do->m03 = D_m03;
+  Do->m10 = Do_10;
+  Do->m11 = D_m11;
+  Do->m12 = Do_12;
+  Do->m13 = D_m13;
+  Do->m20 = Do_20;
+  Do->m21 = D_m21;
+  Do->m22 = Do_22;
+  Do->m23 = D_m23;
+}
+
+/* Do = D [I | -k e_y].
+   D, Do: displacement [R | t], R rotation, t in m; k: number.
+   3 fma.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_ddtyinv_fused(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
+  const double Do_03 = fma(-D->m01, k, D->m03);
+  const double Do_13 = fma(-D->m11, k, D->m13);
+  const double Do_23 = fma(-D->m21, k, D->m23);
+  const double D_m00 = D->m00;
+  const double D_m01 = D->m01;
+  const double D_m02 = D->m02;
+  const double D_m10 = D->m10;
+  const double D_m11 = D->m11;
+  const double D_m12 = D->m12;
+  const double D_m20 = D->m20;
+  const double D_m21 = D->m21;
+  const double D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m01;
+  Do->m02 = D_m02;
+  Do->m03 = Do_03;
+  Do->m10 = D_m10;
+  Do->m11 = D_m11;
+  Do->m12 = D_m12;
+  Do->m13 = Do_13;
+  Do->m20 = D_m20;
+  Do->m21 = D_m21;
+  Do->m22 = D_m22;
+  Do->m23 = Do_23;
+}
+
+/* vo = R (k e_z).
+   R: rotation or other 3×3 matrix; k: number; vo: vector.
+   3 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_drvtz_fused(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
+  const double vo_0 = R->m02 * k;
+  const double vo_1 = R->m12 * k;
+  const double vo_2 = R->m22 * k;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* Ro = R R_z(θ), dc = (sin θ, cos θ).
+   R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drdrz_fused(const ksl_mat3x3_t *R, const double dc[2],
+    ksl_mat3x3_t *Ro) {
+  const double Ro_00a = R->m00 * dc[1], Ro_00 = fma(R->m01, dc[0], Ro_00a);
+  const double Ro_01a = R->m01 * dc[1], Ro_01 = fma(-R->m00, dc[0], Ro_01a);
+  const double Ro_10a = R->m10 * dc[1], Ro_10 = fma(R->m11, dc[0], Ro_10a);
+  const double Ro_11a = R->m11 * dc[1], Ro_11 = fma(-R->m10, dc[0], Ro_11a);
+  const double Ro_20a = R->m20 * dc[1], Ro_20 = fma(R->m21, dc[0], Ro_20a);
+  const double Ro_21a = R->m21 * dc[1], Ro_21 = fma(-R->m20, dc[0], Ro_21a);
+  const double R_m02 = R->m02;
+  const double R_m12 = R->m12;
+  const double R_m22 = R->m22;
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = R_m02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = R_m12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = R_m22;
+}
+
+/* Do = D [R_z(θ) | 0], dc = (sin θ, cos θ).
+   D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddrz_fused(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
+  const double Do_00a = D->m00 * dc[1], Do_00 = fma(D->m01, dc[0], Do_00a);
+  const double Do_01a = D->m01 * dc[1], Do_01 = fma(-D->m00, dc[0], Do_01a);
+  const double Do_10a = D->m10 * dc[1], Do_10 = fma(D->m11, dc[0], Do_10a);
+  const double Do_11a = D->m11 * dc[1], Do_11 = fma(-D->m10, dc[0], Do_11a);
+  const double Do_20a = D->m20 * dc[1], Do_20 = fma(D->m21, dc[0], Do_20a);
+  const double Do_21a = D->m21 * dc[1], Do_21 = fma(-D->m20, dc[0], Do_21a);
+  const double D_m02 = D->m02;
+  const double D_m03 = D->m03;
+  const double D_m12 = D->m12;
+  const double D_m13 = D->m13;
+  const double D_m22 = D->m22;
+  const double D_m23 = D->m23;
+  Do->m00 = Do_00;
+  Do->m01 = Do_01;
+  Do->m02 = D_m02;
+  Do->m03 = D_m03;
+  Do->m10 = Do_10;
+  Do->m11 = Do_11;
+  Do->m12 = D_m12;
+  Do->m13 = D_m13;
+  Do->m20 = Do_20;
+  Do->m21 = Do_21;
+  Do->m22 = D_m22;
+  Do->m23 = D_m23;
+}
+
+/* Do = D [I | k e_z].
+   D, Do: displacement [R | t], R rotation, t in m; k: number.
+   3 fma.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_ddtz_fused(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
+  const double Do_03 = fma(D->m02, k, D->m03);
+  const double Do_13 = fma(D->m12, k, D->m13);
+  const double Do_23 = fma(D->m22, k, D->m23);
+  const double D_m00 = D->m00;
+  const double D_m01 = D->m01;
+  const double D_m02 = D->m02;
+  const double D_m10 = D->m10;
+  const double D_m11 = D->m11;
+  const double D_m12 = D->m12;
+  const double D_m20 = D->m20;
+  const double D_m21 = D->m21;
+  const double D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m01;
+  Do->m02 = D_m02;
+  Do->m03 = Do_03;
+  Do->m10 = D_m10;
+  Do->m11 = D_m11;
+  Do->m12 = D_m12;
+  Do->m13 = Do_13;
+  Do->m20 = D_m20;
+  Do->m21 = D_m21;
+  Do->m22 = D_m22;
+  Do->m23 = Do_23;
+}
+
+/* vo = R (-k e_z).
+   R: rotation or other 3×3 matrix; k: number; vo: vector.
+   3 mul, 3 neg.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_drvtzinv_fused(const ksl_mat3x3_t *R, const double k,
+    ksl_vec3_t *vo) {
+  const double vo_0a = R->m02 * k, vo_0 = -vo_0a;
+  const double vo_1a = R->m12 * k, vo_1 = -vo_1a;
+  const double vo_2a = R->m22 * k, vo_2 = -vo_2a;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* Ro = R R_z(-θ), dc = (sin θ, cos θ).
+   R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drdrzinv_fused(const ksl_mat3x3_t *R, const double dc[2],
+    ksl_mat3x3_t *Ro) {
+  const double Ro_00a = R->m00 * dc[1], Ro_00 = fma(-R->m01, dc[0], Ro_00a);
+  const double Ro_01a = R->m00 * dc[0], Ro_01 = fma(R->m01, dc[1], Ro_01a);
+  const double Ro_10a = R->m10 * dc[1], Ro_10 = fma(-R->m11, dc[0], Ro_10a);
+  const double Ro_11a = R->m10 * dc[0], Ro_11 = fma(R->m11, dc[1], Ro_11a);
+  const double Ro_20a = R->m20 * dc[1], Ro_20 = fma(-R->m21, dc[0], Ro_20a);
+  const double Ro_21a = R->m20 * dc[0], Ro_21 = fma(R->m21, dc[1], Ro_21a);
+  const double R_m02 = R->m02;
+  const double R_m12 = R->m12;
+  const double R_m22 = R->m22;
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = R_m02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = R_m12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = R_m22;
+}
+
+/* Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ).
+   D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddrzinv_fused(const ksl_SE3_t *D, const double dc[2],
+    ksl_SE3_t *Do) {
+  const double Do_00a = D->m00 * dc[1], Do_00 = fma(-D->m01, dc[0], Do_00a);
+  const double Do_01a = D->m00 * dc[0], Do_01 = fma(D->m01, dc[1], Do_01a);
+  const double Do_10a = D->m10 * dc[1], Do_10 = fma(-D->m11, dc[0], Do_10a);
+  const double Do_11a = D->m10 * dc[0], Do_11 = fma(D->m11, dc[1], Do_11a);
+  const double Do_20a = D->m20 * dc[1], Do_20 = fma(-D->m21, dc[0], Do_20a);
+  const double Do_21a = D->m20 * dc[0], Do_21 = fma(D->m21, dc[1], Do_21a);
+  const double D_m02 = D->m02;
+  const double D_m03 = D->m03;
+  const double D_m12 = D->m12;
+  const double D_m13 = D->m13;
+  const double D_m22 = D->m22;
+  const double D_m23 = D->m23;
+  Do->m00 = Do_00;
+  Do->m01 = Do_01;
+  Do->m02 = D_m02;
+  Do->m03 = D_m03;
+  Do->m10 = Do_10;
+  Do->m11 = Do_11;
+  Do->m12 = D_m12;
+  Do->m13 = D_m13;
+  Do->m20 = Do_20;
+  Do->m21 = Do_21;
+  Do->m22 = D_m22;
+  Do->m23 = D_m23;
+}
+
+/* Do = D [I | -k e_z].
+   D, Do: displacement [R | t], R rotation, t in m; k: number.
+   3 fma.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_ddtzinv_fused(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
+  const double Do_03 = fma(-D->m02, k, D->m03);
+  const double Do_13 = fma(-D->m12, k, D->m13);
+  const double Do_23 = fma(-D->m22, k, D->m23);
+  const double D_m00 = D->m00;
+  const double D_m01 = D->m01;
+  const double D_m02 = D->m02;
+  const double D_m10 = D->m10;
+  const double D_m11 = D->m11;
+  const double D_m12 = D->m12;
+  const double D_m20 = D->m20;
+  const double D_m21 = D->m21;
+  const double D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m01;
+  Do->m02 = D_m02;
+  Do->m03 = Do_03;
+  Do->m10 = D_m10;
+  Do->m11 = D_m11;
+  Do->m12 = D_m12;
+  Do->m13 = Do_13;
+  Do->m20 = D_m20;
+  Do->m21 = D_m21;
+  Do->m22 = D_m22;
+  Do->m23 = Do_23;
+}
+
+/* vo = R v.
+   R: rotation or other 3×3 matrix; v, vo: vector.
+   3 mul, 6 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drvf_fused(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
+    ksl_vec3f_t *vo) {
+  const float vo_0a = R->m00 * v->x, vo_0c = fmaf(R->m01, v->y, vo_0a),
+      vo_0 = fmaf(R->m02, v->z, vo_0c);
+  const float vo_1a = R->m10 * v->x, vo_1c = fmaf(R->m11, v->y, vo_1a),
+      vo_1 = fmaf(R->m12, v->z, vo_1c);
+  const float vo_2a = R->m20 * v->x, vo_2c = fmaf(R->m21, v->y, vo_2a),
+      vo_2 = fmaf(R->m22, v->z, vo_2c);
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = R (-v).
+   R: rotation or other 3×3 matrix; v, vo: vector.
+   3 mul, 6 fma, 3 neg.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drvinvf_fused(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
+    ksl_vec3f_t *vo) {
+  const float vo_0a = R->m00 * v->x, vo_0c = fmaf(R->m01, v->y, vo_0a),
+      vo_0e = fmaf(R->m02, v->z, vo_0c), vo_0 = -vo_0e;
+  const float vo_1a = R->m10 * v->x, vo_1c = fmaf(R->m11, v->y, vo_1a),
+      vo_1e = fmaf(R->m12, v->z, vo_1c), vo_1 = -vo_1e;
+  const float vo_2a = R->m20 * v->x, vo_2c = fmaf(R->m21, v->y, vo_2a),
+      vo_2e = fmaf(R->m22, v->z, vo_2c), vo_2 = -vo_2e;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = R^T v.
+   R: rotation or other 3×3 matrix; v, vo: vector.
+   3 mul, 6 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drinvvf_fused(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
+    ksl_vec3f_t *vo) {
+  const float vo_0a = R->m00 * v->x, vo_0c = fmaf(R->m10, v->y, vo_0a),
+      vo_0 = fmaf(R->m20, v->z, vo_0c);
+  const float vo_1a = R->m01 * v->x, vo_1c = fmaf(R->m11, v->y, vo_1a),
+      vo_1 = fmaf(R->m21, v->z, vo_1c);
+  const float vo_2a = R->m02 * v->x, vo_2c = fmaf(R->m12, v->y, vo_2a),
+      vo_2 = fmaf(R->m22, v->z, vo_2c);
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = R^T (-v).
+   R: rotation or other 3×3 matrix; v, vo: vector.
+   3 mul, 6 fma, 3 neg.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drinvvinvf_fused(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
+    ksl_vec3f_t *vo) {
+  const float vo_0a = R->m00 * v->x, vo_0c = fmaf(R->m10, v->y, vo_0a),
+      vo_0e = fmaf(R->m20, v->z, vo_0c), vo_0 = -vo_0e;
+  const float vo_1a = R->m01 * v->x, vo_1c = fmaf(R->m11, v->y, vo_1a),
+      vo_1e = fmaf(R->m21, v->z, vo_1c), vo_1 = -vo_1e;
+  const float vo_2a = R->m02 * v->x, vo_2c = fmaf(R->m12, v->y, vo_2a),
+      vo_2e = fmaf(R->m22, v->z, vo_2c), vo_2 = -vo_2e;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = R v + t.
+   D: displacement [R | t], R rotation, t in m; v, vo: vector.
+   3 mul, 3 add, 6 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_dvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *v,
+    ksl_vec3f_t *vo) {
+  const float vo_0a = D->m00 * v->x, vo_0c = fmaf(D->m01, v->y, vo_0a),
+      vo_0e = fmaf(D->m02, v->z, vo_0c), vo_0 = vo_0e + D->m03;
+  const float vo_1a = D->m10 * v->x, vo_1c = fmaf(D->m11, v->y, vo_1a),
+      vo_1e = fmaf(D->m12, v->z, vo_1c), vo_1 = vo_1e + D->m13;
+  const float vo_2a = D->m20 * v->x, vo_2c = fmaf(D->m21, v->y, vo_2a),
+      vo_2e = fmaf(D->m22, v->z, vo_2c), vo_2 = vo_2e + D->m23;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = R^T (v - t).
+   D: displacement [R | t], R rotation, t in m; v, vo: vector.
+   3 mul, 3 add, 6 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_dinvvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *v,
+    ksl_vec3f_t *vo) {
+  const float p_0 = v->x - D->m03;
+  const float p_1 = v->y - D->m13;
+  const float p_2 = v->z - D->m23;
+  const float vo_0a = D->m00 * p_0, vo_0c = fmaf(D->m10, p_1, vo_0a),
+      vo_0 = fmaf(D->m20, p_2, vo_0c);
+  const float vo_1a = D->m01 * p_0, vo_1c = fmaf(D->m11, p_1, vo_1a),
+      vo_1 = fmaf(D->m21, p_2, vo_1c);
+  const float vo_2a = D->m02 * p_0, vo_2c = fmaf(D->m12, p_1, vo_2a),
+      vo_2 = fmaf(D->m22, p_2, vo_2c);
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* Ro = R1 R2.
+   R1, R2, Ro: rotation or other 3×3 matrix.
+   9 mul, 18 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drdrf_fused(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
+    ksl_mat3x3f_t *Ro) {
+  const float Ro_00a = R1->m00 * R2->m00, Ro_00c = fmaf(R1->m01, R2->m10, Ro_00a),
+      Ro_00 = fmaf(R1->m02, R2->m20, Ro_00c);
+  const float Ro_01a = R1->m00 * R2->m01, Ro_01c = fmaf(R1->m01, R2->m11, Ro_01a),
+      Ro_01 = fmaf(R1->m02, R2->m21, Ro_01c);
+  const float Ro_02a = R1->m00 * R2->m02, Ro_02c = fmaf(R1->m01, R2->m12, Ro_02a),
+      Ro_02 = fmaf(R1->m02, R2->m22, Ro_02c);
+  const float Ro_10a = R1->m10 * R2->m00, Ro_10c = fmaf(R1->m11, R2->m10, Ro_10a),
+      Ro_10 = fmaf(R1->m12, R2->m20, Ro_10c);
+  const float Ro_11a = R1->m10 * R2->m01, Ro_11c = fmaf(R1->m11, R2->m11, Ro_11a),
+      Ro_11 = fmaf(R1->m12, R2->m21, Ro_11c);
+  const float Ro_12a = R1->m10 * R2->m02, Ro_12c = fmaf(R1->m11, R2->m12, Ro_12a),
+      Ro_12 = fmaf(R1->m12, R2->m22, Ro_12c);
+  const float Ro_20a = R1->m20 * R2->m00, Ro_20c = fmaf(R1->m21, R2->m10, Ro_20a),
+      Ro_20 = fmaf(R1->m22, R2->m20, Ro_20c);
+  const float Ro_21a = R1->m20 * R2->m01, Ro_21c = fmaf(R1->m21, R2->m11, Ro_21a),
+      Ro_21 = fmaf(R1->m22, R2->m21, Ro_21c);
+  const float Ro_22a = R1->m20 * R2->m02, Ro_22c = fmaf(R1->m21, R2->m12, Ro_22a),
+      Ro_22 = fmaf(R1->m22, R2->m22, Ro_22c);
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+}
+
+/* Ro = R1 R2^T.
+   R1, R2, Ro: rotation or other 3×3 matrix.
+   9 mul, 18 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drdrinvf_fused(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
+    ksl_mat3x3f_t *Ro) {
+  const float Ro_00a = R1->m00 * R2->m00, Ro_00c = fmaf(R1->m01, R2->m01, Ro_00a),
+      Ro_00 = fmaf(R1->m02, R2->m02, Ro_00c);
+  const float Ro_01a = R1->m00 * R2->m10, Ro_01c = fmaf(R1->m01, R2->m11, Ro_01a),
+      Ro_01 = fmaf(R1->m02, R2->m12, Ro_01c);
+  const float Ro_02a = R1->m00 * R2->m20, Ro_02c = fmaf(R1->m01, R2->m21, Ro_02a),
+      Ro_02 = fmaf(R1->m02, R2->m22, Ro_02c);
+  const float Ro_10a = R1->m10 * R2->m00, Ro_10c = fmaf(R1->m11, R2->m01, Ro_10a),
+      Ro_10 = fmaf(R1->m12, R2->m02, Ro_10c);
+  const float Ro_11a = R1->m10 * R2->m10, Ro_11c = fmaf(R1->m11, R2->m11, Ro_11a),
+      Ro_11 = fmaf(R1->m12, R2->m12, Ro_11c);
+  const float Ro_12a = R1->m10 * R2->m20, Ro_12c = fmaf(R1->m11, R2->m21, Ro_12a),
+      Ro_12 = fmaf(R1->m12, R2->m22, Ro_12c);
+  const float Ro_20a = R1->m20 * R2->m00, Ro_20c = fmaf(R1->m21, R2->m01, Ro_20a),
+      Ro_20 = fmaf(R1->m22, R2->m02, Ro_20c);
+  const float Ro_21a = R1->m20 * R2->m10, Ro_21c = fmaf(R1->m21, R2->m11, Ro_21a),
+      Ro_21 = fmaf(R1->m22, R2->m12, Ro_21c);
+  const float Ro_22a = R1->m20 * R2->m20, Ro_22c = fmaf(R1->m21, R2->m21, Ro_22a),
+      Ro_22 = fmaf(R1->m22, R2->m22, Ro_22c);
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+}
+
+/* Ro = R1^T R2.
+   R1, R2, Ro: rotation or other 3×3 matrix.
+   9 mul, 18 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drinvdrf_fused(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
+    ksl_mat3x3f_t *Ro) {
+  const float Ro_00a = R1->m00 * R2->m00, Ro_00c = fmaf(R1->m10, R2->m10, Ro_00a),
+      Ro_00 = fmaf(R1->m20, R2->m20, Ro_00c);
+  const float Ro_01a = R1->m00 * R2->m01, Ro_01c = fmaf(R1->m10, R2->m11, Ro_01a),
+      Ro_01 = fmaf(R1->m20, R2->m21, Ro_01c);
+  const float Ro_02a = R1->m00 * R2->m02, Ro_02c = fmaf(R1->m10, R2->m12, Ro_02a),
+      Ro_02 = fmaf(R1->m20, R2->m22, Ro_02c);
+  const float Ro_10a = R1->m01 * R2->m00, Ro_10c = fmaf(R1->m11, R2->m10, Ro_10a),
+      Ro_10 = fmaf(R1->m21, R2->m20, Ro_10c);
+  const float Ro_11a = R1->m01 * R2->m01, Ro_11c = fmaf(R1->m11, R2->m11, Ro_11a),
+      Ro_11 = fmaf(R1->m21, R2->m21, Ro_11c);
+  const float Ro_12a = R1->m01 * R2->m02, Ro_12c = fmaf(R1->m11, R2->m12, Ro_12a),
+      Ro_12 = fmaf(R1->m21, R2->m22, Ro_12c);
+  const float Ro_20a = R1->m02 * R2->m00, Ro_20c = fmaf(R1->m12, R2->m10, Ro_20a),
+      Ro_20 = fmaf(R1->m22, R2->m20, Ro_20c);
+  const float Ro_21a = R1->m02 * R2->m01, Ro_21c = fmaf(R1->m12, R2->m11, Ro_21a),
+      Ro_21 = fmaf(R1->m22, R2->m21, Ro_21c);
+  const float Ro_22a = R1->m02 * R2->m02, Ro_22c = fmaf(R1->m12, R2->m12, Ro_22a),
+      Ro_22 = fmaf(R1->m22, R2->m22, Ro_22c);
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+}
+
+/* Do = D1 D2 = [R1 R2 | R1 t2 + t1].
+   D1, D2, Do: displacement [R | t], R rotation, t in m.
+   12 mul, 3 add, 24 fma.
+   Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddf_fused(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
+    ksl_SE3f_t *Do) {
+  const float Do_00a = D1->m00 * D2->m00, Do_00c = fmaf(D1->m01, D2->m10, Do_00a),
+      Do_00 = fmaf(D1->m02, D2->m20, Do_00c);
+  const float Do_01a = D1->m00 * D2->m01, Do_01c = fmaf(D1->m01, D2->m11, Do_01a),
+      Do_01 = fmaf(D1->m02, D2->m21, Do_01c);
+  const float Do_02a = D1->m00 * D2->m02, Do_02c = fmaf(D1->m01, D2->m12, Do_02a),
+      Do_02 = fmaf(D1->m02, D2->m22, Do_02c);
+  const float Do_03a = D1->m00 * D2->m03, Do_03c = fmaf(D1->m01, D2->m13, Do_03a),
+      Do_03e = fmaf(D1->m02, D2->m23, Do_03c), Do_03 = Do_03e + D1->m03;
+  const float Do_10a = D1->m10 * D2->m00, Do_10c = fmaf(D1->m11, D2->m10, Do_10a),
+      Do_10 = fmaf(D1->m12, D2->m20, Do_10c);
+  const float Do_11a = D1->m10 * D2->m01, Do_11c = fmaf(D1->m11, D2->m11, Do_11a),
+      Do_11 = fmaf(D1->m12, D2->m21, Do_11c);
+  const float Do_12a = D1->m10 * D2->m02, Do_12c = fmaf(D1->m11, D2->m12, Do_12a),
+      Do_12 = fmaf(D1->m12, D2->m22, Do_12c);
+  const float Do_13a = D1->m10 * D2->m03, Do_13c = fmaf(D1->m11, D2->m13, Do_13a),
+      Do_13e = fmaf(D1->m12, D2->m23, Do_13c), Do_13 = Do_13e + D1->m13;
+  const float Do_20a = D1->m20 * D2->m00, Do_20c = fmaf(D1->m21, D2->m10, Do_20a),
+      Do_20 = fmaf(D1->m22, D2->m20, Do_20c);
+  const float Do_21a = D1->m20 * D2->m01, Do_21c = fmaf(D1->m21, D2->m11, Do_21a),
+      Do_21 = fmaf(D1->m22, D2->m21, Do_21c);
+  const float Do_22a = D1->m20 * D2->m02, Do_22c = fmaf(D1->m21, D2->m12, Do_22a),
+      Do_22 = fmaf(D1->m22, D2->m22, Do_22c);
+  const float Do_23a = D1->m20 * D2->m03, Do_23c = fmaf(D1->m21, D2->m13, Do_23a),
+      Do_23e = fmaf(D1->m22, D2->m23, Do_23c), Do_23 = Do_23e + D1->m23;
+  Do->m00 = Do_00;
+  Do->m01 = Do_01;
+  Do->m02 = Do_02;
+  Do->m03 = Do_03;
+  Do->m10 = Do_10;
+  Do->m11 = Do_11;
+  Do->m12 = Do_12;
+  Do->m13 = Do_13;
+  Do->m20 = Do_20;
+  Do->m21 = Do_21;
+  Do->m22 = Do_22;
+  Do->m23 = Do_23;
+}
+
+/* Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T.
+   D1, D2, Do: displacement [R | t], R rotation, t in m.
+   12 mul, 3 add, 24 fma.
+   Error <= u |result| + (R: 2, t: 6) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddinvf_fused(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
+    ksl_SE3f_t *Do) {
+  const float R_0a = D1->m00 * D2->m00, R_0c = fmaf(D1->m01, D2->m01, R_0a),
+      R_0 = fmaf(D1->m02, D2->m02, R_0c);
+  const float R_1a = D1->m00 * D2->m10, R_1c = fmaf(D1->m01, D2->m11, R_1a),
+      R_1 = fmaf(D1->m02, D2->m12, R_1c);
+  const float R_2a = D1->m00 * D2->m20, R_2c = fmaf(D1->m01, D2->m21, R_2a),
+      R_2 = fmaf(D1->m02, D2->m22, R_2c);
+  const float R_3a = D1->m10 * D2->m00, R_3c = fmaf(D1->m11, D2->m01, R_3a),
+      R_3 = fmaf(D1->m12, D2->m02, R_3c);
+  const float R_4a = D1->m10 * D2->m10, R_4c = fmaf(D1->m11, D2->m11, R_4a),
+      R_4 = fmaf(D1->m12, D2->m12, R_4c);
+  const float R_5a = D1->m10 * D2->m20, R_5c = fmaf(D1->m11, D2->m21, R_5a),
+      R_5 = fmaf(D1->m12, D2->m22, R_5c);
+  const float R_6a = D1->m20 * D2->m00, R_6c = fmaf(D1->m21, D2->m01, R_6a),
+      R_6 = fmaf(D1->m22, D2->m02, R_6c);
+  const float R_7a = D1->m20 * D2->m10, R_7c = fmaf(D1->m21, D2->m11, R_7a),
+      R_7 = fmaf(D1->m22, D2->m12, R_7c);
+  const float R_8a = D1->m20 * D2->m20, R_8c = fmaf(D1->m21, D2->m21, R_8a),
+      R_8 = fmaf(D1->m22, D2->m22, R_8c);
+  const float Do_03a = D2->m03 * R_0, Do_03c = fmaf(D2->m13, R_1, Do_03a),
+      Do_03e = fmaf(D2->m23, R_2, Do_03c), Do_03 = D1->m03 - Do_03e;
+  const float Do_13a = D2->m03 * R_3, Do_13c = fmaf(D2->m13, R_4, Do_13a),
+      Do_13e = fmaf(D2->m23, R_5, Do_13c), Do_13 = D1->m13 - Do_13e;
+  const float Do_23a = D2->m03 * R_6, Do_23c = fmaf(D2->m13, R_7, Do_23a),
+      Do_23e = fmaf(D2->m23, R_8, Do_23c), Do_23 = D1->m23 - Do_23e;
+  Do->m00 = R_0;
+  Do->m01 = R_1;
+  Do->m02 = R_2;
+  Do->m03 = Do_03;
+  Do->m10 = R_3;
+  Do->m11 = R_4;
+  Do->m12 = R_5;
+  Do->m13 = Do_13;
+  Do->m20 = R_6;
+  Do->m21 = R_7;
+  Do->m22 = R_8;
+  Do->m23 = Do_23;
+}
+
+/* Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)].
+   D1, D2, Do: displacement [R | t], R rotation, t in m.
+   12 mul, 3 add, 24 fma.
+   Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_dinvdf_fused(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
+    ksl_SE3f_t *Do) {
+  const float p_0 = D2->m03 - D1->m03;
+  const float p_1 = D2->m13 - D1->m13;
+  const float p_2 = D2->m23 - D1->m23;
+  const float Do_00a = D1->m00 * D2->m00, Do_00c = fmaf(D1->m10, D2->m10, Do_00a),
+      Do_00 = fmaf(D1->m20, D2->m20, Do_00c);
+  const float Do_01a = D1->m00 * D2->m01, Do_01c = fmaf(D1->m10, D2->m11, Do_01a),
+      Do_01 = fmaf(D1->m20, D2->m21, Do_01c);
+  const float Do_02a = D1->m00 * D2->m02, Do_02c = fmaf(D1->m10, D2->m12, Do_02a),
+      Do_02 = fmaf(D1->m20, D2->m22, Do_02c);
+  const float Do_03a = D1->m00 * p_0, Do_03c = fmaf(D1->m10, p_1, Do_03a),
+      Do_03 = fmaf(D1->m20, p_2, Do_03c);
+  const float Do_10a = D1->m01 * D2->m00, Do_10c = fmaf(D1->m11, D2->m10, Do_10a),
+      Do_10 = fmaf(D1->m21, D2->m20, Do_10c);
+  const float Do_11a = D1->m01 * D2->m01, Do_11c = fmaf(D1->m11, D2->m11, Do_11a),
+      Do_11 = fmaf(D1->m21, D2->m21, Do_11c);
+  const float Do_12a = D1->m01 * D2->m02, Do_12c = fmaf(D1->m11, D2->m12, Do_12a),
+      Do_12 = fmaf(D1->m21, D2->m22, Do_12c);
+  const float Do_13a = D1->m01 * p_0, Do_13c = fmaf(D1->m11, p_1, Do_13a),
+      Do_13 = fmaf(D1->m21, p_2, Do_13c);
+  const float Do_20a = D1->m02 * D2->m00, Do_20c = fmaf(D1->m12, D2->m10, Do_20a),
+      Do_20 = fmaf(D1->m22, D2->m20, Do_20c);
+  const float Do_21a = D1->m02 * D2->m01, Do_21c = fmaf(D1->m12, D2->m11, Do_21a),
+      Do_21 = fmaf(D1->m22, D2->m21, Do_21c);
+  const float Do_22a = D1->m02 * D2->m02, Do_22c = fmaf(D1->m12, D2->m12, Do_22a),
+      Do_22 = fmaf(D1->m22, D2->m22, Do_22c);
+  const float Do_23a = D1->m02 * p_0, Do_23c = fmaf(D1->m12, p_1, Do_23a),
+      Do_23 = fmaf(D1->m22, p_2, Do_23c);
+  Do->m00 = Do_00;
+  Do->m01 = Do_01;
+  Do->m02 = Do_02;
+  Do->m03 = Do_03;
+  Do->m10 = Do_10;
+  Do->m11 = Do_11;
+  Do->m12 = Do_12;
+  Do->m13 = Do_13;
+  Do->m20 = Do_20;
+  Do->m21 = Do_21;
+  Do->m22 = Do_22;
+  Do->m23 = Do_23;
+}
+
+/* Do = D [R | 0].
+   D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
+   9 mul, 18 fma.
+   Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddrf_fused(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
+    ksl_SE3f_t *Do) {
+  const float Do_00a = D->m00 * R->m00, Do_00c = fmaf(D->m01, R->m10, Do_00a),
+      Do_00 = fmaf(D->m02, R->m20, Do_00c);
+  const float Do_01a = D->m00 * R->m01, Do_01c = fmaf(D->m01, R->m11, Do_01a),
+      Do_01 = fmaf(D->m02, R->m21, Do_01c);
+  const float Do_02a = D->m00 * R->m02, Do_02c = fmaf(D->m01, R->m12, Do_02a),
+      Do_02 = fmaf(D->m02, R->m22, Do_02c);
+  const float Do_10a = D->m10 * R->m00, Do_10c = fmaf(D->m11, R->m10, Do_10a),
+      Do_10 = fmaf(D->m12, R->m20, Do_10c);
+  const float Do_11a = D->m10 * R->m01, Do_11c = fmaf(D->m11, R->m11, Do_11a),
+      Do_11 = fmaf(D->m12, R->m21, Do_11c);
+  const float Do_12a = D->m10 * R->m02, Do_12c = fmaf(D->m11, R->m12, Do_12a),
+      Do_12 = fmaf(D->m12, R->m22, Do_12c);
+  const float Do_20a = D->m20 * R->m00, Do_20c = fmaf(D->m21, R->m10, Do_20a),
+      Do_20 = fmaf(D->m22, R->m20, Do_20c);
+  const float Do_21a = D->m20 * R->m01, Do_21c = fmaf(D->m21, R->m11, Do_21a),
+      Do_21 = fmaf(D->m22, R->m21, Do_21c);
+  const float Do_22a = D->m20 * R->m02, Do_22c = fmaf(D->m21, R->m12, Do_22a),
+      Do_22 = fmaf(D->m22, R->m22, Do_22c);
+  const float D_m03 = D->m03;
+  const float D_m13 = D->m13;
+  const float D_m23 = D->m23;
+  Do->m00 = Do_00;
+  Do->m01 = Do_01;
+  Do->m02 = Do_02;
+  Do->m03 = D_m03;
+  Do->m10 = Do_10;
+  Do->m11 = Do_11;
+  Do->m12 = Do_12;
+  Do->m13 = D_m13;
+  Do->m20 = Do_20;
+  Do->m21 = Do_21;
+  Do->m22 = Do_22;
+  Do->m23 = D_m23;
+}
+
+/* Do = D [R^T | 0].
+   D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
+   9 mul, 18 fma.
+   Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddrinvf_fused(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
+    ksl_SE3f_t *Do) {
+  const float Do_00a = D->m00 * R->m00, Do_00c = fmaf(D->m01, R->m01, Do_00a),
+      Do_00 = fmaf(D->m02, R->m02, Do_00c);
+  const float Do_01a = D->m00 * R->m10, Do_01c = fmaf(D->m01, R->m11, Do_01a),
+      Do_01 = fmaf(D->m02, R->m12, Do_01c);
+  const float Do_02a = D->m00 * R->m20, Do_02c = fmaf(D->m01, R->m21, Do_02a),
+      Do_02 = fmaf(D->m02, R->m22, Do_02c);
+  const float Do_10a = D->m10 * R->m00, Do_10c = fmaf(D->m11, R->m01, Do_10a),
+      Do_10 = fmaf(D->m12, R->m02, Do_10c);
+  const float Do_11a = D->m10 * R->m10, Do_11c = fmaf(D->m11, R->m11, Do_11a),
+      Do_11 = fmaf(D->m12, R->m12, Do_11c);
+  const float Do_12a = D->m10 * R->m20, Do_12c = fmaf(D->m11, R->m21, Do_12a),
+      Do_12 = fmaf(D->m12, R->m22, Do_12c);
+  const float Do_20a = D->m20 * R->m00, Do_20c = fmaf(D->m21, R->m01, Do_20a),
+      Do_20 = fmaf(D->m22, R->m02, Do_20c);
+  const float Do_21a = D->m20 * R->m10, Do_21c = fmaf(D->m21, R->m11, Do_21a),
+      Do_21 = fmaf(D->m22, R->m12, Do_21c);
+  const float Do_22a = D->m20 * R->m20, Do_22c = fmaf(D->m21, R->m21, Do_22a),
+      Do_22 = fmaf(D->m22, R->m22, Do_22c);
+  const float D_m03 = D->m03;
+  const float D_m13 = D->m13;
+  const float D_m23 = D->m23;
+  Do->m00 = Do_00;
+  Do->m01 = Do_01;
+  Do->m02 = Do_02;
+  Do->m03 = D_m03;
+  Do->m10 = Do_10;
+  Do->m11 = Do_11;
+  Do->m12 = Do_12;
+  Do->m13 = D_m13;
+  Do->m20 = Do_20;
+  Do->m21 = Do_21;
+  Do->m22 = Do_22;
+  Do->m23 = D_m23;
+}
+
+/* Do = D [I | t].
+   D, Do: displacement [R | t], R rotation, t in m; t: vector.
+   3 mul, 3 add, 6 fma.
+   Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddtf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *t,
+    ksl_SE3f_t *Do) {
+  const float Do_03a = D->m00 * t->x, Do_03c = fmaf(D->m01, t->y, Do_03a),
+      Do_03e = fmaf(D->m02, t->z, Do_03c), Do_03 = Do_03e + D->m03;
+  const float Do_13a = D->m10 * t->x, Do_13c = fmaf(D->m11, t->y, Do_13a),
+      Do_13e = fmaf(D->m12, t->z, Do_13c), Do_13 = Do_13e + D->m13;
+  const float Do_23a = D->m20 * t->x, Do_23c = fmaf(D->m21, t->y, Do_23a),
+      Do_23e = fmaf(D->m22, t->z, Do_23c), Do_23 = Do_23e + D->m23;
+  const float D_m00 = D->m00;
+  const float D_m01 = D->m01;
+  const float D_m02 = D->m02;
+  const float D_m10 = D->m10;
+  const float D_m11 = D->m11;
+  const float D_m12 = D->m12;
+  const float D_m20 = D->m20;
+  const float D_m21 = D->m21;
+  const float D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m01;
+  Do->m02 = D_m02;
+  Do->m03 = Do_03;
+  Do->m10 = D_m10;
+  Do->m11 = D_m11;
+  Do->m12 = D_m12;
+  Do->m13 = Do_13;
+  Do->m20 = D_m20;
+  Do->m21 = D_m21;
+  Do->m22 = D_m22;
+  Do->m23 = Do_23;
+}
+
+/* Do = D [I | -t].
+   D, Do: displacement [R | t], R rotation, t in m; t: vector.
+   3 mul, 3 add, 6 fma.
+   Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddtinvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *t,
+    ksl_SE3f_t *Do) {
+  const float Do_03a = D->m00 * t->x, Do_03c = fmaf(D->m01, t->y, Do_03a),
+      Do_03e = fmaf(D->m02, t->z, Do_03c), Do_03 = D->m03 - Do_03e;
+  const float Do_13a = D->m10 * t->x, Do_13c = fmaf(D->m11, t->y, Do_13a),
+      Do_13e = fmaf(D->m12, t->z, Do_13c), Do_13 = D->m13 - Do_13e;
+  const float Do_23a = D->m20 * t->x, Do_23c = fmaf(D->m21, t->y, Do_23a),
+      Do_23e = fmaf(D->m22, t->z, Do_23c), Do_23 = D->m23 - Do_23e;
+  const float D_m00 = D->m00;
+  const float D_m01 = D->m01;
+  const float D_m02 = D->m02;
+  const float D_m10 = D->m10;
+  const float D_m11 = D->m11;
+  const float D_m12 = D->m12;
+  const float D_m20 = D->m20;
+  const float D_m21 = D->m21;
+  const float D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m01;
+  Do->m02 = D_m02;
+  Do->m03 = Do_03;
+  Do->m10 = D_m10;
+  Do->m11 = D_m11;
+  Do->m12 = D_m12;
+  Do->m13 = Do_13;
+  Do->m20 = D_m20;
+  Do->m21 = D_m21;
+  Do->m22 = D_m22;
+  Do->m23 = Do_23;
+}
+
+/* Do = D^-1 [I | t] = [R^T | R^T (t - t_D)].
+   D, Do: displacement [R | t], R rotation, t in m; t: vector.
+   3 mul, 3 add, 6 fma.
+   Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_dinvdtf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *t,
+    ksl_SE3f_t *Do) {
+  const float p_0 = t->x - D->m03;
+  const float p_1 = t->y - D->m13;
+  const float p_2 = t->z - D->m23;
+  const float Do_03a = D->m00 * p_0, Do_03c = fmaf(D->m10, p_1, Do_03a),
+      Do_03 = fmaf(D->m20, p_2, Do_03c);
+  const float Do_13a = D->m01 * p_0, Do_13c = fmaf(D->m11, p_1, Do_13a),
+      Do_13 = fmaf(D->m21, p_2, Do_13c);
+  const float Do_23a = D->m02 * p_0, Do_23c = fmaf(D->m12, p_1, Do_23a),
+      Do_23 = fmaf(D->m22, p_2, Do_23c);
+  const float D_m00 = D->m00;
+  const float D_m10 = D->m10;
+  const float D_m20 = D->m20;
+  const float D_m01 = D->m01;
+  const float D_m11 = D->m11;
+  const float D_m21 = D->m21;
+  const float D_m02 = D->m02;
+  const float D_m12 = D->m12;
+  const float D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m10;
+  Do->m02 = D_m20;
+  Do->m03 = Do_03;
+  Do->m10 = D_m01;
+  Do->m11 = D_m11;
+  Do->m12 = D_m21;
+  Do->m13 = Do_13;
+  Do->m20 = D_m02;
+  Do->m21 = D_m12;
+  Do->m22 = D_m22;
+  Do->m23 = Do_23;
+}
+
+/* vo = R (k e_x).
+   R: rotation or other 3×3 matrix; k: number; vo: vector.
+   3 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_drvtxf_fused(const ksl_mat3x3f_t *R, const float k,
+    ksl_vec3f_t *vo) {
+  const float vo_0 = R->m00 * k;
+  const float vo_1 = R->m10 * k;
+  const float vo_2 = R->m20 * k;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* Ro = R R_x(θ), dc = (sin θ, cos θ).
+   R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drdrxf_fused(const ksl_mat3x3f_t *R, const float dc[2],
+    ksl_mat3x3f_t *Ro) {
+  const float Ro_01a = R->m01 * dc[1], Ro_01 = fmaf(R->m02, dc[0], Ro_01a);
+  const float Ro_02a = R->m02 * dc[1], Ro_02 = fmaf(-R->m01, dc[0], Ro_02a);
+  const float Ro_11a = R->m11 * dc[1], Ro_11 = fmaf(R->m12, dc[0], Ro_11a);
+  const float Ro_12a = R->m12 * dc[1], Ro_12 = fmaf(-R->m11, dc[0], Ro_12a);
+  const float Ro_21a = R->m21 * dc[1], Ro_21 = fmaf(R->m22, dc[0], Ro_21a);
+  const float Ro_22a = R->m22 * dc[1], Ro_22 = fmaf(-R->m21, dc[0], Ro_22a);
+  const float R_m00 = R->m00;
+  const float R_m10 = R->m10;
+  const float R_m20 = R->m20;
+  Ro->m00 = R_m00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = R_m10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = R_m20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+}
+
+/* Do = D [R_x(θ) | 0], dc = (sin θ, cos θ).
+   D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddrxf_fused(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
+  const float Do_01a = D->m01 * dc[1], Do_01 = fmaf(D->m02, dc[0], Do_01a);
+  const float Do_02a = D->m02 * dc[1], Do_02 = fmaf(-D->m01, dc[0], Do_02a);
+  const float Do_11a = D->m11 * dc[1], Do_11 = fmaf(D->m12, dc[0], Do_11a);
+  const float Do_12a = D->m12 * dc[1], Do_12 = fmaf(-D->m11, dc[0], Do_12a);
+  const float Do_21a = D->m21 * dc[1], Do_21 = fmaf(D->m22, dc[0], Do_21a);
+  const float Do_22a = D->m22 * dc[1], Do_22 = fmaf(-D->m21, dc[0], Do_22a);
+  const float D_m00 = D->m00;
+  const float D_m03 = D->m03;
+  const float D_m10 = D->m10;
+  const float D_m13 = D->m13;
+  const float D_m20 = D->m20;
+  const float D_m23 = D->m23;
+  Do->m00 = D_m00;
+  Do->m01 = Do_01;
+  Do->m02 = Do_02;
+  Do->m03 = D_m03;
+  Do->m10 = D_m10;
+  Do->m11 = Do_11;
+  Do->m12 = Do_12;
+  Do->m13 = D_m13;
+  Do->m20 = D_m20;
+  Do->m21 = Do_21;
+  Do->m22 = Do_22;
+  Do->m23 = D_m23;
+}
+
+/* Do = D [I | k e_x].
+   D, Do: displacement [R | t], R rotation, t in m; k: number.
+   3 fma.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_ddtxf_fused(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
+  const float Do_03 = fmaf(D->m00, k, D->m03);
+  const float Do_13 = fmaf(D->m10, k, D->m13);
+  const float Do_23 = fmaf(D->m20, k, D->m23);
+  const float D_m00 = D->m00;
+  const float D_m01 = D->m01;
+  const float D_m02 = D->m02;
+  const float D_m10 = D->m10;
+  const float D_m11 = D->m11;
+  const float D_m12 = D->m12;
+  const float D_m20 = D->m20;
+  const float D_m21 = D->m21;
+  const float D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m01;
+  Do->m02 = D_m02;
+  Do->m03 = Do_03;
+  Do->m10 = D_m10;
+  Do->m11 = D_m11;
+  Do->m12 = D_m12;
+  Do->m13 = Do_13;
+  Do->m20 = D_m20;
+  Do->m21 = D_m21;
+  Do->m22 = D_m22;
+  Do->m23 = Do_23;
+}
+
+/* vo = R (-k e_x).
+   R: rotation or other 3×3 matrix; k: number; vo: vector.
+   3 mul, 3 neg.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_drvtxinvf_fused(const ksl_mat3x3f_t *R, const float k,
+    ksl_vec3f_t *vo) {
+  const float vo_0a = R->m00 * k, vo_0 = -vo_0a;
+  const float vo_1a = R->m10 * k, vo_1 = -vo_1a;
+  const float vo_2a = R->m20 * k, vo_2 = -vo_2a;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* Ro = R R_x(-θ), dc = (sin θ, cos θ).
+   R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drdrxinvf_fused(const ksl_mat3x3f_t *R, const float dc[2],
+    ksl_mat3x3f_t *Ro) {
+  const float Ro_01a = R->m01 * dc[1], Ro_01 = fmaf(-R->m02, dc[0], Ro_01a);
+  const float Ro_02a = R->m01 * dc[0], Ro_02 = fmaf(R->m02, dc[1], Ro_02a);
+  const float Ro_11a = R->m11 * dc[1], Ro_11 = fmaf(-R->m12, dc[0], Ro_11a);
+  const float Ro_12a = R->m11 * dc[0], Ro_12 = fmaf(R->m12, dc[1], Ro_12a);
+  const float Ro_21a = R->m21 * dc[1], Ro_21 = fmaf(-R->m22, dc[0], Ro_21a);
+  const float Ro_22a = R->m21 * dc[0], Ro_22 = fmaf(R->m22, dc[1], Ro_22a);
+  const float R_m00 = R->m00;
+  const float R_m10 = R->m10;
+  const float R_m20 = R->m20;
+  Ro->m00 = R_m00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = R_m10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = R_m20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+}
+
+/* Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ).
+   D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddrxinvf_fused(const ksl_SE3f_t *D, const float dc[2],
+    ksl_SE3f_t *Do) {
+  const float Do_01a = D->m01 * dc[1], Do_01 = fmaf(-D->m02, dc[0], Do_01a);
+  const float Do_02a = D->m01 * dc[0], Do_02 = fmaf(D->m02, dc[1], Do_02a);
+  const float Do_11a = D->m11 * dc[1], Do_11 = fmaf(-D->m12, dc[0], Do_11a);
+  const float Do_12a = D->m11 * dc[0], Do_12 = fmaf(D->m12, dc[1], Do_12a);
+  const float Do_21a = D->m21 * dc[1], Do_21 = fmaf(-D->m22, dc[0], Do_21a);
+  const float Do_22a = D->m21 * dc[0], Do_22 = fmaf(D->m22, dc[1], Do_22a);
+  const float D_m00 = D->m00;
+  const float D_m03 = D->m03;
+  const float D_m10 = D->m10;
+  const float D_m13 = D->m13;
+  const float D_m20 = D->m20;
+  const float D_m23 = D->m23;
+  Do->m00 = D_m00;
+  Do->m01 = Do_01;
+  Do->m02 = Do_02;
+  Do->m03 = D_m03;
+  Do->m10 = D_m10;
+  Do->m11 = Do_11;
+  Do->m12 = Do_12;
+  Do->m13 = D_m13;
+  Do->m20 = D_m20;
+  Do->m21 = Do_21;
+  Do->m22 = Do_22;
+  Do->m23 = D_m23;
+}
+
+/* Do = D [I | -k e_x].
+   D, Do: displacement [R | t], R rotation, t in m; k: number.
+   3 fma.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_ddtxinvf_fused(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
+  const float Do_03 = fmaf(-D->m00, k, D->m03);
+  const float Do_13 = fmaf(-D->m10, k, D->m13);
+  const float Do_23 = fmaf(-D->m20, k, D->m23);
+  const float D_m00 = D->m00;
+  const float D_m01 = D->m01;
+  const float D_m02 = D->m02;
+  const float D_m10 = D->m10;
+  const float D_m11 = D->m11;
+  const float D_m12 = D->m12;
+  const float D_m20 = D->m20;
+  const float D_m21 = D->m21;
+  const float D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m01;
+  Do->m02 = D_m02;
+  Do->m03 = Do_03;
+  Do->m10 = D_m10;
+  Do->m11 = D_m11;
+  Do->m12 = D_m12;
+  Do->m13 = Do_13;
+  Do->m20 = D_m20;
+  Do->m21 = D_m21;
+  Do->m22 = D_m22;
+  Do->m23 = Do_23;
+}
+
+/* vo = R (k e_y).
+   R: rotation or other 3×3 matrix; k: number; vo: vector.
+   3 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_drvtyf_fused(const ksl_mat3x3f_t *R, const float k,
+    ksl_vec3f_t *vo) {
+  const float vo_0 = R->m01 * k;
+  const float vo_1 = R->m11 * k;
+  const float vo_2 = R->m21 * k;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* Ro = R R_y(θ), dc = (sin θ, cos θ).
+   R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drdryf_fused(const ksl_mat3x3f_t *R, const float dc[2],
+    ksl_mat3x3f_t *Ro) {
+  const float Ro_00a = R->m00 * dc[1], Ro_00 = fmaf(-R->m02, dc[0], Ro_00a);
+  const float Ro_02a = R->m00 * dc[0], Ro_02 = fmaf(R->m02, dc[1], Ro_02a);
+  const float Ro_10a = R->m10 * dc[1], Ro_10 = fmaf(-R->m12, dc[0], Ro_10a);
+  const float Ro_12a = R->m10 * dc[0], Ro_12 = fmaf(R->m12, dc[1], Ro_12a);
+  const float Ro_20a = R->m20 * dc[1], Ro_20 = fmaf(-R->m22, dc[0], Ro_20a);
+  const float Ro_22a = R->m20 * dc[0], Ro_22 = fmaf(R->m22, dc[1], Ro_22a);
+  const float R_m01 = R->m01;
+  const float R_m11 = R->m11;
+  const float R_m21 = R->m21;
+  Ro->m00 = Ro_00;
+  Ro->m01 = R_m01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = R_m11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = R_m21;
+  Ro->m22 = Ro_22;
+}
+
+/* Do = D [R_y(θ) | 0], dc = (sin θ, cos θ).
+   D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddryf_fused(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
+  const float Do_00a = D->m00 * dc[1], Do_00 = fmaf(-D->m02, dc[0], Do_00a);
+  const float Do_02a = D->m00 * dc[0], Do_02 = fmaf(D->m02, dc[1], Do_02a);
+  const float Do_10a = D->m10 * dc[1], Do_10 = fmaf(-D->m12, dc[0], Do_10a);
+  const float Do_12a = D->m10 * dc[0], Do_12 = fmaf(D->m12, dc[1], Do_12a);
+  const float Do_20a = D->m20 * dc[1], Do_20 = fmaf(-D->m22, dc[0], Do_20a);
+  const float Do_22a = D->m20 * dc[0], Do_22 = fmaf(D->m22, dc[1], Do_22a);
+  const float D_m01 = D->m01;
+  const float D_m03 = D->m03;
+  const float D_m11 = D->m11;
+  const float D_m13 = D->m13;
+  const float D_m21 = D->m21;
+  const float D_m23 = D->m23;
+  Do->m00 = Do_00;
+  Do->m01 = D_m01;
+  Do->m02 = Do_02;
+  Do->m03 = D_m03;
+  Do->m10 = Do_10;
+  Do->m11 = D_m11;
+  Do->m12 = Do_12;
+  Do->m13 = D_m13;
+  Do->m20 = Do_20;
+  Do->m21 = D_m21;
+  Do->m22 = Do_22;
+  Do->m23 = D_m23;
+}
+
+/* Do = D [I | k e_y].
+   D, Do: displacement [R | t], R rotation, t in m; k: number.
+   3 fma.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_ddtyf_fused(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
+  const float Do_03 = fmaf(D->m01, k, D->m03);
+  const float Do_13 = fmaf(D->m11, k, D->m13);
+  const float Do_23 = fmaf(D->m21, k, D->m23);
+  const float D_m00 = D->m00;
+  const float D_m01 = D->m01;
+  const float D_m02 = D->m02;
+  const float D_m10 = D->m10;
+  const float D_m11 = D->m11;
+  const float D_m12 = D->m12;
+  const float D_m20 = D->m20;
+  const float D_m21 = D->m21;
+  const float D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m01;
+  Do->m02 = D_m02;
+  Do->m03 = Do_03;
+  Do->m10 = D_m10;
+  Do->m11 = D_m11;
+  Do->m12 = D_m12;
+  Do->m13 = Do_13;
+  Do->m20 = D_m20;
+  Do->m21 = D_m21;
+  Do->m22 = D_m22;
+  Do->m23 = Do_23;
+}
+
+/* vo = R (-k e_y).
+   R: rotation or other 3×3 matrix; k: number; vo: vector.
+   3 mul, 3 neg.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_drvtyinvf_fused(const ksl_mat3x3f_t *R, const float k,
+    ksl_vec3f_t *vo) {
+  const float vo_0a = R->m01 * k, vo_0 = -vo_0a;
+  const float vo_1a = R->m11 * k, vo_1 = -vo_1a;
+  const float vo_2a = R->m21 * k, vo_2 = -vo_2a;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* Ro = R R_y(-θ), dc = (sin θ, cos θ).
+   R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drdryinvf_fused(const ksl_mat3x3f_t *R, const float dc[2],
+    ksl_mat3x3f_t *Ro) {
+  const float Ro_00a = R->m00 * dc[1], Ro_00 = fmaf(R->m02, dc[0], Ro_00a);
+  const float Ro_02a = R->m02 * dc[1], Ro_02 = fmaf(-R->m00, dc[0], Ro_02a);
+  const float Ro_10a = R->m10 * dc[1], Ro_10 = fmaf(R->m12, dc[0], Ro_10a);
+  const float Ro_12a = R->m12 * dc[1], Ro_12 = fmaf(-R->m10, dc[0], Ro_12a);
+  const float Ro_20a = R->m20 * dc[1], Ro_20 = fmaf(R->m22, dc[0], Ro_20a);
+  const float Ro_22a = R->m22 * dc[1], Ro_22 = fmaf(-R->m20, dc[0], Ro_22a);
+  const float R_m01 = R->m01;
+  const float R_m11 = R->m11;
+  const float R_m21 = R->m21;
+  Ro->m00 = Ro_00;
+  Ro->m01 = R_m01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = R_m11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = R_m21;
+  Ro->m22 = Ro_22;
+}
+
+/* Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ).
+   D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddryinvf_fused(const ksl_SE3f_t *D, const float dc[2],
+    ksl_SE3f_t *Do) {
+  const float Do_00a = D->m00 * dc[1], Do_00 = fmaf(D->m02, dc[0], Do_00a);
+  const float Do_02a = D->m02 * dc[1], Do_02 = fmaf(-D->m00, dc[0], Do_02a);
+  const float Do_10a = D->m10 * dc[1], Do_10 = fmaf(D->m12, dc[0], Do_10a);
+  const float Do_12a = D->m12 * dc[1], Do_12 = fmaf(-D->m10, dc[0], Do_12a);
+  const float Do_20a = D->m20 * dc[1], Do_20 = fmaf(D->m22, dc[0], Do_20a);
+  const float Do_22a = D->m22 * dc[1], Do_22 = fmaf(-D->m20, dc[0], Do_22a);
+  const float D_m01 = D->m01;
+  const float D_m03 = D->m03;
+  const float D_m11 = D->m11;
+  const float D_m13 = D->m13;
+  const float D_m21 = D->m21;
+  const float D_m23 = D->m23;
+  Do->m00 = Do_00;
+  Do->m01 = D_m01;
+  Do->m02 = Do_02;
+  Do->m03 = D_m03;
+  Do->m10 = Do_10;
+  Do->m11 = D_m11;
+  Do->m12 = Do_12;
+  Do->m13 = D_m13;
+  Do->m20 = Do_20;
+  Do->m21 = D_m21;
+  Do->m22 = Do_22;
+  Do->m23 = D_m23;
+}
+
+/* Do = D [I | -k e_y].
+   D, Do: displacement [R | t], R rotation, t in m; k: number.
+   3 fma.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_ddtyinvf_fused(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
+  const float Do_03 = fmaf(-D->m01, k, D->m03);
+  const float Do_13 = fmaf(-D->m11, k, D->m13);
+  const float Do_23 = fmaf(-D->m21, k, D->m23);
+  const float D_m00 = D->m00;
+  const float D_m01 = D->m01;
+  const float D_m02 = D->m02;
+  const float D_m10 = D->m10;
+  const float D_m11 = D->m11;
+  const float D_m12 = D->m12;
+  const float D_m20 = D->m20;
+  const float D_m21 = D->m21;
+  const float D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m01;
+  Do->m02 = D_m02;
+  Do->m03 = Do_03;
+  Do->m10 = D_m10;
+  Do->m11 = D_m11;
+  Do->m12 = D_m12;
+  Do->m13 = Do_13;
+  Do->m20 = D_m20;
+  Do->m21 = D_m21;
+  Do->m22 = D_m22;
+  Do->m23 = Do_23;
+}
+
+/* vo = R (k e_z).
+   R: rotation or other 3×3 matrix; k: number; vo: vector.
+   3 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_drvtzf_fused(const ksl_mat3x3f_t *R, const float k,
+    ksl_vec3f_t *vo) {
+  const float vo_0 = R->m02 * k;
+  const float vo_1 = R->m12 * k;
+  const float vo_2 = R->m22 * k;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* Ro = R R_z(θ), dc = (sin θ, cos θ).
+   R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drdrzf_fused(const ksl_mat3x3f_t *R, const float dc[2],
+    ksl_mat3x3f_t *Ro) {
+  const float Ro_00a = R->m00 * dc[1], Ro_00 = fmaf(R->m01, dc[0], Ro_00a);
+  const float Ro_01a = R->m01 * dc[1], Ro_01 = fmaf(-R->m00, dc[0], Ro_01a);
+  const float Ro_10a = R->m10 * dc[1], Ro_10 = fmaf(R->m11, dc[0], Ro_10a);
+  const float Ro_11a = R->m11 * dc[1], Ro_11 = fmaf(-R->m10, dc[0], Ro_11a);
+  const float Ro_20a = R->m20 * dc[1], Ro_20 = fmaf(R->m21, dc[0], Ro_20a);
+  const float Ro_21a = R->m21 * dc[1], Ro_21 = fmaf(-R->m20, dc[0], Ro_21a);
+  const float R_m02 = R->m02;
+  const float R_m12 = R->m12;
+  const float R_m22 = R->m22;
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = R_m02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = R_m12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = R_m22;
+}
+
+/* Do = D [R_z(θ) | 0], dc = (sin θ, cos θ).
+   D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddrzf_fused(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
+  const float Do_00a = D->m00 * dc[1], Do_00 = fmaf(D->m01, dc[0], Do_00a);
+  const float Do_01a = D->m01 * dc[1], Do_01 = fmaf(-D->m00, dc[0], Do_01a);
+  const float Do_10a = D->m10 * dc[1], Do_10 = fmaf(D->m11, dc[0], Do_10a);
+  const float Do_11a = D->m11 * dc[1], Do_11 = fmaf(-D->m10, dc[0], Do_11a);
+  const float Do_20a = D->m20 * dc[1], Do_20 = fmaf(D->m21, dc[0], Do_20a);
+  const float Do_21a = D->m21 * dc[1], Do_21 = fmaf(-D->m20, dc[0], Do_21a);
+  const float D_m02 = D->m02;
+  const float D_m03 = D->m03;
+  const float D_m12 = D->m12;
+  const float D_m13 = D->m13;
+  const float D_m22 = D->m22;
+  const float D_m23 = D->m23;
+  Do->m00 = Do_00;
+  Do->m01 = Do_01;
+  Do->m02 = D_m02;
+  Do->m03 = D_m03;
+  Do->m10 = Do_10;
+  Do->m11 = Do_11;
+  Do->m12 = D_m12;
+  Do->m13 = D_m13;
+  Do->m20 = Do_20;
+  Do->m21 = Do_21;
+  Do->m22 = D_m22;
+  Do->m23 = D_m23;
+}
+
+/* Do = D [I | k e_z].
+   D, Do: displacement [R | t], R rotation, t in m; k: number.
+   3 fma.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_ddtzf_fused(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
+  const float Do_03 = fmaf(D->m02, k, D->m03);
+  const float Do_13 = fmaf(D->m12, k, D->m13);
+  const float Do_23 = fmaf(D->m22, k, D->m23);
+  const float D_m00 = D->m00;
+  const float D_m01 = D->m01;
+  const float D_m02 = D->m02;
+  const float D_m10 = D->m10;
+  const float D_m11 = D->m11;
+  const float D_m12 = D->m12;
+  const float D_m20 = D->m20;
+  const float D_m21 = D->m21;
+  const float D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m01;
+  Do->m02 = D_m02;
+  Do->m03 = Do_03;
+  Do->m10 = D_m10;
+  Do->m11 = D_m11;
+  Do->m12 = D_m12;
+  Do->m13 = Do_13;
+  Do->m20 = D_m20;
+  Do->m21 = D_m21;
+  Do->m22 = D_m22;
+  Do->m23 = Do_23;
+}
+
+/* vo = R (-k e_z).
+   R: rotation or other 3×3 matrix; k: number; vo: vector.
+   3 mul, 3 neg.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_drvtzinvf_fused(const ksl_mat3x3f_t *R, const float k,
+    ksl_vec3f_t *vo) {
+  const float vo_0a = R->m02 * k, vo_0 = -vo_0a;
+  const float vo_1a = R->m12 * k, vo_1 = -vo_1a;
+  const float vo_2a = R->m22 * k, vo_2 = -vo_2a;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* Ro = R R_z(-θ), dc = (sin θ, cos θ).
+   R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_drdrzinvf_fused(const ksl_mat3x3f_t *R, const float dc[2],
+    ksl_mat3x3f_t *Ro) {
+  const float Ro_00a = R->m00 * dc[1], Ro_00 = fmaf(-R->m01, dc[0], Ro_00a);
+  const float Ro_01a = R->m00 * dc[0], Ro_01 = fmaf(R->m01, dc[1], Ro_01a);
+  const float Ro_10a = R->m10 * dc[1], Ro_10 = fmaf(-R->m11, dc[0], Ro_10a);
+  const float Ro_11a = R->m10 * dc[0], Ro_11 = fmaf(R->m11, dc[1], Ro_11a);
+  const float Ro_20a = R->m20 * dc[1], Ro_20 = fmaf(-R->m21, dc[0], Ro_20a);
+  const float Ro_21a = R->m20 * dc[0], Ro_21 = fmaf(R->m21, dc[1], Ro_21a);
+  const float R_m02 = R->m02;
+  const float R_m12 = R->m12;
+  const float R_m22 = R->m22;
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = R_m02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = R_m12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = R_m22;
+}
+
+/* Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ).
+   D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
+   6 mul, 6 fma.
+   Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_ddrzinvf_fused(const ksl_SE3f_t *D, const float dc[2],
+    ksl_SE3f_t *Do) {
+  const float Do_00a = D->m00 * dc[1], Do_00 = fmaf(-D->m01, dc[0], Do_00a);
+  const float Do_01a = D->m00 * dc[0], Do_01 = fmaf(D->m01, dc[1], Do_01a);
+  const float Do_10a = D->m10 * dc[1], Do_10 = fmaf(-D->m11, dc[0], Do_10a);
+  const float Do_11a = D->m10 * dc[0], Do_11 = fmaf(D->m11, dc[1], Do_11a);
+  const float Do_20a = D->m20 * dc[1], Do_20 = fmaf(-D->m21, dc[0], Do_20a);
+  const float Do_21a = D->m20 * dc[0], Do_21 = fmaf(D->m21, dc[1], Do_21a);
+  const float D_m02 = D->m02;
+  const float D_m03 = D->m03;
+  const float D_m12 = D->m12;
+  const float D_m13 = D->m13;
+  const float D_m22 = D->m22;
+  const float D_m23 = D->m23;
+  Do->m00 = Do_00;
+  Do->m01 = Do_01;
+  Do->m02 = D_m02;
+  Do->m03 = D_m03;
+  Do->m10 = Do_10;
+  Do->m11 = Do_11;
+  Do->m12 = D_m12;
+  Do->m13 = D_m13;
+  Do->m20 = Do_20;
+  Do->m21 = Do_21;
+  Do->m22 = D_m22;
+  Do->m23 = D_m23;
+}
+
+/* Do = D [I | -k e_z].
+   D, Do: displacement [R | t], R rotation, t in m; k: number.
+   3 fma.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_ddtzinvf_fused(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
+  const float Do_03 = fmaf(-D->m02, k, D->m03);
+  const float Do_13 = fmaf(-D->m12, k, D->m13);
+  const float Do_23 = fmaf(-D->m22, k, D->m23);
+  const float D_m00 = D->m00;
+  const float D_m01 = D->m01;
+  const float D_m02 = D->m02;
+  const float D_m10 = D->m10;
+  const float D_m11 = D->m11;
+  const float D_m12 = D->m12;
+  const float D_m20 = D->m20;
+  const float D_m21 = D->m21;
+  const float D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m01;
+  Do->m02 = D_m02;
+  Do->m03 = Do_03;
+  Do->m10 = D_m10;
+  Do->m11 = D_m11;
+  Do->m12 = D_m12;
+  Do->m13 = Do_13;
+  Do->m20 = D_m20;
+  Do->m21 = D_m21;
+  Do->m22 = D_m22;
+  Do->m23 = Do_23;
+}
+
+#endif
+
+/* Screws: twists, spatial velocities and accelerations, s = (v; ω).
+   Fused tier: products fused into sums. */
+#ifndef KSL_SCREW_FUSED_H
+#define KSL_SCREW_FUSED_H
+
+
+/* self = a self.
+   self: screw (v in m/s; ω in rad/s); a: number.
+   6 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_screw_scale_fused(ksl_screw_t *self, const double a) {
+  const double self_0_new = self->m0 * a;
+  const double self_1_new = self->m1 * a;
+  const double self_2_new = self->m2 * a;
+  const double self_3_new = self->m3 * a;
+  const double self_4_new = self->m4 * a;
+  const double self_5_new = self->m5 * a;
+  self->m0 = self_0_new;
+  self->m1 = self_1_new;
+  self->m2 = self_2_new;
+  self->m3 = self_3_new;
+  self->m4 = self_4_new;
+  self->m5 = self_5_new;
+}
+
+/* y = a x + y.
+   a: number; x, y: screw (v in m/s; ω in rad/s).
+   6 fma.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_axpy_ss_fused(const double a, const ksl_screw_t *x, ksl_screw_t *y) {
+  const double y_0_new = fma(a, x->m0, y->m0);
+  const double y_1_new = fma(a, x->m1, y->m1);
+  const double y_2_new = fma(a, x->m2, y->m2);
+  const double y_3_new = fma(a, x->m3, y->m3);
+  const double y_4_new = fma(a, x->m4, y->m4);
+  const double y_5_new = fma(a, x->m5, y->m5);
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* y = x + y.
+   x, y: screw (v in m/s; ω in rad/s).
+   6 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_xpy_ss_fused(const ksl_screw_t *x, ksl_screw_t *y) {
+  const double y_0_new = x->m0 + y->m0;
+  const double y_1_new = x->m1 + y->m1;
+  const double y_2_new = x->m2 + y->m2;
+  const double y_3_new = x->m3 + y->m3;
+  const double y_4_new = x->m4 + y->m4;
+  const double y_5_new = x->m5 + y->m5;
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* y = -x + y.
+   x, y: screw (v in m/s; ω in rad/s).
+   6 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_nxpy_ss_fused(const ksl_screw_t *x, ksl_screw_t *y) {
+  const double y_0_new = y->m0 - x->m0;
+  const double y_1_new = y->m1 - x->m1;
+  const double y_2_new = y->m2 - x->m2;
+  const double y_3_new = y->m3 - x->m3;
+  const double y_4_new = y->m4 - x->m4;
+  const double y_5_new = y->m5 - x->m5;
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* so = a si.
+   a: number; si, so: screw (v in m/s; ω in rad/s).
+   6 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_as_fused(const double a, const ksl_screw_t *si, ksl_screw_t *so) {
+  const double so_0 = a * si->m0;
+  const double so_1 = a * si->m1;
+  const double so_2 = a * si->m2;
+  const double so_3 = a * si->m3;
+  const double so_4 = a * si->m4;
+  const double so_5 = a * si->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = s1 + s2.
+   s1, s2, so: screw (v in m/s; ω in rad/s).
+   6 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_ss_fused(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
+  const double so_0 = s1->m0 + s2->m0;
+  const double so_1 = s1->m1 + s2->m1;
+  const double so_2 = s1->m2 + s2->m2;
+  const double so_3 = s1->m3 + s2->m3;
+  const double so_4 = s1->m4 + s2->m4;
+  const double so_5 = s1->m5 + s2->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = s1 - s2.
+   s1, s2, so: screw (v in m/s; ω in rad/s).
+   6 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_subtract_ss_fused(const ksl_screw_t *s1, const ksl_screw_t *s2,
+    ksl_screw_t *so) {
+  const double so_0 = s1->m0 - s2->m0;
+  const double so_1 = s1->m1 - s2->m1;
+  const double so_2 = s1->m2 - s2->m2;
+  const double so_3 = s1->m3 - s2->m3;
+  const double so_4 = s1->m4 - s2->m4;
+  const double so_5 = s1->m5 - s2->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = (s1.lin + s2.lin ; s1.ang).
+   s1, s2, so: screw (v in m/s; ω in rad/s).
+   3 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_sst_fused(const ksl_screw_t *s1, const ksl_screw_t *s2,
+    ksl_screw_t *so) {
+  const double so_0 = s1->m0 + s2->m0;
+  const double so_1 = s1->m1 + s2->m1;
+  const double so_2 = s1->m2 + s2->m2;
+  const double s1_m3 = s1->m3;
+  const double s1_m4 = s1->m4;
+  const double s1_m5 = s1->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = s1_m3;
+  so->m4 = s1_m4;
+  so->m5 = s1_m5;
+}
+
+/* so = [Ad](t) si.
+   t: vector; si, so: screw (v in m/s; ω in rad/s).
+   3 mul, 3 add, 3 fma.
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_Adts_fused(const ksl_vec3_t *t, const ksl_screw_t *si,
+    ksl_screw_t *so) {
+  const double so_0a = t->y * si->m5, so_0c = fma(-t->z, si->m4, so_0a), so_0 = so_0c + si->m0;
+  const double so_1a = t->z * si->m3, so_1c = fma(-t->x, si->m5, so_1a), so_1 = so_1c + si->m1;
+  const double so_2a = t->x * si->m4, so_2c = fma(-t->y, si->m3, so_2a), so_2 = so_2c + si->m2;
+  const double si_m3 = si->m3;
+  const double si_m4 = si->m4;
+  const double si_m5 = si->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = si_m3;
+  so->m4 = si_m4;
+  so->m5 = si_m5;
+}
+
+/* so = [Ad](t)^-1 si.
+   t: vector; si, so: screw (v in m/s; ω in rad/s).
+   3 mul, 3 add, 3 fma.
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_Adtinvs_fused(const ksl_vec3_t *t, const ksl_screw_t *si,
+    ksl_screw_t *so) {
+  const double so_0a = t->z * si->m4, so_0c = fma(-t->y, si->m5, so_0a), so_0 = so_0c + si->m0;
+  const double so_1a = t->x * si->m5, so_1c = fma(-t->z, si->m3, so_1a), so_1 = so_1c + si->m1;
+  const double so_2a = t->y * si->m3, so_2c = fma(-t->x, si->m4, so_2a), so_2 = so_2c + si->m2;
+  const double si_m3 = si->m3;
+  const double si_m4 = si->m4;
+  const double si_m5 = si->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = si_m3;
+  so->m4 = si_m4;
+  so->m5 = si_m5;
+}
+
+/* so = [Ad](t) (-si).
+   t: vector; si, so: screw (v in m/s; ω in rad/s).
+   3 mul, 3 add, 3 fma, 3 neg.
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_Adtsinv_fused(const ksl_vec3_t *t, const ksl_screw_t *si,
+    ksl_screw_t *so) {
+  const double so_0a = t->z * si->m4, so_0c = fma(-t->y, si->m5, so_0a), so_0 = so_0c - si->m0;
+  const double so_1a = t->x * si->m5, so_1c = fma(-t->z, si->m3, so_1a), so_1 = so_1c - si->m1;
+  const double so_2a = t->y * si->m3, so_2c = fma(-t->x, si->m4, so_2a), so_2 = so_2c - si->m2;
+  const double so_3 = -si->m3;
+  const double so_4 = -si->m4;
+  const double so_5 = -si->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = [Ad](R) si.
+   R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
+   6 mul, 12 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_Adrs_fused(const ksl_mat3x3_t *R, const ksl_screw_t *si,
+    ksl_screw_t *so) {
+  const double so_0a = R->m00 * si->m0, so_0c = fma(R->m01, si->m1, so_0a),
+      so_0 = fma(R->m02, si->m2, so_0c);
+  const double so_1a = R->m10 * si->m0, so_1c = fma(R->m11, si->m1, so_1a),
+      so_1 = fma(R->m12, si->m2, so_1c);
+  const double so_2a = R->m20 * si->m0, so_2c = fma(R->m21, si->m1, so_2a),
+      so_2 = fma(R->m22, si->m2, so_2c);
+  const double so_3a = R->m00 * si->m3, so_3c = fma(R->m01, si->m4, so_3a),
+      so_3 = fma(R->m02, si->m5, so_3c);
+  const double so_4a = R->m10 * si->m3, so_4c = fma(R->m11, si->m4, so_4a),
+      so_4 = fma(R->m12, si->m5, so_4c);
+  const double so_5a = R->m20 * si->m3, so_5c = fma(R->m21, si->m4, so_5a),
+      so_5 = fma(R->m22, si->m5, so_5c);
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = [Ad](R)^-1 si.
+   R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
+   6 mul, 12 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_Adrinvs_fused(const ksl_mat3x3_t *R, const ksl_screw_t *si,
+    ksl_screw_t *so) {
+  const double so_0a = R->m00 * si->m0, so_0c = fma(R->m10, si->m1, so_0a),
+      so_0 = fma(R->m20, si->m2, so_0c);
+  const double so_1a = R->m01 * si->m0, so_1c = fma(R->m11, si->m1, so_1a),
+      so_1 = fma(R->m21, si->m2, so_1c);
+  const double so_2a = R->m02 * si->m0, so_2c = fma(R->m12, si->m1, so_2a),
+      so_2 = fma(R->m22, si->m2, so_2c);
+  const double so_3a = R->m00 * si->m3, so_3c = fma(R->m10, si->m4, so_3a),
+      so_3 = fma(R->m20, si->m5, so_3c);
+  const double so_4a = R->m01 * si->m3, so_4c = fma(R->m11, si->m4, so_4a),
+      so_4 = fma(R->m21, si->m5, so_4c);
+  const double so_5a = R->m02 * si->m3, so_5c = fma(R->m12, si->m4, so_5a),
+      so_5 = fma(R->m22, si->m5, so_5c);
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = [Ad](R) (-si).
+   R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
+   6 mul, 12 fma, 6 neg.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_Adrsinv_fused(const ksl_mat3x3_t *R, const ksl_screw_t *si,
+    ksl_screw_t *so) {
+  const double so_0a = R->m00 * si->m0, so_0c = fma(R->m01, si->m1, so_0a),
+      so_0e = fma(R->m02, si->m2, so_0c), so_0 = -so_0e;
+  const double so_1a = R->m10 * si->m0, so_1c = fma(R->m11, si->m1, so_1a),
+      so_1e = fma(R->m12, si->m2, so_1c), so_1 = -so_1e;
+  const double so_2a = R->m20 * si->m0, so_2c = fma(R->m21, si->m1, so_2a),
+      so_2e = fma(R->m22, si->m2, so_2c), so_2 = -so_2e;
+  const double so_3a = R->m00 * si->m3, so_3c = fma(R->m01, si->m4, so_3a),
+      so_3e = fma(R->m02, si->m5, so_3c), so_3 = -so_3e;
+  const double so_4a = R->m10 * si->m3, so_4c = fma(R->m11, si->m4, so_4a),
+      so_4e = fma(R->m12, si->m5, so_4c), so_4 = -so_4e;
+  const double so_5a = R->m20 * si->m3, so_5c = fma(R->m21, si->m4, so_5a),
+      so_5e = fma(R->m22, si->m5, so_5c), so_5 = -so_5e;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = [Ad](D) si = [Ad](t) [Ad](R) si.
+   D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
+   9 mul, 3 add, 15 fma.
+   Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_Ads_fused(const ksl_SE3_t *D, const ksl_screw_t *si,
+    ksl_screw_t *so) {
+  const double w_0a = D->m00 * si->m0, w_0c = fma(D->m01, si->m1, w_0a),
+      w_0 = fma(D->m02, si->m2, w_0c);
+  const double w_1a = D->m10 * si->m0, w_1c = fma(D->m11, si->m1, w_1a),
+      w_1 = fma(D->m12, si->m2, w_1c);
+  const double w_2a = D->m20 * si->m0, w_2c = fma(D->m21, si->m1, w_2a),
+      w_2 = fma(D->m22, si->m2, w_2c);
+  const double w_3a = D->m00 * si->m3, w_3c = fma(D->m01, si->m4, w_3a),
+      w_3 = fma(D->m02, si->m5, w_3c);
+  const double w_4a = D->m10 * si->m3, w_4c = fma(D->m11, si->m4, w_4a),
+      w_4 = fma(D->m12, si->m5, w_4c);
+  const double w_5a = D->m20 * si->m3, w_5c = fma(D->m21, si->m4, w_5a),
+      w_5 = fma(D->m22, si->m5, w_5c);
+  const double so_0a = D->m13 * w_5, so_0c = fma(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
+  const double so_1a = D->m23 * w_3, so_1c = fma(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
+  const double so_2a = D->m03 * w_4, so_2c = fma(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = w_3;
+  so->m4 = w_4;
+  so->m5 = w_5;
+}
+
+/* so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si.
+   D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
+   9 mul, 3 add, 15 fma.
+   Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_Adinvs_fused(const ksl_SE3_t *D, const ksl_screw_t *si,
+    ksl_screw_t *so) {
+  const double w_0a = D->m23 * si->m4, w_0c = fma(-D->m13, si->m5, w_0a), w_0 = w_0c + si->m0;
+  const double w_1a = D->m03 * si->m5, w_1c = fma(-D->m23, si->m3, w_1a), w_1 = w_1c + si->m1;
+  const double w_2a = D->m13 * si->m3, w_2c = fma(-D->m03, si->m4, w_2a), w_2 = w_2c + si->m2;
+  const double so_0a = D->m00 * w_0, so_0c = fma(D->m10, w_1, so_0a),
+      so_0 = fma(D->m20, w_2, so_0c);
+  const double so_1a = D->m01 * w_0, so_1c = fma(D->m11, w_1, so_1a),
+      so_1 = fma(D->m21, w_2, so_1c);
+  const double so_2a = D->m02 * w_0, so_2c = fma(D->m12, w_1, so_2a),
+      so_2 = fma(D->m22, w_2, so_2c);
+  const double so_3a = D->m00 * si->m3, so_3c = fma(D->m10, si->m4, so_3a),
+      so_3 = fma(D->m20, si->m5, so_3c);
+  const double so_4a = D->m01 * si->m3, so_4c = fma(D->m11, si->m4, so_4a),
+      so_4 = fma(D->m21, si->m5, so_4c);
+  const double so_5a = D->m02 * si->m3, so_5c = fma(D->m12, si->m4, so_5a),
+      so_5 = fma(D->m22, si->m5, so_5c);
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = [Ad](D) (-si).
+   D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
+   9 mul, 3 add, 15 fma, 6 neg.
+   Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_Adsinv_fused(const ksl_SE3_t *D, const ksl_screw_t *si,
+    ksl_screw_t *so) {
+  const double w_0a = D->m00 * si->m0, w_0c = fma(D->m01, si->m1, w_0a),
+      w_0e = fma(D->m02, si->m2, w_0c), w_0 = -w_0e;
+  const double w_1a = D->m10 * si->m0, w_1c = fma(D->m11, si->m1, w_1a),
+      w_1e = fma(D->m12, si->m2, w_1c), w_1 = -w_1e;
+  const double w_2a = D->m20 * si->m0, w_2c = fma(D->m21, si->m1, w_2a),
+      w_2e = fma(D->m22, si->m2, w_2c), w_2 = -w_2e;
+  const double w_3a = D->m00 * si->m3, w_3c = fma(D->m01, si->m4, w_3a),
+      w_3e = fma(D->m02, si->m5, w_3c), w_3 = -w_3e;
+  const double w_4a = D->m10 * si->m3, w_4c = fma(D->m11, si->m4, w_4a),
+      w_4e = fma(D->m12, si->m5, w_4c), w_4 = -w_4e;
+  const double w_5a = D->m20 * si->m3, w_5c = fma(D->m21, si->m4, w_5a),
+      w_5e = fma(D->m22, si->m5, w_5c), w_5 = -w_5e;
+  const double so_0a = D->m13 * w_5, so_0c = fma(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
+  const double so_1a = D->m23 * w_3, so_1c = fma(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
+  const double so_2a = D->m03 * w_4, so_2c = fma(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = w_3;
+  so->m4 = w_4;
+  so->m5 = w_5;
+}
+
+/* so = h_rx: column 3 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   3 mul, 3 fma.
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsrx_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
+  const double so_0a = D->m20 * D->m13, so_0 = fma(-D->m10, D->m23, so_0a);
+  const double so_1a = D->m00 * D->m23, so_1 = fma(-D->m20, D->m03, so_1a);
+  const double so_2a = D->m10 * D->m03, so_2 = fma(-D->m00, D->m13, so_2a);
+  const double D_m00 = D->m00;
+  const double D_m10 = D->m10;
+  const double D_m20 = D->m20;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = D_m00;
+  so->m4 = D_m10;
+  so->m5 = D_m20;
+}
+
+/* so = h_ry: column 4 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   3 mul, 3 fma.
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsry_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
+  const double so_0a = D->m21 * D->m13, so_0 = fma(-D->m11, D->m23, so_0a);
+  const double so_1a = D->m01 * D->m23, so_1 = fma(-D->m21, D->m03, so_1a);
+  const double so_2a = D->m11 * D->m03, so_2 = fma(-D->m01, D->m13, so_2a);
+  const double D_m01 = D->m01;
+  const double D_m11 = D->m11;
+  const double D_m21 = D->m21;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = D_m01;
+  so->m4 = D_m11;
+  so->m5 = D_m21;
+}
+
+/* so = h_rz: column 5 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   3 mul, 3 fma.
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsrz_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
+  const double so_0a = D->m22 * D->m13, so_0 = fma(-D->m12, D->m23, so_0a);
+  const double so_1a = D->m02 * D->m23, so_1 = fma(-D->m22, D->m03, so_1a);
+  const double so_2a = D->m12 * D->m03, so_2 = fma(-D->m02, D->m13, so_2a);
+  const double D_m02 = D->m02;
+  const double D_m12 = D->m12;
+  const double D_m22 = D->m22;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = D_m02;
+  so->m4 = D_m12;
+  so->m5 = D_m22;
+}
+
+/* so = -h_rx: -column 3 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   3 mul, 3 fma, 3 neg.
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsrxinv_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
+  const double so_0a = D->m10 * D->m23, so_0 = fma(-D->m20, D->m13, so_0a);
+  const double so_1a = D->m20 * D->m03, so_1 = fma(-D->m00, D->m23, so_1a);
+  const double so_2a = D->m00 * D->m13, so_2 = fma(-D->m10, D->m03, so_2a);
+  const double so_3 = -D->m00;
+  const double so_4 = -D->m10;
+  const double so_5 = -D->m20;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = -h_ry: -column 4 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   3 mul, 3 fma, 3 neg.
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsryinv_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
+  const double so_0a = D->m11 * D->m23, so_0 = fma(-D->m21, D->m13, so_0a);
+  const double so_1a = D->m21 * D->m03, so_1 = fma(-D->m01, D->m23, so_1a);
+  const double so_2a = D->m01 * D->m13, so_2 = fma(-D->m11, D->m03, so_2a);
+  const double so_3 = -D->m01;
+  const double so_4 = -D->m11;
+  const double so_5 = -D->m21;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = -h_rz: -column 5 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   3 mul, 3 fma, 3 neg.
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsrzinv_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
+  const double so_0a = D->m12 * D->m23, so_0 = fma(-D->m22, D->m13, so_0a);
+  const double so_1a = D->m22 * D->m03, so_1 = fma(-D->m02, D->m23, so_1a);
+  const double so_2a = D->m02 * D->m13, so_2 = fma(-D->m12, D->m03, so_2a);
+  const double so_3 = -D->m02;
+  const double so_4 = -D->m12;
+  const double so_5 = -D->m22;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* M = [Ad](D).
+   D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
+   9 mul, 9 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_Ad_fused(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
+  const double M_03a = D->m20 * D->m13, M_03 = fma(-D->m10, D->m23, M_03a);
+  const double M_04a = D->m21 * D->m13, M_04 = fma(-D->m11, D->m23, M_04a);
+  const double M_05a = D->m22 * D->m13, M_05 = fma(-D->m12, D->m23, M_05a);
+  const double M_13a = D->m00 * D->m23, M_13 = fma(-D->m20, D->m03, M_13a);
+  const double M_14a = D->m01 * D->m23, M_14 = fma(-D->m21, D->m03, M_14a);
+  const double M_15a = D->m02 * D->m23, M_15 = fma(-D->m22, D->m03, M_15a);
+  const double M_23a = D->m10 * D->m03, M_23 = fma(-D->m00, D->m13, M_23a);
+  const double M_24a = D->m11 * D->m03, M_24 = fma(-D->m01, D->m13, M_24a);
+  const double M_25a = D->m12 * D->m03, M_25 = fma(-D->m02, D->m13, M_25a);
+  const double D_m00 = D->m00;
+  const double D_m01 = D->m01;
+  const double D_m02 = D->m02;
+  const double D_m10 = D->m10;
+  const double D_m11 = D->m11;
+  const double D_m12 = D->m12;
+  const double D_m20 = D->m20;
+  const double D_m21 = D->m21;
+  const double D_m22 = D->m22;
+  M->at[0][0] = D_m00;
+  M->at[1][0] = D_m01;
+  M->at[2][0] = D_m02;
+  M->at[3][0] = M_03;
+  M->at[4][0] = M_04;
+  M->at[5][0] = M_05;
+  M->at[0][1] = D_m10;
+  M->at[1][1] = D_m11;
+  M->at[2][1] = D_m12;
+  M->at[3][1] = M_13;
+  M->at[4][1] = M_14;
+  M->at[5][1] = M_15;
+  M->at[0][2] = D_m20;
+  M->at[1][2] = D_m21;
+  M->at[2][2] = D_m22;
+  M->at[3][2] = M_23;
+  M->at[4][2] = M_24;
+  M->at[5][2] = M_25;
+  M->at[0][3] = 0.0;
+  M->at[1][3] = 0.0;
+  M->at[2][3] = 0.0;
+  M->at[3][3] = D_m00;
+  M->at[4][3] = D_m01;
+  M->at[5][3] = D_m02;
+  M->at[0][4] = 0.0;
+  M->at[1][4] = 0.0;
+  M->at[2][4] = 0.0;
+  M->at[3][4] = D_m10;
+  M->at[4][4] = D_m11;
+  M->at[5][4] = D_m12;
+  M->at[0][5] = 0.0;
+  M->at[1][5] = 0.0;
+  M->at[2][5] = 0.0;
+  M->at[3][5] = D_m20;
+  M->at[4][5] = D_m21;
+  M->at[5][5] = D_m22;
+}
+
+/* power = f·v + τ·ω, in W.
+   c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s).
+   2 mul, 1 add, 4 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline double ksl_dot_cs_fused(const ksl_coscrew_t *c, const ksl_screw_t *s) {
+  const double power_a = c->m0 * s->m0, power_c = fma(c->m1, s->m1, power_a),
+      power_e = fma(c->m2, s->m2, power_c), power_f = c->m3 * s->m3,
+      power_h = fma(c->m4, s->m4, power_f), power_j = fma(c->m5, s->m5, power_h),
+      power = power_e + power_j;
+  return power;
+}
+
+/* so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2).
+   s1, s2, so: screw (v in m/s; ω in rad/s).
+   9 mul, 3 add, 9 fma.
+   Error <= u |result| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_cross_ss_fused(const ksl_screw_t *s1, const ksl_screw_t *s2,
+    ksl_screw_t *so) {
+  const double so_0a = s1->m1 * s2->m5, so_0c = fma(-s1->m5, s2->m1, so_0a),
+      so_0d = s1->m4 * s2->m2, so_0f = fma(-s1->m2, s2->m4, so_0d), so_0 = so_0c + so_0f;
+  const double so_1a = s1->m5 * s2->m0, so_1c = fma(-s1->m0, s2->m5, so_1a),
+      so_1d = s1->m2 * s2->m3, so_1f = fma(-s1->m3, s2->m2, so_1d), so_1 = so_1c + so_1f;
+  const double so_2a = s1->m0 * s2->m4, so_2c = fma(-s1->m4, s2->m0, so_2a),
+      so_2d = s1->m3 * s2->m1, so_2f = fma(-s1->m1, s2->m3, so_2d), so_2 = so_2c + so_2f;
+  const double so_3a = s1->m4 * s2->m5, so_3 = fma(-s1->m5, s2->m4, so_3a);
+  const double so_4a = s1->m5 * s2->m3, so_4 = fma(-s1->m3, s2->m5, so_4a);
+  const double so_5a = s1->m3 * s2->m4, so_5 = fma(-s1->m4, s2->m3, so_5a);
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = (ω1×v2 ; 0).
+   s1, s2, so: screw (v in m/s; ω in rad/s).
+   3 mul, 3 fma.
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_cross_sst_fused(const ksl_screw_t *s1, const ksl_screw_t *s2,
+    ksl_screw_t *so) {
+  const double so_0a = s1->m4 * s2->m2, so_0 = fma(-s1->m5, s2->m1, so_0a);
+  const double so_1a = s1->m5 * s2->m0, so_1 = fma(-s1->m3, s2->m2, so_1a);
+  const double so_2a = s1->m3 * s2->m1, so_2 = fma(-s1->m4, s2->m0, so_2a);
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0;
+  so->m4 = 0.0;
+  so->m5 = 0.0;
+}
+
+/* so = (t×R a ; R a), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   6 mul, 9 fma.
+   Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsra_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
+  const double a_0a = D->m00 * axis->x, a_0c = fma(D->m01, axis->y, a_0a),
+      a_0 = fma(D->m02, axis->z, a_0c);
+  const double a_1a = D->m10 * axis->x, a_1c = fma(D->m11, axis->y, a_1a),
+      a_1 = fma(D->m12, axis->z, a_1c);
+  const double a_2a = D->m20 * axis->x, a_2c = fma(D->m21, axis->y, a_2a),
+      a_2 = fma(D->m22, axis->z, a_2c);
+  const double so_0a = D->m13 * a_2, so_0 = fma(-D->m23, a_1, so_0a);
+  const double so_1a = D->m23 * a_0, so_1 = fma(-D->m03, a_2, so_1a);
+  const double so_2a = D->m03 * a_1, so_2 = fma(-D->m13, a_0, so_2a);
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = a_0;
+  so->m4 = a_1;
+  so->m5 = a_2;
+}
+
+/* so = (R a ; 0), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   3 mul, 6 fma.
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsta_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
+  const double so_0a = D->m00 * axis->x, so_0c = fma(D->m01, axis->y, so_0a),
+      so_0 = fma(D->m02, axis->z, so_0c);
+  const double so_1a = D->m10 * axis->x, so_1c = fma(D->m11, axis->y, so_1a),
+      so_1 = fma(D->m12, axis->z, so_1c);
+  const double so_2a = D->m20 * axis->x, so_2c = fma(D->m21, axis->y, so_2a),
+      so_2 = fma(D->m22, axis->z, so_2c);
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0;
+  so->m4 = 0.0;
+  so->m5 = 0.0;
+}
+
+/* self = a self.
+   self: screw (v in m/s; ω in rad/s); a: number.
+   6 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_screwf_scale_fused(ksl_screwf_t *self, const float a) {
+  const float self_0_new = self->m0 * a;
+  const float self_1_new = self->m1 * a;
+  const float self_2_new = self->m2 * a;
+  const float self_3_new = self->m3 * a;
+  const float self_4_new = self->m4 * a;
+  const float self_5_new = self->m5 * a;
+  self->m0 = self_0_new;
+  self->m1 = self_1_new;
+  self->m2 = self_2_new;
+  self->m3 = self_3_new;
+  self->m4 = self_4_new;
+  self->m5 = self_5_new;
+}
+
+/* y = a x + y.
+   a: number; x, y: screw (v in m/s; ω in rad/s).
+   6 fma.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_axpy_ssf_fused(const float a, const ksl_screwf_t *x, ksl_screwf_t *y) {
+  const float y_0_new = fmaf(a, x->m0, y->m0);
+  const float y_1_new = fmaf(a, x->m1, y->m1);
+  const float y_2_new = fmaf(a, x->m2, y->m2);
+  const float y_3_new = fmaf(a, x->m3, y->m3);
+  const float y_4_new = fmaf(a, x->m4, y->m4);
+  const float y_5_new = fmaf(a, x->m5, y->m5);
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* y = x + y.
+   x, y: screw (v in m/s; ω in rad/s).
+   6 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_xpy_ssf_fused(const ksl_screwf_t *x, ksl_screwf_t *y) {
+  const float y_0_new = x->m0 + y->m0;
+  const float y_1_new = x->m1 + y->m1;
+  const float y_2_new = x->m2 + y->m2;
+  const float y_3_new = x->m3 + y->m3;
+  const float y_4_new = x->m4 + y->m4;
+  const float y_5_new = x->m5 + y->m5;
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* y = -x + y.
+   x, y: screw (v in m/s; ω in rad/s).
+   6 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_nxpy_ssf_fused(const ksl_screwf_t *x, ksl_screwf_t *y) {
+  const float y_0_new = y->m0 - x->m0;
+  const float y_1_new = y->m1 - x->m1;
+  const float y_2_new = y->m2 - x->m2;
+  const float y_3_new = y->m3 - x->m3;
+  const float y_4_new = y->m4 - x->m4;
+  const float y_5_new = y->m5 - x->m5;
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* so = a si.
+   a: number; si, so: screw (v in m/s; ω in rad/s).
+   6 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_asf_fused(const float a, const ksl_screwf_t *si, ksl_screwf_t *so) {
+  const float so_0 = a * si->m0;
+  const float so_1 = a * si->m1;
+  const float so_2 = a * si->m2;
+  const float so_3 = a * si->m3;
+  const float so_4 = a * si->m4;
+  const float so_5 = a * si->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = s1 + s2.
+   s1, s2, so: screw (v in m/s; ω in rad/s).
+   6 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_ssf_fused(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
+    ksl_screwf_t *so) {
+  const float so_0 = s1->m0 + s2->m0;
+  const float so_1 = s1->m1 + s2->m1;
+  const float so_2 = s1->m2 + s2->m2;
+  const float so_3 = s1->m3 + s2->m3;
+  const float so_4 = s1->m4 + s2->m4;
+  const float so_5 = s1->m5 + s2->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = s1 - s2.
+   s1, s2, so: screw (v in m/s; ω in rad/s).
+   6 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_subtract_ssf_fused(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
+    ksl_screwf_t *so) {
+  const float so_0 = s1->m0 - s2->m0;
+  const float so_1 = s1->m1 - s2->m1;
+  const float so_2 = s1->m2 - s2->m2;
+  const float so_3 = s1->m3 - s2->m3;
+  const float so_4 = s1->m4 - s2->m4;
+  const float so_5 = s1->m5 - s2->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = (s1.lin + s2.lin ; s1.ang).
+   s1, s2, so: screw (v in m/s; ω in rad/s).
+   3 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_sstf_fused(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
+    ksl_screwf_t *so) {
+  const float so_0 = s1->m0 + s2->m0;
+  const float so_1 = s1->m1 + s2->m1;
+  const float so_2 = s1->m2 + s2->m2;
+  const float s1_m3 = s1->m3;
+  const float s1_m4 = s1->m4;
+  const float s1_m5 = s1->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = s1_m3;
+  so->m4 = s1_m4;
+  so->m5 = s1_m5;
+}
+
+/* so = [Ad](t) si.
+   t: vector; si, so: screw (v in m/s; ω in rad/s).
+   3 mul, 3 add, 3 fma.
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_Adtsf_fused(const ksl_vec3f_t *t, const ksl_screwf_t *si,
+    ksl_screwf_t *so) {
+  const float so_0a = t->y * si->m5, so_0c = fmaf(-t->z, si->m4, so_0a), so_0 = so_0c + si->m0;
+  const float so_1a = t->z * si->m3, so_1c = fmaf(-t->x, si->m5, so_1a), so_1 = so_1c + si->m1;
+  const float so_2a = t->x * si->m4, so_2c = fmaf(-t->y, si->m3, so_2a), so_2 = so_2c + si->m2;
+  const float si_m3 = si->m3;
+  const float si_m4 = si->m4;
+  const float si_m5 = si->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = si_m3;
+  so->m4 = si_m4;
+  so->m5 = si_m5;
+}
+
+/* so = [Ad](t)^-1 si.
+   t: vector; si, so: screw (v in m/s; ω in rad/s).
+   3 mul, 3 add, 3 fma.
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_Adtinvsf_fused(const ksl_vec3f_t *t, const ksl_screwf_t *si,
+    ksl_screwf_t *so) {
+  const float so_0a = t->z * si->m4, so_0c = fmaf(-t->y, si->m5, so_0a), so_0 = so_0c + si->m0;
+  const float so_1a = t->x * si->m5, so_1c = fmaf(-t->z, si->m3, so_1a), so_1 = so_1c + si->m1;
+  const float so_2a = t->y * si->m3, so_2c = fmaf(-t->x, si->m4, so_2a), so_2 = so_2c + si->m2;
+  const float si_m3 = si->m3;
+  const float si_m4 = si->m4;
+  const float si_m5 = si->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = si_m3;
+  so->m4 = si_m4;
+  so->m5 = si_m5;
+}
+
+/* so = [Ad](t) (-si).
+   t: vector; si, so: screw (v in m/s; ω in rad/s).
+   3 mul, 3 add, 3 fma, 3 neg.
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_Adtsinvf_fused(const ksl_vec3f_t *t, const ksl_screwf_t *si,
+    ksl_screwf_t *so) {
+  const float so_0a = t->z * si->m4, so_0c = fmaf(-t->y, si->m5, so_0a), so_0 = so_0c - si->m0;
+  const float so_1a = t->x * si->m5, so_1c = fmaf(-t->z, si->m3, so_1a), so_1 = so_1c - si->m1;
+  const float so_2a = t->y * si->m3, so_2c = fmaf(-t->x, si->m4, so_2a), so_2 = so_2c - si->m2;
+  const float so_3 = -si->m3;
+  const float so_4 = -si->m4;
+  const float so_5 = -si->m5;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = [Ad](R) si.
+   R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
+   6 mul, 12 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_Adrsf_fused(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
+    ksl_screwf_t *so) {
+  const float so_0a = R->m00 * si->m0, so_0c = fmaf(R->m01, si->m1, so_0a),
+      so_0 = fmaf(R->m02, si->m2, so_0c);
+  const float so_1a = R->m10 * si->m0, so_1c = fmaf(R->m11, si->m1, so_1a),
+      so_1 = fmaf(R->m12, si->m2, so_1c);
+  const float so_2a = R->m20 * si->m0, so_2c = fmaf(R->m21, si->m1, so_2a),
+      so_2 = fmaf(R->m22, si->m2, so_2c);
+  const float so_3a = R->m00 * si->m3, so_3c = fmaf(R->m01, si->m4, so_3a),
+      so_3 = fmaf(R->m02, si->m5, so_3c);
+  const float so_4a = R->m10 * si->m3, so_4c = fmaf(R->m11, si->m4, so_4a),
+      so_4 = fmaf(R->m12, si->m5, so_4c);
+  const float so_5a = R->m20 * si->m3, so_5c = fmaf(R->m21, si->m4, so_5a),
+      so_5 = fmaf(R->m22, si->m5, so_5c);
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = [Ad](R)^-1 si.
+   R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
+   6 mul, 12 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_Adrinvsf_fused(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
+    ksl_screwf_t *so) {
+  const float so_0a = R->m00 * si->m0, so_0c = fmaf(R->m10, si->m1, so_0a),
+      so_0 = fmaf(R->m20, si->m2, so_0c);
+  const float so_1a = R->m01 * si->m0, so_1c = fmaf(R->m11, si->m1, so_1a),
+      so_1 = fmaf(R->m21, si->m2, so_1c);
+  const float so_2a = R->m02 * si->m0, so_2c = fmaf(R->m12, si->m1, so_2a),
+      so_2 = fmaf(R->m22, si->m2, so_2c);
+  const float so_3a = R->m00 * si->m3, so_3c = fmaf(R->m10, si->m4, so_3a),
+      so_3 = fmaf(R->m20, si->m5, so_3c);
+  const float so_4a = R->m01 * si->m3, so_4c = fmaf(R->m11, si->m4, so_4a),
+      so_4 = fmaf(R->m21, si->m5, so_4c);
+  const float so_5a = R->m02 * si->m3, so_5c = fmaf(R->m12, si->m4, so_5a),
+      so_5 = fmaf(R->m22, si->m5, so_5c);
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = [Ad](R) (-si).
+   R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
+   6 mul, 12 fma, 6 neg.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_Adrsinvf_fused(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
+    ksl_screwf_t *so) {
+  const float so_0a = R->m00 * si->m0, so_0c = fmaf(R->m01, si->m1, so_0a),
+      so_0e = fmaf(R->m02, si->m2, so_0c), so_0 = -so_0e;
+  const float so_1a = R->m10 * si->m0, so_1c = fmaf(R->m11, si->m1, so_1a),
+      so_1e = fmaf(R->m12, si->m2, so_1c), so_1 = -so_1e;
+  const float so_2a = R->m20 * si->m0, so_2c = fmaf(R->m21, si->m1, so_2a),
+      so_2e = fmaf(R->m22, si->m2, so_2c), so_2 = -so_2e;
+  const float so_3a = R->m00 * si->m3, so_3c = fmaf(R->m01, si->m4, so_3a),
+      so_3e = fmaf(R->m02, si->m5, so_3c), so_3 = -so_3e;
+  const float so_4a = R->m10 * si->m3, so_4c = fmaf(R->m11, si->m4, so_4a),
+      so_4e = fmaf(R->m12, si->m5, so_4c), so_4 = -so_4e;
+  const float so_5a = R->m20 * si->m3, so_5c = fmaf(R->m21, si->m4, so_5a),
+      so_5e = fmaf(R->m22, si->m5, so_5c), so_5 = -so_5e;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = [Ad](D) si = [Ad](t) [Ad](R) si.
+   D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
+   9 mul, 3 add, 15 fma.
+   Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_Adsf_fused(const ksl_SE3f_t *D, const ksl_screwf_t *si,
+    ksl_screwf_t *so) {
+  const float w_0a = D->m00 * si->m0, w_0c = fmaf(D->m01, si->m1, w_0a),
+      w_0 = fmaf(D->m02, si->m2, w_0c);
+  const float w_1a = D->m10 * si->m0, w_1c = fmaf(D->m11, si->m1, w_1a),
+      w_1 = fmaf(D->m12, si->m2, w_1c);
+  const float w_2a = D->m20 * si->m0, w_2c = fmaf(D->m21, si->m1, w_2a),
+      w_2 = fmaf(D->m22, si->m2, w_2c);
+  const float w_3a = D->m00 * si->m3, w_3c = fmaf(D->m01, si->m4, w_3a),
+      w_3 = fmaf(D->m02, si->m5, w_3c);
+  const float w_4a = D->m10 * si->m3, w_4c = fmaf(D->m11, si->m4, w_4a),
+      w_4 = fmaf(D->m12, si->m5, w_4c);
+  const float w_5a = D->m20 * si->m3, w_5c = fmaf(D->m21, si->m4, w_5a),
+      w_5 = fmaf(D->m22, si->m5, w_5c);
+  const float so_0a = D->m13 * w_5, so_0c = fmaf(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
+  const float so_1a = D->m23 * w_3, so_1c = fmaf(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
+  const float so_2a = D->m03 * w_4, so_2c = fmaf(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = w_3;
+  so->m4 = w_4;
+  so->m5 = w_5;
+}
+
+/* so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si.
+   D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
+   9 mul, 3 add, 15 fma.
+   Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_Adinvsf_fused(const ksl_SE3f_t *D, const ksl_screwf_t *si,
+    ksl_screwf_t *so) {
+  const float w_0a = D->m23 * si->m4, w_0c = fmaf(-D->m13, si->m5, w_0a), w_0 = w_0c + si->m0;
+  const float w_1a = D->m03 * si->m5, w_1c = fmaf(-D->m23, si->m3, w_1a), w_1 = w_1c + si->m1;
+  const float w_2a = D->m13 * si->m3, w_2c = fmaf(-D->m03, si->m4, w_2a), w_2 = w_2c + si->m2;
+  const float so_0a = D->m00 * w_0, so_0c = fmaf(D->m10, w_1, so_0a),
+      so_0 = fmaf(D->m20, w_2, so_0c);
+  const float so_1a = D->m01 * w_0, so_1c = fmaf(D->m11, w_1, so_1a),
+      so_1 = fmaf(D->m21, w_2, so_1c);
+  const float so_2a = D->m02 * w_0, so_2c = fmaf(D->m12, w_1, so_2a),
+      so_2 = fmaf(D->m22, w_2, so_2c);
+  const float so_3a = D->m00 * si->m3, so_3c = fmaf(D->m10, si->m4, so_3a),
+      so_3 = fmaf(D->m20, si->m5, so_3c);
+  const float so_4a = D->m01 * si->m3, so_4c = fmaf(D->m11, si->m4, so_4a),
+      so_4 = fmaf(D->m21, si->m5, so_4c);
+  const float so_5a = D->m02 * si->m3, so_5c = fmaf(D->m12, si->m4, so_5a),
+      so_5 = fmaf(D->m22, si->m5, so_5c);
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = [Ad](D) (-si).
+   D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in rad/s).
+   9 mul, 3 add, 15 fma, 6 neg.
+   Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_Adsinvf_fused(const ksl_SE3f_t *D, const ksl_screwf_t *si,
+    ksl_screwf_t *so) {
+  const float w_0a = D->m00 * si->m0, w_0c = fmaf(D->m01, si->m1, w_0a),
+      w_0e = fmaf(D->m02, si->m2, w_0c), w_0 = -w_0e;
+  const float w_1a = D->m10 * si->m0, w_1c = fmaf(D->m11, si->m1, w_1a),
+      w_1e = fmaf(D->m12, si->m2, w_1c), w_1 = -w_1e;
+  const float w_2a = D->m20 * si->m0, w_2c = fmaf(D->m21, si->m1, w_2a),
+      w_2e = fmaf(D->m22, si->m2, w_2c), w_2 = -w_2e;
+  const float w_3a = D->m00 * si->m3, w_3c = fmaf(D->m01, si->m4, w_3a),
+      w_3e = fmaf(D->m02, si->m5, w_3c), w_3 = -w_3e;
+  const float w_4a = D->m10 * si->m3, w_4c = fmaf(D->m11, si->m4, w_4a),
+      w_4e = fmaf(D->m12, si->m5, w_4c), w_4 = -w_4e;
+  const float w_5a = D->m20 * si->m3, w_5c = fmaf(D->m21, si->m4, w_5a),
+      w_5e = fmaf(D->m22, si->m5, w_5c), w_5 = -w_5e;
+  const float so_0a = D->m13 * w_5, so_0c = fmaf(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
+  const float so_1a = D->m23 * w_3, so_1c = fmaf(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
+  const float so_2a = D->m03 * w_4, so_2c = fmaf(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = w_3;
+  so->m4 = w_4;
+  so->m5 = w_5;
+}
+
+/* so = h_rx: column 3 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   3 mul, 3 fma.
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsrxf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
+  const float so_0a = D->m20 * D->m13, so_0 = fmaf(-D->m10, D->m23, so_0a);
+  const float so_1a = D->m00 * D->m23, so_1 = fmaf(-D->m20, D->m03, so_1a);
+  const float so_2a = D->m10 * D->m03, so_2 = fmaf(-D->m00, D->m13, so_2a);
+  const float D_m00 = D->m00;
+  const float D_m10 = D->m10;
+  const float D_m20 = D->m20;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = D_m00;
+  so->m4 = D_m10;
+  so->m5 = D_m20;
+}
+
+/* so = h_ry: column 4 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   3 mul, 3 fma.
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsryf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
+  const float so_0a = D->m21 * D->m13, so_0 = fmaf(-D->m11, D->m23, so_0a);
+  const float so_1a = D->m01 * D->m23, so_1 = fmaf(-D->m21, D->m03, so_1a);
+  const float so_2a = D->m11 * D->m03, so_2 = fmaf(-D->m01, D->m13, so_2a);
+  const float D_m01 = D->m01;
+  const float D_m11 = D->m11;
+  const float D_m21 = D->m21;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = D_m01;
+  so->m4 = D_m11;
+  so->m5 = D_m21;
+}
+
+/* so = h_rz: column 5 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   3 mul, 3 fma.
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsrzf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
+  const float so_0a = D->m22 * D->m13, so_0 = fmaf(-D->m12, D->m23, so_0a);
+  const float so_1a = D->m02 * D->m23, so_1 = fmaf(-D->m22, D->m03, so_1a);
+  const float so_2a = D->m12 * D->m03, so_2 = fmaf(-D->m02, D->m13, so_2a);
+  const float D_m02 = D->m02;
+  const float D_m12 = D->m12;
+  const float D_m22 = D->m22;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = D_m02;
+  so->m4 = D_m12;
+  so->m5 = D_m22;
+}
+
+/* so = -h_rx: -column 3 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   3 mul, 3 fma, 3 neg.
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsrxinvf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
+  const float so_0a = D->m10 * D->m23, so_0 = fmaf(-D->m20, D->m13, so_0a);
+  const float so_1a = D->m20 * D->m03, so_1 = fmaf(-D->m00, D->m23, so_1a);
+  const float so_2a = D->m00 * D->m13, so_2 = fmaf(-D->m10, D->m03, so_2a);
+  const float so_3 = -D->m00;
+  const float so_4 = -D->m10;
+  const float so_5 = -D->m20;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = -h_ry: -column 4 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   3 mul, 3 fma, 3 neg.
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsryinvf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
+  const float so_0a = D->m11 * D->m23, so_0 = fmaf(-D->m21, D->m13, so_0a);
+  const float so_1a = D->m21 * D->m03, so_1 = fmaf(-D->m01, D->m23, so_1a);
+  const float so_2a = D->m01 * D->m13, so_2 = fmaf(-D->m11, D->m03, so_2a);
+  const float so_3 = -D->m01;
+  const float so_4 = -D->m11;
+  const float so_5 = -D->m21;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = -h_rz: -column 5 of [Ad](D).
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   3 mul, 3 fma, 3 neg.
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsrzinvf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
+  const float so_0a = D->m12 * D->m23, so_0 = fmaf(-D->m22, D->m13, so_0a);
+  const float so_1a = D->m22 * D->m03, so_1 = fmaf(-D->m02, D->m23, so_1a);
+  const float so_2a = D->m02 * D->m13, so_2 = fmaf(-D->m12, D->m03, so_2a);
+  const float so_3 = -D->m02;
+  const float so_4 = -D->m12;
+  const float so_5 = -D->m22;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* M = [Ad](D).
+   D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
+   9 mul, 9 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_Adf_fused(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
+  const float M_03a = D->m20 * D->m13, M_03 = fmaf(-D->m10, D->m23, M_03a);
+  const float M_04a = D->m21 * D->m13, M_04 = fmaf(-D->m11, D->m23, M_04a);
+  const float M_05a = D->m22 * D->m13, M_05 = fmaf(-D->m12, D->m23, M_05a);
+  const float M_13a = D->m00 * D->m23, M_13 = fmaf(-D->m20, D->m03, M_13a);
+  const float M_14a = D->m01 * D->m23, M_14 = fmaf(-D->m21, D->m03, M_14a);
+  const float M_15a = D->m02 * D->m23, M_15 = fmaf(-D->m22, D->m03, M_15a);
+  const float M_23a = D->m10 * D->m03, M_23 = fmaf(-D->m00, D->m13, M_23a);
+  const float M_24a = D->m11 * D->m03, M_24 = fmaf(-D->m01, D->m13, M_24a);
+  const float M_25a = D->m12 * D->m03, M_25 = fmaf(-D->m02, D->m13, M_25a);
+  const float D_m00 = D->m00;
+  const float D_m01 = D->m01;
+  const float D_m02 = D->m02;
+  const float D_m10 = D->m10;
+  const float D_m11 = D->m11;
+  const float D_m12 = D->m12;
+  const float D_m20 = D->m20;
+  const float D_m21 = D->m21;
+  const float D_m22 = D->m22;
+  M->at[0][0] = D_m00;
+  M->at[1][0] = D_m01;
+  M->at[2][0] = D_m02;
+  M->at[3][0] = M_03;
+  M->at[4][0] = M_04;
+  M->at[5][0] = M_05;
+  M->at[0][1] = D_m10;
+  M->at[1][1] = D_m11;
+  M->at[2][1] = D_m12;
+  M->at[3][1] = M_13;
+  M->at[4][1] = M_14;
+  M->at[5][1] = M_15;
+  M->at[0][2] = D_m20;
+  M->at[1][2] = D_m21;
+  M->at[2][2] = D_m22;
+  M->at[3][2] = M_23;
+  M->at[4][2] = M_24;
+  M->at[5][2] = M_25;
+  M->at[0][3] = 0.0f;
+  M->at[1][3] = 0.0f;
+  M->at[2][3] = 0.0f;
+  M->at[3][3] = D_m00;
+  M->at[4][3] = D_m01;
+  M->at[5][3] = D_m02;
+  M->at[0][4] = 0.0f;
+  M->at[1][4] = 0.0f;
+  M->at[2][4] = 0.0f;
+  M->at[3][4] = D_m10;
+  M->at[4][4] = D_m11;
+  M->at[5][4] = D_m12;
+  M->at[0][5] = 0.0f;
+  M->at[1][5] = 0.0f;
+  M->at[2][5] = 0.0f;
+  M->at[3][5] = D_m20;
+  M->at[4][5] = D_m21;
+  M->at[5][5] = D_m22;
+}
+
+/* power = f·v + τ·ω, in W.
+   c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s).
+   2 mul, 1 add, 4 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline float ksl_dot_csf_fused(const ksl_coscrewf_t *c, const ksl_screwf_t *s) {
+  const float power_a = c->m0 * s->m0, power_c = fmaf(c->m1, s->m1, power_a),
+      power_e = fmaf(c->m2, s->m2, power_c), power_f = c->m3 * s->m3,
+      power_h = fmaf(c->m4, s->m4, power_f), power_j = fmaf(c->m5, s->m5, power_h),
+      power = power_e + power_j;
+  return power;
+}
+
+/* so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2).
+   s1, s2, so: screw (v in m/s; ω in rad/s).
+   9 mul, 3 add, 9 fma.
+   Error <= u |result| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_cross_ssf_fused(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
+    ksl_screwf_t *so) {
+  const float so_0a = s1->m1 * s2->m5, so_0c = fmaf(-s1->m5, s2->m1, so_0a),
+      so_0d = s1->m4 * s2->m2, so_0f = fmaf(-s1->m2, s2->m4, so_0d), so_0 = so_0c + so_0f;
+  const float so_1a = s1->m5 * s2->m0, so_1c = fmaf(-s1->m0, s2->m5, so_1a),
+      so_1d = s1->m2 * s2->m3, so_1f = fmaf(-s1->m3, s2->m2, so_1d), so_1 = so_1c + so_1f;
+  const float so_2a = s1->m0 * s2->m4, so_2c = fmaf(-s1->m4, s2->m0, so_2a),
+      so_2d = s1->m3 * s2->m1, so_2f = fmaf(-s1->m1, s2->m3, so_2d), so_2 = so_2c + so_2f;
+  const float so_3a = s1->m4 * s2->m5, so_3 = fmaf(-s1->m5, s2->m4, so_3a);
+  const float so_4a = s1->m5 * s2->m3, so_4 = fmaf(-s1->m3, s2->m5, so_4a);
+  const float so_5a = s1->m3 * s2->m4, so_5 = fmaf(-s1->m4, s2->m3, so_5a);
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = (ω1×v2 ; 0).
+   s1, s2, so: screw (v in m/s; ω in rad/s).
+   3 mul, 3 fma.
+   Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_cross_sstf_fused(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
+    ksl_screwf_t *so) {
+  const float so_0a = s1->m4 * s2->m2, so_0 = fmaf(-s1->m5, s2->m1, so_0a);
+  const float so_1a = s1->m5 * s2->m0, so_1 = fmaf(-s1->m3, s2->m2, so_1a);
+  const float so_2a = s1->m3 * s2->m1, so_2 = fmaf(-s1->m4, s2->m0, so_2a);
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0f;
+  so->m4 = 0.0f;
+  so->m5 = 0.0f;
+}
+
+/* so = (t×R a ; R a), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   6 mul, 9 fma.
+   Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsraf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
+  const float a_0a = D->m00 * axis->x, a_0c = fmaf(D->m01, axis->y, a_0a),
+      a_0 = fmaf(D->m02, axis->z, a_0c);
+  const float a_1a = D->m10 * axis->x, a_1c = fmaf(D->m11, axis->y, a_1a),
+      a_1 = fmaf(D->m12, axis->z, a_1c);
+  const float a_2a = D->m20 * axis->x, a_2c = fmaf(D->m21, axis->y, a_2a),
+      a_2 = fmaf(D->m22, axis->z, a_2c);
+  const float so_0a = D->m13 * a_2, so_0 = fmaf(-D->m23, a_1, so_0a);
+  const float so_1a = D->m23 * a_0, so_1 = fmaf(-D->m03, a_2, so_1a);
+  const float so_2a = D->m03 * a_1, so_2 = fmaf(-D->m13, a_0, so_2a);
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = a_0;
+  so->m4 = a_1;
+  so->m5 = a_2;
+}
+
+/* so = (R a ; 0), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   3 mul, 6 fma.
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hstaf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
+  const float so_0a = D->m00 * axis->x, so_0c = fmaf(D->m01, axis->y, so_0a),
+      so_0 = fmaf(D->m02, axis->z, so_0c);
+  const float so_1a = D->m10 * axis->x, so_1c = fmaf(D->m11, axis->y, so_1a),
+      so_1 = fmaf(D->m12, axis->z, so_1c);
+  const float so_2a = D->m20 * axis->x, so_2c = fmaf(D->m21, axis->y, so_2a),
+      so_2 = fmaf(D->m22, axis->z, so_2c);
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0f;
+  so->m4 = 0.0f;
+  so->m5 = 0.0f;
+}
+
+#endif
+
+/* Coscrews: wrenches and momenta, c = (f; τ).
+   Fused tier: products fused into sums. */
+#ifndef KSL_COSCREW_FUSED_H
+#define KSL_COSCREW_FUSED_H
+
+
+/* self = a self.
+   self: coscrew (f in N; τ in N m); a: number.
+   6 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_coscrew_scale_fused(ksl_coscrew_t *self, const double a) {
+  const double self_0_new = self->m0 * a;
+  const double self_1_new = self->m1 * a;
+  const double self_2_new = self->m2 * a;
+  const double self_3_new = self->m3 * a;
+  const double self_4_new = self->m4 * a;
+  const double self_5_new = self->m5 * a;
+  self->m0 = self_0_new;
+  self->m1 = self_1_new;
+  self->m2 = self_2_new;
+  self->m3 = self_3_new;
+  self->m4 = self_4_new;
+  self->m5 = self_5_new;
+}
+
+/* y = a x + y.
+   a: number; x, y: coscrew (f in N; τ in N m).
+   6 fma.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_axpy_cc_fused(const double a, const ksl_coscrew_t *x, ksl_coscrew_t *y) {
+  const double y_0_new = fma(a, x->m0, y->m0);
+  const double y_1_new = fma(a, x->m1, y->m1);
+  const double y_2_new = fma(a, x->m2, y->m2);
+  const double y_3_new = fma(a, x->m3, y->m3);
+  const double y_4_new = fma(a, x->m4, y->m4);
+  const double y_5_new = fma(a, x->m5, y->m5);
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* y = x + y.
+   x, y: coscrew (f in N; τ in N m).
+   6 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_xpy_cc_fused(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
+  const double y_0_new = x->m0 + y->m0;
+  const double y_1_new = x->m1 + y->m1;
+  const double y_2_new = x->m2 + y->m2;
+  const double y_3_new = x->m3 + y->m3;
+  const double y_4_new = x->m4 + y->m4;
+  const double y_5_new = x->m5 + y->m5;
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* y = -x + y.
+   x, y: coscrew (f in N; τ in N m).
+   6 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_nxpy_cc_fused(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
+  const double y_0_new = y->m0 - x->m0;
+  const double y_1_new = y->m1 - x->m1;
+  const double y_2_new = y->m2 - x->m2;
+  const double y_3_new = y->m3 - x->m3;
+  const double y_4_new = y->m4 - x->m4;
+  const double y_5_new = y->m5 - x->m5;
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* co = a ci.
+   a: number; ci, co: coscrew (f in N; τ in N m).
+   6 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_ac_fused(const double a, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double co_0 = a * ci->m0;
+  const double co_1 = a * ci->m1;
+  const double co_2 = a * ci->m2;
+  const double co_3 = a * ci->m3;
+  const double co_4 = a * ci->m4;
+  const double co_5 = a * ci->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = c1 + c2.
+   c1, c2, co: coscrew (f in N; τ in N m).
+   6 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_cc_fused(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
+    ksl_coscrew_t *co) {
+  const double co_0 = c1->m0 + c2->m0;
+  const double co_1 = c1->m1 + c2->m1;
+  const double co_2 = c1->m2 + c2->m2;
+  const double co_3 = c1->m3 + c2->m3;
+  const double co_4 = c1->m4 + c2->m4;
+  const double co_5 = c1->m5 + c2->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = c1 - c2.
+   c1, c2, co: coscrew (f in N; τ in N m).
+   6 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_subtract_cc_fused(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
+    ksl_coscrew_t *co) {
+  const double co_0 = c1->m0 - c2->m0;
+  const double co_1 = c1->m1 - c2->m1;
+  const double co_2 = c1->m2 - c2->m2;
+  const double co_3 = c1->m3 - c2->m3;
+  const double co_4 = c1->m4 - c2->m4;
+  const double co_5 = c1->m5 - c2->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = (c1.lin + c2.lin ; c1.ang).
+   c1, c2, co: coscrew (f in N; τ in N m).
+   3 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_cct_fused(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
+    ksl_coscrew_t *co) {
+  const double co_0 = c1->m0 + c2->m0;
+  const double co_1 = c1->m1 + c2->m1;
+  const double co_2 = c1->m2 + c2->m2;
+  const double c1_m3 = c1->m3;
+  const double c1_m4 = c1->m4;
+  const double c1_m5 = c1->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = c1_m3;
+  co->m4 = c1_m4;
+  co->m5 = c1_m5;
+}
+
+/* co = [Ad]*(t) ci.
+   t: vector; ci, co: coscrew (f in N; τ in N m).
+   3 mul, 3 add, 3 fma.
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_CoAdtc_fused(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double co_3a = t->y * ci->m2, co_3c = fma(-t->z, ci->m1, co_3a), co_3 = co_3c + ci->m3;
+  const double co_4a = t->z * ci->m0, co_4c = fma(-t->x, ci->m2, co_4a), co_4 = co_4c + ci->m4;
+  const double co_5a = t->x * ci->m1, co_5c = fma(-t->y, ci->m0, co_5a), co_5 = co_5c + ci->m5;
+  const double ci_m0 = ci->m0;
+  const double ci_m1 = ci->m1;
+  const double ci_m2 = ci->m2;
+  co->m0 = ci_m0;
+  co->m1 = ci_m1;
+  co->m2 = ci_m2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(t)^-1 ci.
+   t: vector; ci, co: coscrew (f in N; τ in N m).
+   3 mul, 3 add, 3 fma.
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_CoAdtinvc_fused(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double co_3a = t->z * ci->m1, co_3c = fma(-t->y, ci->m2, co_3a), co_3 = co_3c + ci->m3;
+  const double co_4a = t->x * ci->m2, co_4c = fma(-t->z, ci->m0, co_4a), co_4 = co_4c + ci->m4;
+  const double co_5a = t->y * ci->m0, co_5c = fma(-t->x, ci->m1, co_5a), co_5 = co_5c + ci->m5;
+  const double ci_m0 = ci->m0;
+  const double ci_m1 = ci->m1;
+  const double ci_m2 = ci->m2;
+  co->m0 = ci_m0;
+  co->m1 = ci_m1;
+  co->m2 = ci_m2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(t) (-ci).
+   t: vector; ci, co: coscrew (f in N; τ in N m).
+   3 mul, 3 add, 3 fma, 3 neg.
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_CoAdtcinv_fused(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double co_0 = -ci->m0;
+  const double co_1 = -ci->m1;
+  const double co_2 = -ci->m2;
+  const double co_3a = t->z * ci->m1, co_3c = fma(-t->y, ci->m2, co_3a), co_3 = co_3c - ci->m3;
+  const double co_4a = t->x * ci->m2, co_4c = fma(-t->z, ci->m0, co_4a), co_4 = co_4c - ci->m4;
+  const double co_5a = t->y * ci->m0, co_5c = fma(-t->x, ci->m1, co_5a), co_5 = co_5c - ci->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(R) ci.
+   R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
+   6 mul, 12 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_CoAdrc_fused(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double co_0a = R->m00 * ci->m0, co_0c = fma(R->m01, ci->m1, co_0a),
+      co_0 = fma(R->m02, ci->m2, co_0c);
+  const double co_1a = R->m10 * ci->m0, co_1c = fma(R->m11, ci->m1, co_1a),
+      co_1 = fma(R->m12, ci->m2, co_1c);
+  const double co_2a = R->m20 * ci->m0, co_2c = fma(R->m21, ci->m1, co_2a),
+      co_2 = fma(R->m22, ci->m2, co_2c);
+  const double co_3a = R->m00 * ci->m3, co_3c = fma(R->m01, ci->m4, co_3a),
+      co_3 = fma(R->m02, ci->m5, co_3c);
+  const double co_4a = R->m10 * ci->m3, co_4c = fma(R->m11, ci->m4, co_4a),
+      co_4 = fma(R->m12, ci->m5, co_4c);
+  const double co_5a = R->m20 * ci->m3, co_5c = fma(R->m21, ci->m4, co_5a),
+      co_5 = fma(R->m22, ci->m5, co_5c);
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(R)^-1 ci.
+   R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
+   6 mul, 12 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_CoAdrinvc_fused(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double co_0a = R->m00 * ci->m0, co_0c = fma(R->m10, ci->m1, co_0a),
+      co_0 = fma(R->m20, ci->m2, co_0c);
+  const double co_1a = R->m01 * ci->m0, co_1c = fma(R->m11, ci->m1, co_1a),
+      co_1 = fma(R->m21, ci->m2, co_1c);
+  const double co_2a = R->m02 * ci->m0, co_2c = fma(R->m12, ci->m1, co_2a),
+      co_2 = fma(R->m22, ci->m2, co_2c);
+  const double co_3a = R->m00 * ci->m3, co_3c = fma(R->m10, ci->m4, co_3a),
+      co_3 = fma(R->m20, ci->m5, co_3c);
+  const double co_4a = R->m01 * ci->m3, co_4c = fma(R->m11, ci->m4, co_4a),
+      co_4 = fma(R->m21, ci->m5, co_4c);
+  const double co_5a = R->m02 * ci->m3, co_5c = fma(R->m12, ci->m4, co_5a),
+      co_5 = fma(R->m22, ci->m5, co_5c);
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(R) (-ci).
+   R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
+   6 mul, 12 fma, 6 neg.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_CoAdrcinv_fused(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double co_0a = R->m00 * ci->m0, co_0c = fma(R->m01, ci->m1, co_0a),
+      co_0e = fma(R->m02, ci->m2, co_0c), co_0 = -co_0e;
+  const double co_1a = R->m10 * ci->m0, co_1c = fma(R->m11, ci->m1, co_1a),
+      co_1e = fma(R->m12, ci->m2, co_1c), co_1 = -co_1e;
+  const double co_2a = R->m20 * ci->m0, co_2c = fma(R->m21, ci->m1, co_2a),
+      co_2e = fma(R->m22, ci->m2, co_2c), co_2 = -co_2e;
+  const double co_3a = R->m00 * ci->m3, co_3c = fma(R->m01, ci->m4, co_3a),
+      co_3e = fma(R->m02, ci->m5, co_3c), co_3 = -co_3e;
+  const double co_4a = R->m10 * ci->m3, co_4c = fma(R->m11, ci->m4, co_4a),
+      co_4e = fma(R->m12, ci->m5, co_4c), co_4 = -co_4e;
+  const double co_5a = R->m20 * ci->m3, co_5c = fma(R->m21, ci->m4, co_5a),
+      co_5e = fma(R->m22, ci->m5, co_5c), co_5 = -co_5e;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.
+   D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add, 15 fma.
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_CoAdc_fused(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m00 * ci->m0, w_0c = fma(D->m01, ci->m1, w_0a),
+      w_0 = fma(D->m02, ci->m2, w_0c);
+  const double w_1a = D->m10 * ci->m0, w_1c = fma(D->m11, ci->m1, w_1a),
+      w_1 = fma(D->m12, ci->m2, w_1c);
+  const double w_2a = D->m20 * ci->m0, w_2c = fma(D->m21, ci->m1, w_2a),
+      w_2 = fma(D->m22, ci->m2, w_2c);
+  const double w_3a = D->m00 * ci->m3, w_3c = fma(D->m01, ci->m4, w_3a),
+      w_3 = fma(D->m02, ci->m5, w_3c);
+  const double w_4a = D->m10 * ci->m3, w_4c = fma(D->m11, ci->m4, w_4a),
+      w_4 = fma(D->m12, ci->m5, w_4c);
+  const double w_5a = D->m20 * ci->m3, w_5c = fma(D->m21, ci->m4, w_5a),
+      w_5 = fma(D->m22, ci->m5, w_5c);
+  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.
+   D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add, 15 fma.
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_CoAdinvc_fused(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double w_3a = D->m23 * ci->m1, w_3c = fma(-D->m13, ci->m2, w_3a), w_3 = w_3c + ci->m3;
+  const double w_4a = D->m03 * ci->m2, w_4c = fma(-D->m23, ci->m0, w_4a), w_4 = w_4c + ci->m4;
+  const double w_5a = D->m13 * ci->m0, w_5c = fma(-D->m03, ci->m1, w_5a), w_5 = w_5c + ci->m5;
+  const double co_0a = D->m00 * ci->m0, co_0c = fma(D->m10, ci->m1, co_0a),
+      co_0 = fma(D->m20, ci->m2, co_0c);
+  const double co_1a = D->m01 * ci->m0, co_1c = fma(D->m11, ci->m1, co_1a),
+      co_1 = fma(D->m21, ci->m2, co_1c);
+  const double co_2a = D->m02 * ci->m0, co_2c = fma(D->m12, ci->m1, co_2a),
+      co_2 = fma(D->m22, ci->m2, co_2c);
+  const double co_3a = D->m00 * w_3, co_3c = fma(D->m10, w_4, co_3a),
+      co_3 = fma(D->m20, w_5, co_3c);
+  const double co_4a = D->m01 * w_3, co_4c = fma(D->m11, w_4, co_4a),
+      co_4 = fma(D->m21, w_5, co_4c);
+  const double co_5a = D->m02 * w_3, co_5c = fma(D->m12, w_4, co_5a),
+      co_5 = fma(D->m22, w_5, co_5c);
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(D) (-ci).
+   D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add, 15 fma, 6 neg.
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_CoAdcinv_fused(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m00 * ci->m0, w_0c = fma(D->m01, ci->m1, w_0a),
+      w_0e = fma(D->m02, ci->m2, w_0c), w_0 = -w_0e;
+  const double w_1a = D->m10 * ci->m0, w_1c = fma(D->m11, ci->m1, w_1a),
+      w_1e = fma(D->m12, ci->m2, w_1c), w_1 = -w_1e;
+  const double w_2a = D->m20 * ci->m0, w_2c = fma(D->m21, ci->m1, w_2a),
+      w_2e = fma(D->m22, ci->m2, w_2c), w_2 = -w_2e;
+  const double w_3a = D->m00 * ci->m3, w_3c = fma(D->m01, ci->m4, w_3a),
+      w_3e = fma(D->m02, ci->m5, w_3c), w_3 = -w_3e;
+  const double w_4a = D->m10 * ci->m3, w_4c = fma(D->m11, ci->m4, w_4a),
+      w_4e = fma(D->m12, ci->m5, w_4c), w_4 = -w_4e;
+  const double w_5a = D->m20 * ci->m3, w_5c = fma(D->m21, ci->m4, w_5a),
+      w_5e = fma(D->m22, ci->m5, w_5c), w_5 = -w_5e;
+  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h_tx: column 0 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   3 mul, 3 fma.
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hctx_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double co_3a = D->m20 * D->m13, co_3 = fma(-D->m10, D->m23, co_3a);
+  const double co_4a = D->m00 * D->m23, co_4 = fma(-D->m20, D->m03, co_4a);
+  const double co_5a = D->m10 * D->m03, co_5 = fma(-D->m00, D->m13, co_5a);
+  const double D_m00 = D->m00;
+  const double D_m10 = D->m10;
+  const double D_m20 = D->m20;
+  co->m0 = D_m00;
+  co->m1 = D_m10;
+  co->m2 = D_m20;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h_ty: column 1 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   3 mul, 3 fma.
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hcty_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double co_3a = D->m21 * D->m13, co_3 = fma(-D->m11, D->m23, co_3a);
+  const double co_4a = D->m01 * D->m23, co_4 = fma(-D->m21, D->m03, co_4a);
+  const double co_5a = D->m11 * D->m03, co_5 = fma(-D->m01, D->m13, co_5a);
+  const double D_m01 = D->m01;
+  const double D_m11 = D->m11;
+  const double D_m21 = D->m21;
+  co->m0 = D_m01;
+  co->m1 = D_m11;
+  co->m2 = D_m21;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h_tz: column 2 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   3 mul, 3 fma.
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hctz_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double co_3a = D->m22 * D->m13, co_3 = fma(-D->m12, D->m23, co_3a);
+  const double co_4a = D->m02 * D->m23, co_4 = fma(-D->m22, D->m03, co_4a);
+  const double co_5a = D->m12 * D->m03, co_5 = fma(-D->m02, D->m13, co_5a);
+  const double D_m02 = D->m02;
+  const double D_m12 = D->m12;
+  const double D_m22 = D->m22;
+  co->m0 = D_m02;
+  co->m1 = D_m12;
+  co->m2 = D_m22;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = -h_tx: -column 0 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   3 mul, 3 fma, 3 neg.
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hctxinv_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double co_0 = -D->m00;
+  const double co_1 = -D->m10;
+  const double co_2 = -D->m20;
+  const double co_3a = D->m10 * D->m23, co_3 = fma(-D->m20, D->m13, co_3a);
+  const double co_4a = D->m20 * D->m03, co_4 = fma(-D->m00, D->m23, co_4a);
+  const double co_5a = D->m00 * D->m13, co_5 = fma(-D->m10, D->m03, co_5a);
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = -h_ty: -column 1 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   3 mul, 3 fma, 3 neg.
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hctyinv_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double co_0 = -D->m01;
+  const double co_1 = -D->m11;
+  const double co_2 = -D->m21;
+  const double co_3a = D->m11 * D->m23, co_3 = fma(-D->m21, D->m13, co_3a);
+  const double co_4a = D->m21 * D->m03, co_4 = fma(-D->m01, D->m23, co_4a);
+  const double co_5a = D->m01 * D->m13, co_5 = fma(-D->m11, D->m03, co_5a);
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = -h_tz: -column 2 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   3 mul, 3 fma, 3 neg.
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hctzinv_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double co_0 = -D->m02;
+  const double co_1 = -D->m12;
+  const double co_2 = -D->m22;
+  const double co_3a = D->m12 * D->m23, co_3 = fma(-D->m22, D->m13, co_3a);
+  const double co_4a = D->m22 * D->m03, co_4 = fma(-D->m02, D->m23, co_4a);
+  const double co_5a = D->m02 * D->m13, co_5 = fma(-D->m12, D->m03, co_5a);
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* M = [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
+   9 mul, 9 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_CoAd_fused(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
+  const double M_30a = D->m20 * D->m13, M_30 = fma(-D->m10, D->m23, M_30a);
+  const double M_31a = D->m21 * D->m13, M_31 = fma(-D->m11, D->m23, M_31a);
+  const double M_32a = D->m22 * D->m13, M_32 = fma(-D->m12, D->m23, M_32a);
+  const double M_40a = D->m00 * D->m23, M_40 = fma(-D->m20, D->m03, M_40a);
+  const double M_41a = D->m01 * D->m23, M_41 = fma(-D->m21, D->m03, M_41a);
+  const double M_42a = D->m02 * D->m23, M_42 = fma(-D->m22, D->m03, M_42a);
+  const double M_50a = D->m10 * D->m03, M_50 = fma(-D->m00, D->m13, M_50a);
+  const double M_51a = D->m11 * D->m03, M_51 = fma(-D->m01, D->m13, M_51a);
+  const double M_52a = D->m12 * D->m03, M_52 = fma(-D->m02, D->m13, M_52a);
+  const double D_m00 = D->m00;
+  const double D_m01 = D->m01;
+  const double D_m02 = D->m02;
+  const double D_m10 = D->m10;
+  const double D_m11 = D->m11;
+  const double D_m12 = D->m12;
+  const double D_m20 = D->m20;
+  const double D_m21 = D->m21;
+  const double D_m22 = D->m22;
+  M->at[0][0] = D_m00;
+  M->at[1][0] = D_m01;
+  M->at[2][0] = D_m02;
+  M->at[3][0] = 0.0;
+  M->at[4][0] = 0.0;
+  M->at[5][0] = 0.0;
+  M->at[0][1] = D_m10;
+  M->at[1][1] = D_m11;
+  M->at[2][1] = D_m12;
+  M->at[3][1] = 0.0;
+  M->at[4][1] = 0.0;
+  M->at[5][1] = 0.0;
+  M->at[0][2] = D_m20;
+  M->at[1][2] = D_m21;
+  M->at[2][2] = D_m22;
+  M->at[3][2] = 0.0;
+  M->at[4][2] = 0.0;
+  M->at[5][2] = 0.0;
+  M->at[0][3] = M_30;
+  M->at[1][3] = M_31;
+  M->at[2][3] = M_32;
+  M->at[3][3] = D_m00;
+  M->at[4][3] = D_m01;
+  M->at[5][3] = D_m02;
+  M->at[0][4] = M_40;
+  M->at[1][4] = M_41;
+  M->at[2][4] = M_42;
+  M->at[3][4] = D_m10;
+  M->at[4][4] = D_m11;
+  M->at[5][4] = D_m12;
+  M->at[0][5] = M_50;
+  M->at[1][5] = M_51;
+  M->at[2][5] = M_52;
+  M->at[3][5] = D_m20;
+  M->at[4][5] = D_m21;
+  M->at[5][5] = D_m22;
+}
+
+/* power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).
+   c: coscrew (f in N; τ in N m); x: six components with the angular part on top.
+   2 mul, 1 add, 4 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline double ksl_reciprocal_product_fused(const ksl_coscrew_t *c, const double x[6]) {
+  const double power_a = c->m0 * x[3], power_c = fma(c->m1, x[4], power_a),
+      power_e = fma(c->m2, x[5], power_c), power_f = c->m3 * x[0],
+      power_h = fma(c->m4, x[1], power_f), power_j = fma(c->m5, x[2], power_h),
+      power = power_e + power_j;
+  return power;
+}
+
+/* co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
+   s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add, 9 fma.
+   Error <= u |result| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_cross_sc_fused(const ksl_screw_t *s, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double co_0a = s->m4 * c->m2, co_0 = fma(-s->m5, c->m1, co_0a);
+  const double co_1a = s->m5 * c->m0, co_1 = fma(-s->m3, c->m2, co_1a);
+  const double co_2a = s->m3 * c->m1, co_2 = fma(-s->m4, c->m0, co_2a);
+  const double co_3a = s->m1 * c->m2, co_3c = fma(-s->m2, c->m1, co_3a), co_3d = s->m4 * c->m5,
+      co_3f = fma(-s->m5, c->m4, co_3d), co_3 = co_3c + co_3f;
+  const double co_4a = s->m2 * c->m0, co_4c = fma(-s->m0, c->m2, co_4a), co_4d = s->m5 * c->m3,
+      co_4f = fma(-s->m3, c->m5, co_4d), co_4 = co_4c + co_4f;
+  const double co_5a = s->m0 * c->m1, co_5c = fma(-s->m1, c->m0, co_5a), co_5d = s->m3 * c->m4,
+      co_5f = fma(-s->m4, c->m3, co_5d), co_5 = co_5c + co_5f;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = (0 ; ω×τ).
+   s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
+   3 mul, 3 fma.
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_cross_sca_fused(const ksl_screw_t *s, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double co_3a = s->m4 * c->m5, co_3 = fma(-s->m5, c->m4, co_3a);
+  const double co_4a = s->m5 * c->m3, co_4 = fma(-s->m3, c->m5, co_4a);
+  const double co_5a = s->m3 * c->m4, co_5 = fma(-s->m4, c->m3, co_5a);
+  co->m0 = 0.0;
+  co->m1 = 0.0;
+  co->m2 = 0.0;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add, 12 fma.
+   Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_constraint_ctx_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m01 * c->m1, w_0 = fma(D->m02, c->m2, w_0a);
+  const double w_1a = D->m11 * c->m1, w_1 = fma(D->m12, c->m2, w_1a);
+  const double w_2a = D->m21 * c->m1, w_2 = fma(D->m22, c->m2, w_2a);
+  const double w_3a = D->m00 * c->m3, w_3c = fma(D->m01, c->m4, w_3a),
+      w_3 = fma(D->m02, c->m5, w_3c);
+  const double w_4a = D->m10 * c->m3, w_4c = fma(D->m11, c->m4, w_4a),
+      w_4 = fma(D->m12, c->m5, w_4c);
+  const double w_5a = D->m20 * c->m3, w_5c = fma(D->m21, c->m4, w_5a),
+      w_5 = fma(D->m22, c->m5, w_5c);
+  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add, 12 fma.
+   Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_constraint_cty_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m00 * c->m0, w_0 = fma(D->m02, c->m2, w_0a);
+  const double w_1a = D->m10 * c->m0, w_1 = fma(D->m12, c->m2, w_1a);
+  const double w_2a = D->m20 * c->m0, w_2 = fma(D->m22, c->m2, w_2a);
+  const double w_3a = D->m00 * c->m3, w_3c = fma(D->m01, c->m4, w_3a),
+      w_3 = fma(D->m02, c->m5, w_3c);
+  const double w_4a = D->m10 * c->m3, w_4c = fma(D->m11, c->m4, w_4a),
+      w_4 = fma(D->m12, c->m5, w_4c);
+  const double w_5a = D->m20 * c->m3, w_5c = fma(D->m21, c->m4, w_5a),
+      w_5 = fma(D->m22, c->m5, w_5c);
+  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add, 12 fma.
+   Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_constraint_ctz_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m00 * c->m0, w_0 = fma(D->m01, c->m1, w_0a);
+  const double w_1a = D->m10 * c->m0, w_1 = fma(D->m11, c->m1, w_1a);
+  const double w_2a = D->m20 * c->m0, w_2 = fma(D->m21, c->m1, w_2a);
+  const double w_3a = D->m00 * c->m3, w_3c = fma(D->m01, c->m4, w_3a),
+      w_3 = fma(D->m02, c->m5, w_3c);
+  const double w_4a = D->m10 * c->m3, w_4c = fma(D->m11, c->m4, w_4a),
+      w_4 = fma(D->m12, c->m5, w_4c);
+  const double w_5a = D->m20 * c->m3, w_5c = fma(D->m21, c->m4, w_5a),
+      w_5 = fma(D->m22, c->m5, w_5c);
+  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add, 12 fma.
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_constraint_crx_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m00 * c->m0, w_0c = fma(D->m01, c->m1, w_0a),
+      w_0 = fma(D->m02, c->m2, w_0c);
+  const double w_1a = D->m10 * c->m0, w_1c = fma(D->m11, c->m1, w_1a),
+      w_1 = fma(D->m12, c->m2, w_1c);
+  const double w_2a = D->m20 * c->m0, w_2c = fma(D->m21, c->m1, w_2a),
+      w_2 = fma(D->m22, c->m2, w_2c);
+  const double w_3a = D->m01 * c->m4, w_3 = fma(D->m02, c->m5, w_3a);
+  const double w_4a = D->m11 * c->m4, w_4 = fma(D->m12, c->m5, w_4a);
+  const double w_5a = D->m21 * c->m4, w_5 = fma(D->m22, c->m5, w_5a);
+  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add, 12 fma.
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_constraint_cry_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m00 * c->m0, w_0c = fma(D->m01, c->m1, w_0a),
+      w_0 = fma(D->m02, c->m2, w_0c);
+  const double w_1a = D->m10 * c->m0, w_1c = fma(D->m11, c->m1, w_1a),
+      w_1 = fma(D->m12, c->m2, w_1c);
+  const double w_2a = D->m20 * c->m0, w_2c = fma(D->m21, c->m1, w_2a),
+      w_2 = fma(D->m22, c->m2, w_2c);
+  const double w_3a = D->m00 * c->m3, w_3 = fma(D->m02, c->m5, w_3a);
+  const double w_4a = D->m10 * c->m3, w_4 = fma(D->m12, c->m5, w_4a);
+  const double w_5a = D->m20 * c->m3, w_5 = fma(D->m22, c->m5, w_5a);
+  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add, 12 fma.
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_constraint_crz_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m00 * c->m0, w_0c = fma(D->m01, c->m1, w_0a),
+      w_0 = fma(D->m02, c->m2, w_0c);
+  const double w_1a = D->m10 * c->m0, w_1c = fma(D->m11, c->m1, w_1a),
+      w_1 = fma(D->m12, c->m2, w_1c);
+  const double w_2a = D->m20 * c->m0, w_2c = fma(D->m21, c->m1, w_2a),
+      w_2 = fma(D->m22, c->m2, w_2c);
+  const double w_3a = D->m00 * c->m3, w_3 = fma(D->m01, c->m4, w_3a);
+  const double w_4a = D->m10 * c->m3, w_4 = fma(D->m11, c->m4, w_4a);
+  const double w_5a = D->m20 * c->m3, w_5 = fma(D->m21, c->m4, w_5a);
+  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   6 mul, 3 fma.
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_working_ctx_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0 = D->m00 * c->m0;
+  const double w_1 = D->m10 * c->m0;
+  const double w_2 = D->m20 * c->m0;
+  const double co_3a = D->m13 * w_2, co_3 = fma(-D->m23, w_1, co_3a);
+  const double co_4a = D->m23 * w_0, co_4 = fma(-D->m03, w_2, co_4a);
+  const double co_5a = D->m03 * w_1, co_5 = fma(-D->m13, w_0, co_5a);
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   6 mul, 3 fma.
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_working_cty_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0 = D->m01 * c->m1;
+  const double w_1 = D->m11 * c->m1;
+  const double w_2 = D->m21 * c->m1;
+  const double co_3a = D->m13 * w_2, co_3 = fma(-D->m23, w_1, co_3a);
+  const double co_4a = D->m23 * w_0, co_4 = fma(-D->m03, w_2, co_4a);
+  const double co_5a = D->m03 * w_1, co_5 = fma(-D->m13, w_0, co_5a);
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   6 mul, 3 fma.
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_working_ctz_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0 = D->m02 * c->m2;
+  const double w_1 = D->m12 * c->m2;
+  const double w_2 = D->m22 * c->m2;
+  const double co_3a = D->m13 * w_2, co_3 = fma(-D->m23, w_1, co_3a);
+  const double co_4a = D->m23 * w_0, co_4 = fma(-D->m03, w_2, co_4a);
+  const double co_5a = D->m03 * w_1, co_5 = fma(-D->m13, w_0, co_5a);
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   3 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_working_crx_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_3 = D->m00 * c->m3;
+  const double w_4 = D->m10 * c->m3;
+  const double w_5 = D->m20 * c->m3;
+  co->m0 = 0.0;
+  co->m1 = 0.0;
+  co->m2 = 0.0;
+  co->m3 = w_3;
+  co->m4 = w_4;
+  co->m5 = w_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   3 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_working_cry_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_3 = D->m01 * c->m4;
+  const double w_4 = D->m11 * c->m4;
+  const double w_5 = D->m21 * c->m4;
+  co->m0 = 0.0;
+  co->m1 = 0.0;
+  co->m2 = 0.0;
+  co->m3 = w_3;
+  co->m4 = w_4;
+  co->m5 = w_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   3 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_working_crz_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_3 = D->m02 * c->m5;
+  const double w_4 = D->m12 * c->m5;
+  const double w_5 = D->m22 * c->m5;
+  co->m0 = 0.0;
+  co->m1 = 0.0;
+  co->m2 = 0.0;
+  co->m3 = w_3;
+  co->m4 = w_4;
+  co->m5 = w_5;
+}
+
+/* self = a self.
+   self: coscrew (f in N; τ in N m); a: number.
+   6 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_coscrewf_scale_fused(ksl_coscrewf_t *self, const float a) {
+  const float self_0_new = self->m0 * a;
+  const float self_1_new = self->m1 * a;
+  const float self_2_new = self->m2 * a;
+  const float self_3_new = self->m3 * a;
+  const float self_4_new = self->m4 * a;
+  const float self_5_new = self->m5 * a;
+  self->m0 = self_0_new;
+  self->m1 = self_1_new;
+  self->m2 = self_2_new;
+  self->m3 = self_3_new;
+  self->m4 = self_4_new;
+  self->m5 = self_5_new;
+}
+
+/* y = a x + y.
+   a: number; x, y: coscrew (f in N; τ in N m).
+   6 fma.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_axpy_ccf_fused(const float a, const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
+  const float y_0_new = fmaf(a, x->m0, y->m0);
+  const float y_1_new = fmaf(a, x->m1, y->m1);
+  const float y_2_new = fmaf(a, x->m2, y->m2);
+  const float y_3_new = fmaf(a, x->m3, y->m3);
+  const float y_4_new = fmaf(a, x->m4, y->m4);
+  const float y_5_new = fmaf(a, x->m5, y->m5);
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* y = x + y.
+   x, y: coscrew (f in N; τ in N m).
+   6 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_xpy_ccf_fused(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
+  const float y_0_new = x->m0 + y->m0;
+  const float y_1_new = x->m1 + y->m1;
+  const float y_2_new = x->m2 + y->m2;
+  const float y_3_new = x->m3 + y->m3;
+  const float y_4_new = x->m4 + y->m4;
+  const float y_5_new = x->m5 + y->m5;
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* y = -x + y.
+   x, y: coscrew (f in N; τ in N m).
+   6 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_nxpy_ccf_fused(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
+  const float y_0_new = y->m0 - x->m0;
+  const float y_1_new = y->m1 - x->m1;
+  const float y_2_new = y->m2 - x->m2;
+  const float y_3_new = y->m3 - x->m3;
+  const float y_4_new = y->m4 - x->m4;
+  const float y_5_new = y->m5 - x->m5;
+  y->m0 = y_0_new;
+  y->m1 = y_1_new;
+  y->m2 = y_2_new;
+  y->m3 = y_3_new;
+  y->m4 = y_4_new;
+  y->m5 = y_5_new;
+}
+
+/* co = a ci.
+   a: number; ci, co: coscrew (f in N; τ in N m).
+   6 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_acf_fused(const float a, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const float co_0 = a * ci->m0;
+  const float co_1 = a * ci->m1;
+  const float co_2 = a * ci->m2;
+  const float co_3 = a * ci->m3;
+  const float co_4 = a * ci->m4;
+  const float co_5 = a * ci->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = c1 + c2.
+   c1, c2, co: coscrew (f in N; τ in N m).
+   6 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_ccf_fused(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
+    ksl_coscrewf_t *co) {
+  const float co_0 = c1->m0 + c2->m0;
+  const float co_1 = c1->m1 + c2->m1;
+  const float co_2 = c1->m2 + c2->m2;
+  const float co_3 = c1->m3 + c2->m3;
+  const float co_4 = c1->m4 + c2->m4;
+  const float co_5 = c1->m5 + c2->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = c1 - c2.
+   c1, c2, co: coscrew (f in N; τ in N m).
+   6 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_subtract_ccf_fused(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
+    ksl_coscrewf_t *co) {
+  const float co_0 = c1->m0 - c2->m0;
+  const float co_1 = c1->m1 - c2->m1;
+  const float co_2 = c1->m2 - c2->m2;
+  const float co_3 = c1->m3 - c2->m3;
+  const float co_4 = c1->m4 - c2->m4;
+  const float co_5 = c1->m5 - c2->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = (c1.lin + c2.lin ; c1.ang).
+   c1, c2, co: coscrew (f in N; τ in N m).
+   3 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_cctf_fused(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
+    ksl_coscrewf_t *co) {
+  const float co_0 = c1->m0 + c2->m0;
+  const float co_1 = c1->m1 + c2->m1;
+  const float co_2 = c1->m2 + c2->m2;
+  const float c1_m3 = c1->m3;
+  const float c1_m4 = c1->m4;
+  const float c1_m5 = c1->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = c1_m3;
+  co->m4 = c1_m4;
+  co->m5 = c1_m5;
+}
+
+/* co = [Ad]*(t) ci.
+   t: vector; ci, co: coscrew (f in N; τ in N m).
+   3 mul, 3 add, 3 fma.
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_CoAdtcf_fused(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const float co_3a = t->y * ci->m2, co_3c = fmaf(-t->z, ci->m1, co_3a), co_3 = co_3c + ci->m3;
+  const float co_4a = t->z * ci->m0, co_4c = fmaf(-t->x, ci->m2, co_4a), co_4 = co_4c + ci->m4;
+  const float co_5a = t->x * ci->m1, co_5c = fmaf(-t->y, ci->m0, co_5a), co_5 = co_5c + ci->m5;
+  const float ci_m0 = ci->m0;
+  const float ci_m1 = ci->m1;
+  const float ci_m2 = ci->m2;
+  co->m0 = ci_m0;
+  co->m1 = ci_m1;
+  co->m2 = ci_m2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(t)^-1 ci.
+   t: vector; ci, co: coscrew (f in N; τ in N m).
+   3 mul, 3 add, 3 fma.
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_CoAdtinvcf_fused(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const float co_3a = t->z * ci->m1, co_3c = fmaf(-t->y, ci->m2, co_3a), co_3 = co_3c + ci->m3;
+  const float co_4a = t->x * ci->m2, co_4c = fmaf(-t->z, ci->m0, co_4a), co_4 = co_4c + ci->m4;
+  const float co_5a = t->y * ci->m0, co_5c = fmaf(-t->x, ci->m1, co_5a), co_5 = co_5c + ci->m5;
+  const float ci_m0 = ci->m0;
+  const float ci_m1 = ci->m1;
+  const float ci_m2 = ci->m2;
+  co->m0 = ci_m0;
+  co->m1 = ci_m1;
+  co->m2 = ci_m2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(t) (-ci).
+   t: vector; ci, co: coscrew (f in N; τ in N m).
+   3 mul, 3 add, 3 fma, 3 neg.
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_CoAdtcinvf_fused(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const float co_0 = -ci->m0;
+  const float co_1 = -ci->m1;
+  const float co_2 = -ci->m2;
+  const float co_3a = t->z * ci->m1, co_3c = fmaf(-t->y, ci->m2, co_3a), co_3 = co_3c - ci->m3;
+  const float co_4a = t->x * ci->m2, co_4c = fmaf(-t->z, ci->m0, co_4a), co_4 = co_4c - ci->m4;
+  const float co_5a = t->y * ci->m0, co_5c = fmaf(-t->x, ci->m1, co_5a), co_5 = co_5c - ci->m5;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(R) ci.
+   R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
+   6 mul, 12 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_CoAdrcf_fused(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const float co_0a = R->m00 * ci->m0, co_0c = fmaf(R->m01, ci->m1, co_0a),
+      co_0 = fmaf(R->m02, ci->m2, co_0c);
+  const float co_1a = R->m10 * ci->m0, co_1c = fmaf(R->m11, ci->m1, co_1a),
+      co_1 = fmaf(R->m12, ci->m2, co_1c);
+  const float co_2a = R->m20 * ci->m0, co_2c = fmaf(R->m21, ci->m1, co_2a),
+      co_2 = fmaf(R->m22, ci->m2, co_2c);
+  const float co_3a = R->m00 * ci->m3, co_3c = fmaf(R->m01, ci->m4, co_3a),
+      co_3 = fmaf(R->m02, ci->m5, co_3c);
+  const float co_4a = R->m10 * ci->m3, co_4c = fmaf(R->m11, ci->m4, co_4a),
+      co_4 = fmaf(R->m12, ci->m5, co_4c);
+  const float co_5a = R->m20 * ci->m3, co_5c = fmaf(R->m21, ci->m4, co_5a),
+      co_5 = fmaf(R->m22, ci->m5, co_5c);
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(R)^-1 ci.
+   R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
+   6 mul, 12 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_CoAdrinvcf_fused(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const float co_0a = R->m00 * ci->m0, co_0c = fmaf(R->m10, ci->m1, co_0a),
+      co_0 = fmaf(R->m20, ci->m2, co_0c);
+  const float co_1a = R->m01 * ci->m0, co_1c = fmaf(R->m11, ci->m1, co_1a),
+      co_1 = fmaf(R->m21, ci->m2, co_1c);
+  const float co_2a = R->m02 * ci->m0, co_2c = fmaf(R->m12, ci->m1, co_2a),
+      co_2 = fmaf(R->m22, ci->m2, co_2c);
+  const float co_3a = R->m00 * ci->m3, co_3c = fmaf(R->m10, ci->m4, co_3a),
+      co_3 = fmaf(R->m20, ci->m5, co_3c);
+  const float co_4a = R->m01 * ci->m3, co_4c = fmaf(R->m11, ci->m4, co_4a),
+      co_4 = fmaf(R->m21, ci->m5, co_4c);
+  const float co_5a = R->m02 * ci->m3, co_5c = fmaf(R->m12, ci->m4, co_5a),
+      co_5 = fmaf(R->m22, ci->m5, co_5c);
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(R) (-ci).
+   R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
+   6 mul, 12 fma, 6 neg.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_CoAdrcinvf_fused(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const float co_0a = R->m00 * ci->m0, co_0c = fmaf(R->m01, ci->m1, co_0a),
+      co_0e = fmaf(R->m02, ci->m2, co_0c), co_0 = -co_0e;
+  const float co_1a = R->m10 * ci->m0, co_1c = fmaf(R->m11, ci->m1, co_1a),
+      co_1e = fmaf(R->m12, ci->m2, co_1c), co_1 = -co_1e;
+  const float co_2a = R->m20 * ci->m0, co_2c = fmaf(R->m21, ci->m1, co_2a),
+      co_2e = fmaf(R->m22, ci->m2, co_2c), co_2 = -co_2e;
+  const float co_3a = R->m00 * ci->m3, co_3c = fmaf(R->m01, ci->m4, co_3a),
+      co_3e = fmaf(R->m02, ci->m5, co_3c), co_3 = -co_3e;
+  const float co_4a = R->m10 * ci->m3, co_4c = fmaf(R->m11, ci->m4, co_4a),
+      co_4e = fmaf(R->m12, ci->m5, co_4c), co_4 = -co_4e;
+  const float co_5a = R->m20 * ci->m3, co_5c = fmaf(R->m21, ci->m4, co_5a),
+      co_5e = fmaf(R->m22, ci->m5, co_5c), co_5 = -co_5e;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.
+   D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add, 15 fma.
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_CoAdcf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const float w_0a = D->m00 * ci->m0, w_0c = fmaf(D->m01, ci->m1, w_0a),
+      w_0 = fmaf(D->m02, ci->m2, w_0c);
+  const float w_1a = D->m10 * ci->m0, w_1c = fmaf(D->m11, ci->m1, w_1a),
+      w_1 = fmaf(D->m12, ci->m2, w_1c);
+  const float w_2a = D->m20 * ci->m0, w_2c = fmaf(D->m21, ci->m1, w_2a),
+      w_2 = fmaf(D->m22, ci->m2, w_2c);
+  const float w_3a = D->m00 * ci->m3, w_3c = fmaf(D->m01, ci->m4, w_3a),
+      w_3 = fmaf(D->m02, ci->m5, w_3c);
+  const float w_4a = D->m10 * ci->m3, w_4c = fmaf(D->m11, ci->m4, w_4a),
+      w_4 = fmaf(D->m12, ci->m5, w_4c);
+  const float w_5a = D->m20 * ci->m3, w_5c = fmaf(D->m21, ci->m4, w_5a),
+      w_5 = fmaf(D->m22, ci->m5, w_5c);
+  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.
+   D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add, 15 fma.
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_CoAdinvcf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const float w_3a = D->m23 * ci->m1, w_3c = fmaf(-D->m13, ci->m2, w_3a), w_3 = w_3c + ci->m3;
+  const float w_4a = D->m03 * ci->m2, w_4c = fmaf(-D->m23, ci->m0, w_4a), w_4 = w_4c + ci->m4;
+  const float w_5a = D->m13 * ci->m0, w_5c = fmaf(-D->m03, ci->m1, w_5a), w_5 = w_5c + ci->m5;
+  const float co_0a = D->m00 * ci->m0, co_0c = fmaf(D->m10, ci->m1, co_0a),
+      co_0 = fmaf(D->m20, ci->m2, co_0c);
+  const float co_1a = D->m01 * ci->m0, co_1c = fmaf(D->m11, ci->m1, co_1a),
+      co_1 = fmaf(D->m21, ci->m2, co_1c);
+  const float co_2a = D->m02 * ci->m0, co_2c = fmaf(D->m12, ci->m1, co_2a),
+      co_2 = fmaf(D->m22, ci->m2, co_2c);
+  const float co_3a = D->m00 * w_3, co_3c = fmaf(D->m10, w_4, co_3a),
+      co_3 = fmaf(D->m20, w_5, co_3c);
+  const float co_4a = D->m01 * w_3, co_4c = fmaf(D->m11, w_4, co_4a),
+      co_4 = fmaf(D->m21, w_5, co_4c);
+  const float co_5a = D->m02 * w_3, co_5c = fmaf(D->m12, w_4, co_5a),
+      co_5 = fmaf(D->m22, w_5, co_5c);
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = [Ad]*(D) (-ci).
+   D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add, 15 fma, 6 neg.
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_CoAdcinvf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const float w_0a = D->m00 * ci->m0, w_0c = fmaf(D->m01, ci->m1, w_0a),
+      w_0e = fmaf(D->m02, ci->m2, w_0c), w_0 = -w_0e;
+  const float w_1a = D->m10 * ci->m0, w_1c = fmaf(D->m11, ci->m1, w_1a),
+      w_1e = fmaf(D->m12, ci->m2, w_1c), w_1 = -w_1e;
+  const float w_2a = D->m20 * ci->m0, w_2c = fmaf(D->m21, ci->m1, w_2a),
+      w_2e = fmaf(D->m22, ci->m2, w_2c), w_2 = -w_2e;
+  const float w_3a = D->m00 * ci->m3, w_3c = fmaf(D->m01, ci->m4, w_3a),
+      w_3e = fmaf(D->m02, ci->m5, w_3c), w_3 = -w_3e;
+  const float w_4a = D->m10 * ci->m3, w_4c = fmaf(D->m11, ci->m4, w_4a),
+      w_4e = fmaf(D->m12, ci->m5, w_4c), w_4 = -w_4e;
+  const float w_5a = D->m20 * ci->m3, w_5c = fmaf(D->m21, ci->m4, w_5a),
+      w_5e = fmaf(D->m22, ci->m5, w_5c), w_5 = -w_5e;
+  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h_tx: column 0 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   3 mul, 3 fma.
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hctxf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const float co_3a = D->m20 * D->m13, co_3 = fmaf(-D->m10, D->m23, co_3a);
+  const float co_4a = D->m00 * D->m23, co_4 = fmaf(-D->m20, D->m03, co_4a);
+  const float co_5a = D->m10 * D->m03, co_5 = fmaf(-D->m00, D->m13, co_5a);
+  const float D_m00 = D->m00;
+  const float D_m10 = D->m10;
+  const float D_m20 = D->m20;
+  co->m0 = D_m00;
+  co->m1 = D_m10;
+  co->m2 = D_m20;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h_ty: column 1 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   3 mul, 3 fma.
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hctyf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const float co_3a = D->m21 * D->m13, co_3 = fmaf(-D->m11, D->m23, co_3a);
+  const float co_4a = D->m01 * D->m23, co_4 = fmaf(-D->m21, D->m03, co_4a);
+  const float co_5a = D->m11 * D->m03, co_5 = fmaf(-D->m01, D->m13, co_5a);
+  const float D_m01 = D->m01;
+  const float D_m11 = D->m11;
+  const float D_m21 = D->m21;
+  co->m0 = D_m01;
+  co->m1 = D_m11;
+  co->m2 = D_m21;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h_tz: column 2 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   3 mul, 3 fma.
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hctzf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const float co_3a = D->m22 * D->m13, co_3 = fmaf(-D->m12, D->m23, co_3a);
+  const float co_4a = D->m02 * D->m23, co_4 = fmaf(-D->m22, D->m03, co_4a);
+  const float co_5a = D->m12 * D->m03, co_5 = fmaf(-D->m02, D->m13, co_5a);
+  const float D_m02 = D->m02;
+  const float D_m12 = D->m12;
+  const float D_m22 = D->m22;
+  co->m0 = D_m02;
+  co->m1 = D_m12;
+  co->m2 = D_m22;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = -h_tx: -column 0 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   3 mul, 3 fma, 3 neg.
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hctxinvf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const float co_0 = -D->m00;
+  const float co_1 = -D->m10;
+  const float co_2 = -D->m20;
+  const float co_3a = D->m10 * D->m23, co_3 = fmaf(-D->m20, D->m13, co_3a);
+  const float co_4a = D->m20 * D->m03, co_4 = fmaf(-D->m00, D->m23, co_4a);
+  const float co_5a = D->m00 * D->m13, co_5 = fmaf(-D->m10, D->m03, co_5a);
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = -h_ty: -column 1 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   3 mul, 3 fma, 3 neg.
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hctyinvf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const float co_0 = -D->m01;
+  const float co_1 = -D->m11;
+  const float co_2 = -D->m21;
+  const float co_3a = D->m11 * D->m23, co_3 = fmaf(-D->m21, D->m13, co_3a);
+  const float co_4a = D->m21 * D->m03, co_4 = fmaf(-D->m01, D->m23, co_4a);
+  const float co_5a = D->m01 * D->m13, co_5 = fmaf(-D->m11, D->m03, co_5a);
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = -h_tz: -column 2 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   3 mul, 3 fma, 3 neg.
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hctzinvf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const float co_0 = -D->m02;
+  const float co_1 = -D->m12;
+  const float co_2 = -D->m22;
+  const float co_3a = D->m12 * D->m23, co_3 = fmaf(-D->m22, D->m13, co_3a);
+  const float co_4a = D->m22 * D->m03, co_4 = fmaf(-D->m02, D->m23, co_4a);
+  const float co_5a = D->m02 * D->m13, co_5 = fmaf(-D->m12, D->m03, co_5a);
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* M = [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
+   9 mul, 9 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_CoAdf_fused(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
+  const float M_30a = D->m20 * D->m13, M_30 = fmaf(-D->m10, D->m23, M_30a);
+  const float M_31a = D->m21 * D->m13, M_31 = fmaf(-D->m11, D->m23, M_31a);
+  const float M_32a = D->m22 * D->m13, M_32 = fmaf(-D->m12, D->m23, M_32a);
+  const float M_40a = D->m00 * D->m23, M_40 = fmaf(-D->m20, D->m03, M_40a);
+  const float M_41a = D->m01 * D->m23, M_41 = fmaf(-D->m21, D->m03, M_41a);
+  const float M_42a = D->m02 * D->m23, M_42 = fmaf(-D->m22, D->m03, M_42a);
+  const float M_50a = D->m10 * D->m03, M_50 = fmaf(-D->m00, D->m13, M_50a);
+  const float M_51a = D->m11 * D->m03, M_51 = fmaf(-D->m01, D->m13, M_51a);
+  const float M_52a = D->m12 * D->m03, M_52 = fmaf(-D->m02, D->m13, M_52a);
+  const float D_m00 = D->m00;
+  const float D_m01 = D->m01;
+  const float D_m02 = D->m02;
+  const float D_m10 = D->m10;
+  const float D_m11 = D->m11;
+  const float D_m12 = D->m12;
+  const float D_m20 = D->m20;
+  const float D_m21 = D->m21;
+  const float D_m22 = D->m22;
+  M->at[0][0] = D_m00;
+  M->at[1][0] = D_m01;
+  M->at[2][0] = D_m02;
+  M->at[3][0] = 0.0f;
+  M->at[4][0] = 0.0f;
+  M->at[5][0] = 0.0f;
+  M->at[0][1] = D_m10;
+  M->at[1][1] = D_m11;
+  M->at[2][1] = D_m12;
+  M->at[3][1] = 0.0f;
+  M->at[4][1] = 0.0f;
+  M->at[5][1] = 0.0f;
+  M->at[0][2] = D_m20;
+  M->at[1][2] = D_m21;
+  M->at[2][2] = D_m22;
+  M->at[3][2] = 0.0f;
+  M->at[4][2] = 0.0f;
+  M->at[5][2] = 0.0f;
+  M->at[0][3] = M_30;
+  M->at[1][3] = M_31;
+  M->at[2][3] = M_32;
+  M->at[3][3] = D_m00;
+  M->at[4][3] = D_m01;
+  M->at[5][3] = D_m02;
+  M->at[0][4] = M_40;
+  M->at[1][4] = M_41;
+  M->at[2][4] = M_42;
+  M->at[3][4] = D_m10;
+  M->at[4][4] = D_m11;
+  M->at[5][4] = D_m12;
+  M->at[0][5] = M_50;
+  M->at[1][5] = M_51;
+  M->at[2][5] = M_52;
+  M->at[3][5] = D_m20;
+  M->at[4][5] = D_m21;
+  M->at[5][5] = D_m22;
+}
+
+/* power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).
+   c: coscrew (f in N; τ in N m); x: six components with the angular part on top.
+   2 mul, 1 add, 4 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline float ksl_reciprocal_productf_fused(const ksl_coscrewf_t *c, const float x[6]) {
+  const float power_a = c->m0 * x[3], power_c = fmaf(c->m1, x[4], power_a),
+      power_e = fmaf(c->m2, x[5], power_c), power_f = c->m3 * x[0],
+      power_h = fmaf(c->m4, x[1], power_f), power_j = fmaf(c->m5, x[2], power_h),
+      power = power_e + power_j;
+  return power;
+}
+
+/* co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
+   s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add, 9 fma.
+   Error <= u |result| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_cross_scf_fused(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float co_0a = s->m4 * c->m2, co_0 = fmaf(-s->m5, c->m1, co_0a);
+  const float co_1a = s->m5 * c->m0, co_1 = fmaf(-s->m3, c->m2, co_1a);
+  const float co_2a = s->m3 * c->m1, co_2 = fmaf(-s->m4, c->m0, co_2a);
+  const float co_3a = s->m1 * c->m2, co_3c = fmaf(-s->m2, c->m1, co_3a), co_3d = s->m4 * c->m5,
+      co_3f = fmaf(-s->m5, c->m4, co_3d), co_3 = co_3c + co_3f;
+  const float co_4a = s->m2 * c->m0, co_4c = fmaf(-s->m0, c->m2, co_4a), co_4d = s->m5 * c->m3,
+      co_4f = fmaf(-s->m3, c->m5, co_4d), co_4 = co_4c + co_4f;
+  const float co_5a = s->m0 * c->m1, co_5c = fmaf(-s->m1, c->m0, co_5a), co_5d = s->m3 * c->m4,
+      co_5f = fmaf(-s->m4, c->m3, co_5d), co_5 = co_5c + co_5f;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = (0 ; ω×τ).
+   s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
+   3 mul, 3 fma.
+   Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_cross_scaf_fused(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float co_3a = s->m4 * c->m5, co_3 = fmaf(-s->m5, c->m4, co_3a);
+  const float co_4a = s->m5 * c->m3, co_4 = fmaf(-s->m3, c->m5, co_4a);
+  const float co_5a = s->m3 * c->m4, co_5 = fmaf(-s->m4, c->m3, co_5a);
+  co->m0 = 0.0f;
+  co->m1 = 0.0f;
+  co->m2 = 0.0f;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add, 12 fma.
+   Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_constraint_ctxf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_0a = D->m01 * c->m1, w_0 = fmaf(D->m02, c->m2, w_0a);
+  const float w_1a = D->m11 * c->m1, w_1 = fmaf(D->m12, c->m2, w_1a);
+  const float w_2a = D->m21 * c->m1, w_2 = fmaf(D->m22, c->m2, w_2a);
+  const float w_3a = D->m00 * c->m3, w_3c = fmaf(D->m01, c->m4, w_3a),
+      w_3 = fmaf(D->m02, c->m5, w_3c);
+  const float w_4a = D->m10 * c->m3, w_4c = fmaf(D->m11, c->m4, w_4a),
+      w_4 = fmaf(D->m12, c->m5, w_4c);
+  const float w_5a = D->m20 * c->m3, w_5c = fmaf(D->m21, c->m4, w_5a),
+      w_5 = fmaf(D->m22, c->m5, w_5c);
+  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add, 12 fma.
+   Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_constraint_ctyf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_0a = D->m00 * c->m0, w_0 = fmaf(D->m02, c->m2, w_0a);
+  const float w_1a = D->m10 * c->m0, w_1 = fmaf(D->m12, c->m2, w_1a);
+  const float w_2a = D->m20 * c->m0, w_2 = fmaf(D->m22, c->m2, w_2a);
+  const float w_3a = D->m00 * c->m3, w_3c = fmaf(D->m01, c->m4, w_3a),
+      w_3 = fmaf(D->m02, c->m5, w_3c);
+  const float w_4a = D->m10 * c->m3, w_4c = fmaf(D->m11, c->m4, w_4a),
+      w_4 = fmaf(D->m12, c->m5, w_4c);
+  const float w_5a = D->m20 * c->m3, w_5c = fmaf(D->m21, c->m4, w_5a),
+      w_5 = fmaf(D->m22, c->m5, w_5c);
+  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add, 12 fma.
+   Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_constraint_ctzf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_0a = D->m00 * c->m0, w_0 = fmaf(D->m01, c->m1, w_0a);
+  const float w_1a = D->m10 * c->m0, w_1 = fmaf(D->m11, c->m1, w_1a);
+  const float w_2a = D->m20 * c->m0, w_2 = fmaf(D->m21, c->m1, w_2a);
+  const float w_3a = D->m00 * c->m3, w_3c = fmaf(D->m01, c->m4, w_3a),
+      w_3 = fmaf(D->m02, c->m5, w_3c);
+  const float w_4a = D->m10 * c->m3, w_4c = fmaf(D->m11, c->m4, w_4a),
+      w_4 = fmaf(D->m12, c->m5, w_4c);
+  const float w_5a = D->m20 * c->m3, w_5c = fmaf(D->m21, c->m4, w_5a),
+      w_5 = fmaf(D->m22, c->m5, w_5c);
+  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add, 12 fma.
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_constraint_crxf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_0a = D->m00 * c->m0, w_0c = fmaf(D->m01, c->m1, w_0a),
+      w_0 = fmaf(D->m02, c->m2, w_0c);
+  const float w_1a = D->m10 * c->m0, w_1c = fmaf(D->m11, c->m1, w_1a),
+      w_1 = fmaf(D->m12, c->m2, w_1c);
+  const float w_2a = D->m20 * c->m0, w_2c = fmaf(D->m21, c->m1, w_2a),
+      w_2 = fmaf(D->m22, c->m2, w_2c);
+  const float w_3a = D->m01 * c->m4, w_3 = fmaf(D->m02, c->m5, w_3a);
+  const float w_4a = D->m11 * c->m4, w_4 = fmaf(D->m12, c->m5, w_4a);
+  const float w_5a = D->m21 * c->m4, w_5 = fmaf(D->m22, c->m5, w_5a);
+  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add, 12 fma.
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_constraint_cryf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_0a = D->m00 * c->m0, w_0c = fmaf(D->m01, c->m1, w_0a),
+      w_0 = fmaf(D->m02, c->m2, w_0c);
+  const float w_1a = D->m10 * c->m0, w_1c = fmaf(D->m11, c->m1, w_1a),
+      w_1 = fmaf(D->m12, c->m2, w_1c);
+  const float w_2a = D->m20 * c->m0, w_2c = fmaf(D->m21, c->m1, w_2a),
+      w_2 = fmaf(D->m22, c->m2, w_2c);
+  const float w_3a = D->m00 * c->m3, w_3 = fmaf(D->m02, c->m5, w_3a);
+  const float w_4a = D->m10 * c->m3, w_4 = fmaf(D->m12, c->m5, w_4a);
+  const float w_5a = D->m20 * c->m3, w_5 = fmaf(D->m22, c->m5, w_5a);
+  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add, 12 fma.
+   Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_constraint_crzf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_0a = D->m00 * c->m0, w_0c = fmaf(D->m01, c->m1, w_0a),
+      w_0 = fmaf(D->m02, c->m2, w_0c);
+  const float w_1a = D->m10 * c->m0, w_1c = fmaf(D->m11, c->m1, w_1a),
+      w_1 = fmaf(D->m12, c->m2, w_1c);
+  const float w_2a = D->m20 * c->m0, w_2c = fmaf(D->m21, c->m1, w_2a),
+      w_2 = fmaf(D->m22, c->m2, w_2c);
+  const float w_3a = D->m00 * c->m3, w_3 = fmaf(D->m01, c->m4, w_3a);
+  const float w_4a = D->m10 * c->m3, w_4 = fmaf(D->m11, c->m4, w_4a);
+  const float w_5a = D->m20 * c->m3, w_5 = fmaf(D->m21, c->m4, w_5a);
+  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   6 mul, 3 fma.
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_working_ctxf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_0 = D->m00 * c->m0;
+  const float w_1 = D->m10 * c->m0;
+  const float w_2 = D->m20 * c->m0;
+  const float co_3a = D->m13 * w_2, co_3 = fmaf(-D->m23, w_1, co_3a);
+  const float co_4a = D->m23 * w_0, co_4 = fmaf(-D->m03, w_2, co_4a);
+  const float co_5a = D->m03 * w_1, co_5 = fmaf(-D->m13, w_0, co_5a);
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   6 mul, 3 fma.
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_working_ctyf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_0 = D->m01 * c->m1;
+  const float w_1 = D->m11 * c->m1;
+  const float w_2 = D->m21 * c->m1;
+  const float co_3a = D->m13 * w_2, co_3 = fmaf(-D->m23, w_1, co_3a);
+  const float co_4a = D->m23 * w_0, co_4 = fmaf(-D->m03, w_2, co_4a);
+  const float co_5a = D->m03 * w_1, co_5 = fmaf(-D->m13, w_0, co_5a);
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   6 mul, 3 fma.
+   Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_working_ctzf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_0 = D->m02 * c->m2;
+  const float w_1 = D->m12 * c->m2;
+  const float w_2 = D->m22 * c->m2;
+  const float co_3a = D->m13 * w_2, co_3 = fmaf(-D->m23, w_1, co_3a);
+  const float co_4a = D->m23 * w_0, co_4 = fmaf(-D->m03, w_2, co_4a);
+  const float co_5a = D->m03 * w_1, co_5 = fmaf(-D->m13, w_0, co_5a);
+  co->m0 = w_0;
+  co->m1 = w_1;
+  co->m2 = w_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   3 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_working_crxf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_3 = D->m00 * c->m3;
+  const float w_4 = D->m10 * c->m3;
+  const float w_5 = D->m20 * c->m3;
+  co->m0 = 0.0f;
+  co->m1 = 0.0f;
+  co->m2 = 0.0f;
+  co->m3 = w_3;
+  co->m4 = w_4;
+  co->m5 = w_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   3 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_working_cryf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_3 = D->m01 * c->m4;
+  const float w_4 = D->m11 * c->m4;
+  const float w_5 = D->m21 * c->m4;
+  co->m0 = 0.0f;
+  co->m1 = 0.0f;
+  co->m2 = 0.0f;
+  co->m3 = w_3;
+  co->m4 = w_4;
+  co->m5 = w_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   3 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_working_crzf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const float w_3 = D->m02 * c->m5;
+  const float w_4 = D->m12 * c->m5;
+  const float w_5 = D->m22 * c->m5;
+  co->m0 = 0.0f;
+  co->m1 = 0.0f;
+  co->m2 = 0.0f;
+  co->m3 = w_3;
+  co->m4 = w_4;
+  co->m5 = w_5;
+}
+
+#endif

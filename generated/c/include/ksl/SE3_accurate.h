@@ -1,0 +1,212 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* Displacements D = [R | t].
+   Accurate tier: double compensated, single computed in double. */
+#ifndef KSL_SE3_ACCURATE_H
+#define KSL_SE3_ACCURATE_H
+
+#include "ksl_exact.h"
+
+/* self = self^-1 = [R^T | -R^T t].
+   self: displacement [R | t], R rotation, t in m.
+   9 mul, 21 add, 9 product error, 6 sum error, 6 neg.
+   Error <= u |result| + (R: 0, t: 10) u^2 S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_SE3_invert_accurate(ksl_SE3_t *self) {
+  const double self_03_new_a = self->m00 * self->m03,
+      self_03_new_a_lo = ksl_product_error(self->m00, self->m03, self_03_new_a),
+      self_03_new_b = self->m10 * self->m13,
+      self_03_new_b_lo = ksl_product_error(self->m10, self->m13, self_03_new_b),
+      self_03_new_c = self_03_new_a + self_03_new_b,
+      self_03_new_c_error = ksl_sum_error(self_03_new_a, self_03_new_b, self_03_new_c),
+      self_03_new_c_lo1 = self_03_new_c_error + self_03_new_a_lo,
+      self_03_new_c_lo = self_03_new_c_lo1 + self_03_new_b_lo,
+      self_03_new_d = self->m20 * self->m23,
+      self_03_new_d_lo = ksl_product_error(self->m20, self->m23, self_03_new_d),
+      self_03_new_e = self_03_new_c + self_03_new_d,
+      self_03_new_e_error = ksl_sum_error(self_03_new_c, self_03_new_d, self_03_new_e),
+      self_03_new_e_lo1 = self_03_new_e_error + self_03_new_c_lo,
+      self_03_new_e_lo = self_03_new_e_lo1 + self_03_new_d_lo, self_03_new = -self_03_new_e,
+      self_03_new_lo = -self_03_new_e_lo;
+  const double self_13_new_a = self->m01 * self->m03,
+      self_13_new_a_lo = ksl_product_error(self->m01, self->m03, self_13_new_a),
+      self_13_new_b = self->m11 * self->m13,
+      self_13_new_b_lo = ksl_product_error(self->m11, self->m13, self_13_new_b),
+      self_13_new_c = self_13_new_a + self_13_new_b,
+      self_13_new_c_error = ksl_sum_error(self_13_new_a, self_13_new_b, self_13_new_c),
+      self_13_new_c_lo1 = self_13_new_c_error + self_13_new_a_lo,
+      self_13_new_c_lo = self_13_new_c_lo1 + self_13_new_b_lo,
+      self_13_new_d = self->m21 * self->m23,
+      self_13_new_d_lo = ksl_product_error(self->m21, self->m23, self_13_new_d),
+      self_13_new_e = self_13_new_c + self_13_new_d,
+      self_13_new_e_error = ksl_sum_error(self_13_new_c, self_13_new_d, self_13_new_e),
+      self_13_new_e_lo1 = self_13_new_e_error + self_13_new_c_lo,
+      self_13_new_e_lo = self_13_new_e_lo1 + self_13_new_d_lo, self_13_new = -self_13_new_e,
+      self_13_new_lo = -self_13_new_e_lo;
+  const double self_23_new_a = self->m02 * self->m03,
+      self_23_new_a_lo = ksl_product_error(self->m02, self->m03, self_23_new_a),
+      self_23_new_b = self->m12 * self->m13,
+      self_23_new_b_lo = ksl_product_error(self->m12, self->m13, self_23_new_b),
+      self_23_new_c = self_23_new_a + self_23_new_b,
+      self_23_new_c_error = ksl_sum_error(self_23_new_a, self_23_new_b, self_23_new_c),
+      self_23_new_c_lo1 = self_23_new_c_error + self_23_new_a_lo,
+      self_23_new_c_lo = self_23_new_c_lo1 + self_23_new_b_lo,
+      self_23_new_d = self->m22 * self->m23,
+      self_23_new_d_lo = ksl_product_error(self->m22, self->m23, self_23_new_d),
+      self_23_new_e = self_23_new_c + self_23_new_d,
+      self_23_new_e_error = ksl_sum_error(self_23_new_c, self_23_new_d, self_23_new_e),
+      self_23_new_e_lo1 = self_23_new_e_error + self_23_new_c_lo,
+      self_23_new_e_lo = self_23_new_e_lo1 + self_23_new_d_lo, self_23_new = -self_23_new_e,
+      self_23_new_lo = -self_23_new_e_lo;
+  const double self_03_new_rounded = self_03_new + self_03_new_lo;
+  const double self_13_new_rounded = self_13_new + self_13_new_lo;
+  const double self_23_new_rounded = self_23_new + self_23_new_lo;
+  const double self_m10 = self->m10;
+  const double self_m20 = self->m20;
+  const double self_m01 = self->m01;
+  const double self_m21 = self->m21;
+  const double self_m02 = self->m02;
+  const double self_m12 = self->m12;
+  self->m01 = self_m10;
+  self->m02 = self_m20;
+  self->m03 = self_03_new_rounded;
+  self->m10 = self_m01;
+  self->m12 = self_m21;
+  self->m13 = self_13_new_rounded;
+  self->m20 = self_m02;
+  self->m21 = self_m12;
+  self->m23 = self_23_new_rounded;
+}
+
+/* Do = D^-1 = [R^T | -R^T t].
+   D, Do: displacement [R | t], R rotation, t in m.
+   9 mul, 21 add, 9 product error, 6 sum error, 6 neg.
+   Error <= u |result| + (R: 0, t: 10) u^2 S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_SE3_inverted_accurate(const ksl_SE3_t *D, ksl_SE3_t *Do) {
+  const double Do_03a = D->m00 * D->m03, Do_03a_lo = ksl_product_error(D->m00, D->m03, Do_03a),
+      Do_03b = D->m10 * D->m13, Do_03b_lo = ksl_product_error(D->m10, D->m13, Do_03b),
+      Do_03c = Do_03a + Do_03b, Do_03c_error = ksl_sum_error(Do_03a, Do_03b, Do_03c),
+      Do_03c_lo1 = Do_03c_error + Do_03a_lo, Do_03c_lo = Do_03c_lo1 + Do_03b_lo,
+      Do_03d = D->m20 * D->m23, Do_03d_lo = ksl_product_error(D->m20, D->m23, Do_03d),
+      Do_03e = Do_03c + Do_03d, Do_03e_error = ksl_sum_error(Do_03c, Do_03d, Do_03e),
+      Do_03e_lo1 = Do_03e_error + Do_03c_lo, Do_03e_lo = Do_03e_lo1 + Do_03d_lo, Do_03 = -Do_03e,
+      Do_03_lo = -Do_03e_lo;
+  const double Do_13a = D->m01 * D->m03, Do_13a_lo = ksl_product_error(D->m01, D->m03, Do_13a),
+      Do_13b = D->m11 * D->m13, Do_13b_lo = ksl_product_error(D->m11, D->m13, Do_13b),
+      Do_13c = Do_13a + Do_13b, Do_13c_error = ksl_sum_error(Do_13a, Do_13b, Do_13c),
+      Do_13c_lo1 = Do_13c_error + Do_13a_lo, Do_13c_lo = Do_13c_lo1 + Do_13b_lo,
+      Do_13d = D->m21 * D->m23, Do_13d_lo = ksl_product_error(D->m21, D->m23, Do_13d),
+      Do_13e = Do_13c + Do_13d, Do_13e_error = ksl_sum_error(Do_13c, Do_13d, Do_13e),
+      Do_13e_lo1 = Do_13e_error + Do_13c_lo, Do_13e_lo = Do_13e_lo1 + Do_13d_lo, Do_13 = -Do_13e,
+      Do_13_lo = -Do_13e_lo;
+  const double Do_23a = D->m02 * D->m03, Do_23a_lo = ksl_product_error(D->m02, D->m03, Do_23a),
+      Do_23b = D->m12 * D->m13, Do_23b_lo = ksl_product_error(D->m12, D->m13, Do_23b),
+      Do_23c = Do_23a + Do_23b, Do_23c_error = ksl_sum_error(Do_23a, Do_23b, Do_23c),
+      Do_23c_lo1 = Do_23c_error + Do_23a_lo, Do_23c_lo = Do_23c_lo1 + Do_23b_lo,
+      Do_23d = D->m22 * D->m23, Do_23d_lo = ksl_product_error(D->m22, D->m23, Do_23d),
+      Do_23e = Do_23c + Do_23d, Do_23e_error = ksl_sum_error(Do_23c, Do_23d, Do_23e),
+      Do_23e_lo1 = Do_23e_error + Do_23c_lo, Do_23e_lo = Do_23e_lo1 + Do_23d_lo, Do_23 = -Do_23e,
+      Do_23_lo = -Do_23e_lo;
+  const double Do_03_rounded = Do_03 + Do_03_lo;
+  const double Do_13_rounded = Do_13 + Do_13_lo;
+  const double Do_23_rounded = Do_23 + Do_23_lo;
+  const double D_m00 = D->m00;
+  const double D_m10 = D->m10;
+  const double D_m20 = D->m20;
+  const double D_m01 = D->m01;
+  const double D_m11 = D->m11;
+  const double D_m21 = D->m21;
+  const double D_m02 = D->m02;
+  const double D_m12 = D->m12;
+  const double D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m10;
+  Do->m02 = D_m20;
+  Do->m03 = Do_03_rounded;
+  Do->m10 = D_m01;
+  Do->m11 = D_m11;
+  Do->m12 = D_m21;
+  Do->m13 = Do_13_rounded;
+  Do->m20 = D_m02;
+  Do->m21 = D_m12;
+  Do->m22 = D_m22;
+  Do->m23 = Do_23_rounded;
+}
+
+/* self = self^-1 = [R^T | -R^T t].
+   self: displacement [R | t], R rotation, t in m.
+   9 mul, 6 add, 3 neg.
+   Error <= u |result| + (R: 0, t: 3/32) u^2 S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_SE3f_invert_accurate(ksl_SE3f_t *self) {
+  const double self_03_new_a = (double)self->m00 * (double)self->m03,
+      self_03_new_b = (double)self->m10 * (double)self->m13,
+      self_03_new_c = self_03_new_a + self_03_new_b,
+      self_03_new_d = (double)self->m20 * (double)self->m23,
+      self_03_new_e = self_03_new_c + self_03_new_d, self_03_new = -self_03_new_e;
+  const double self_13_new_a = (double)self->m01 * (double)self->m03,
+      self_13_new_b = (double)self->m11 * (double)self->m13,
+      self_13_new_c = self_13_new_a + self_13_new_b,
+      self_13_new_d = (double)self->m21 * (double)self->m23,
+      self_13_new_e = self_13_new_c + self_13_new_d, self_13_new = -self_13_new_e;
+  const double self_23_new_a = (double)self->m02 * (double)self->m03,
+      self_23_new_b = (double)self->m12 * (double)self->m13,
+      self_23_new_c = self_23_new_a + self_23_new_b,
+      self_23_new_d = (double)self->m22 * (double)self->m23,
+      self_23_new_e = self_23_new_c + self_23_new_d, self_23_new = -self_23_new_e;
+  const float self_m10 = self->m10;
+  const float self_m20 = self->m20;
+  const float self_m01 = self->m01;
+  const float self_m21 = self->m21;
+  const float self_m02 = self->m02;
+  const float self_m12 = self->m12;
+  self->m01 = self_m10;
+  self->m02 = self_m20;
+  self->m03 = (float)self_03_new;
+  self->m10 = self_m01;
+  self->m12 = self_m21;
+  self->m13 = (float)self_13_new;
+  self->m20 = self_m02;
+  self->m21 = self_m12;
+  self->m23 = (float)self_23_new;
+}
+
+/* Do = D^-1 = [R^T | -R^T t].
+   D, Do: displacement [R | t], R rotation, t in m.
+   9 mul, 6 add, 3 neg.
+   Error <= u |result| + (R: 0, t: 3/32) u^2 S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_SE3f_inverted_accurate(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
+  const double Do_03a = (double)D->m00 * (double)D->m03, Do_03b = (double)D->m10 * (double)D->m13,
+      Do_03c = Do_03a + Do_03b, Do_03d = (double)D->m20 * (double)D->m23, Do_03e = Do_03c + Do_03d,
+      Do_03 = -Do_03e;
+  const double Do_13a = (double)D->m01 * (double)D->m03, Do_13b = (double)D->m11 * (double)D->m13,
+      Do_13c = Do_13a + Do_13b, Do_13d = (double)D->m21 * (double)D->m23, Do_13e = Do_13c + Do_13d,
+      Do_13 = -Do_13e;
+  const double Do_23a = (double)D->m02 * (double)D->m03, Do_23b = (double)D->m12 * (double)D->m13,
+      Do_23c = Do_23a + Do_23b, Do_23d = (double)D->m22 * (double)D->m23, Do_23e = Do_23c + Do_23d,
+      Do_23 = -Do_23e;
+  const float D_m00 = D->m00;
+  const float D_m10 = D->m10;
+  const float D_m20 = D->m20;
+  const float D_m01 = D->m01;
+  const float D_m11 = D->m11;
+  const float D_m21 = D->m21;
+  const float D_m02 = D->m02;
+  const float D_m12 = D->m12;
+  const float D_m22 = D->m22;
+  Do->m00 = D_m00;
+  Do->m01 = D_m10;
+  Do->m02 = D_m20;
+  Do->m03 = (float)Do_03;
+  Do->m10 = D_m01;
+  Do->m11 = D_m11;
+  Do->m12 = D_m21;
+  Do->m13 = (float)Do_13;
+  Do->m20 = D_m02;
+  Do->m21 = D_m12;
+  Do->m22 = D_m22;
+  Do->m23 = (float)Do_23;
+}
+
+#endif

@@ -1,0 +1,2863 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* Coscrews: wrenches and momenta, c = (f; τ).
+   Accurate tier: double compensated, single computed in double. */
+#ifndef KSL_COSCREW_ACCURATE_H
+#define KSL_COSCREW_ACCURATE_H
+
+#include "ksl_exact.h"
+
+/* self = a self.
+   self: coscrew (f in N; τ in N m); a: number.
+   6 mul, 6 add, 6 product error.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_coscrew_scale_accurate(ksl_coscrew_t *self, const double a) {
+  const double self_0_new = self->m0 * a,
+      self_0_new_lo = ksl_product_error(self->m0, a, self_0_new);
+  const double self_1_new = self->m1 * a,
+      self_1_new_lo = ksl_product_error(self->m1, a, self_1_new);
+  const double self_2_new = self->m2 * a,
+      self_2_new_lo = ksl_product_error(self->m2, a, self_2_new);
+  const double self_3_new = self->m3 * a,
+      self_3_new_lo = ksl_product_error(self->m3, a, self_3_new);
+  const double self_4_new = self->m4 * a,
+      self_4_new_lo = ksl_product_error(self->m4, a, self_4_new);
+  const double self_5_new = self->m5 * a,
+      self_5_new_lo = ksl_product_error(self->m5, a, self_5_new);
+  const double self_0_new_rounded = self_0_new + self_0_new_lo;
+  const double self_1_new_rounded = self_1_new + self_1_new_lo;
+  const double self_2_new_rounded = self_2_new + self_2_new_lo;
+  const double self_3_new_rounded = self_3_new + self_3_new_lo;
+  const double self_4_new_rounded = self_4_new + self_4_new_lo;
+  const double self_5_new_rounded = self_5_new + self_5_new_lo;
+  self->m0 = self_0_new_rounded;
+  self->m1 = self_1_new_rounded;
+  self->m2 = self_2_new_rounded;
+  self->m3 = self_3_new_rounded;
+  self->m4 = self_4_new_rounded;
+  self->m5 = self_5_new_rounded;
+}
+
+/* y = a x + y.
+   a: number; x, y: coscrew (f in N; τ in N m).
+   6 mul, 18 add, 6 product error, 6 sum error.
+   Error <= u |result| + 2 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_axpy_cc_accurate(const double a, const ksl_coscrew_t *x, ksl_coscrew_t *y) {
+  const double y_0_new_a = a * x->m0, y_0_new_a_lo = ksl_product_error(a, x->m0, y_0_new_a),
+      y_0_new = y_0_new_a + y->m0, y_0_new_error = ksl_sum_error(y_0_new_a, y->m0, y_0_new),
+      y_0_new_lo = y_0_new_error + y_0_new_a_lo;
+  const double y_1_new_a = a * x->m1, y_1_new_a_lo = ksl_product_error(a, x->m1, y_1_new_a),
+      y_1_new = y_1_new_a + y->m1, y_1_new_error = ksl_sum_error(y_1_new_a, y->m1, y_1_new),
+      y_1_new_lo = y_1_new_error + y_1_new_a_lo;
+  const double y_2_new_a = a * x->m2, y_2_new_a_lo = ksl_product_error(a, x->m2, y_2_new_a),
+      y_2_new = y_2_new_a + y->m2, y_2_new_error = ksl_sum_error(y_2_new_a, y->m2, y_2_new),
+      y_2_new_lo = y_2_new_error + y_2_new_a_lo;
+  const double y_3_new_a = a * x->m3, y_3_new_a_lo = ksl_product_error(a, x->m3, y_3_new_a),
+      y_3_new = y_3_new_a + y->m3, y_3_new_error = ksl_sum_error(y_3_new_a, y->m3, y_3_new),
+      y_3_new_lo = y_3_new_error + y_3_new_a_lo;
+  const double y_4_new_a = a * x->m4, y_4_new_a_lo = ksl_product_error(a, x->m4, y_4_new_a),
+      y_4_new = y_4_new_a + y->m4, y_4_new_error = ksl_sum_error(y_4_new_a, y->m4, y_4_new),
+      y_4_new_lo = y_4_new_error + y_4_new_a_lo;
+  const double y_5_new_a = a * x->m5, y_5_new_a_lo = ksl_product_error(a, x->m5, y_5_new_a),
+      y_5_new = y_5_new_a + y->m5, y_5_new_error = ksl_sum_error(y_5_new_a, y->m5, y_5_new),
+      y_5_new_lo = y_5_new_error + y_5_new_a_lo;
+  const double y_0_new_rounded = y_0_new + y_0_new_lo;
+  const double y_1_new_rounded = y_1_new + y_1_new_lo;
+  const double y_2_new_rounded = y_2_new + y_2_new_lo;
+  const double y_3_new_rounded = y_3_new + y_3_new_lo;
+  const double y_4_new_rounded = y_4_new + y_4_new_lo;
+  const double y_5_new_rounded = y_5_new + y_5_new_lo;
+  y->m0 = y_0_new_rounded;
+  y->m1 = y_1_new_rounded;
+  y->m2 = y_2_new_rounded;
+  y->m3 = y_3_new_rounded;
+  y->m4 = y_4_new_rounded;
+  y->m5 = y_5_new_rounded;
+}
+
+/* y = x + y.
+   x, y: coscrew (f in N; τ in N m).
+   12 add, 6 sum error.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_xpy_cc_accurate(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
+  const double y_0_new = x->m0 + y->m0, y_0_new_lo = ksl_sum_error(x->m0, y->m0, y_0_new);
+  const double y_1_new = x->m1 + y->m1, y_1_new_lo = ksl_sum_error(x->m1, y->m1, y_1_new);
+  const double y_2_new = x->m2 + y->m2, y_2_new_lo = ksl_sum_error(x->m2, y->m2, y_2_new);
+  const double y_3_new = x->m3 + y->m3, y_3_new_lo = ksl_sum_error(x->m3, y->m3, y_3_new);
+  const double y_4_new = x->m4 + y->m4, y_4_new_lo = ksl_sum_error(x->m4, y->m4, y_4_new);
+  const double y_5_new = x->m5 + y->m5, y_5_new_lo = ksl_sum_error(x->m5, y->m5, y_5_new);
+  const double y_0_new_rounded = y_0_new + y_0_new_lo;
+  const double y_1_new_rounded = y_1_new + y_1_new_lo;
+  const double y_2_new_rounded = y_2_new + y_2_new_lo;
+  const double y_3_new_rounded = y_3_new + y_3_new_lo;
+  const double y_4_new_rounded = y_4_new + y_4_new_lo;
+  const double y_5_new_rounded = y_5_new + y_5_new_lo;
+  y->m0 = y_0_new_rounded;
+  y->m1 = y_1_new_rounded;
+  y->m2 = y_2_new_rounded;
+  y->m3 = y_3_new_rounded;
+  y->m4 = y_4_new_rounded;
+  y->m5 = y_5_new_rounded;
+}
+
+/* y = -x + y.
+   x, y: coscrew (f in N; τ in N m).
+   12 add, 6 sum error.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_nxpy_cc_accurate(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
+  const double y_0_new = y->m0 - x->m0, y_0_new_lo = ksl_difference_error(y->m0, x->m0, y_0_new);
+  const double y_1_new = y->m1 - x->m1, y_1_new_lo = ksl_difference_error(y->m1, x->m1, y_1_new);
+  const double y_2_new = y->m2 - x->m2, y_2_new_lo = ksl_difference_error(y->m2, x->m2, y_2_new);
+  const double y_3_new = y->m3 - x->m3, y_3_new_lo = ksl_difference_error(y->m3, x->m3, y_3_new);
+  const double y_4_new = y->m4 - x->m4, y_4_new_lo = ksl_difference_error(y->m4, x->m4, y_4_new);
+  const double y_5_new = y->m5 - x->m5, y_5_new_lo = ksl_difference_error(y->m5, x->m5, y_5_new);
+  const double y_0_new_rounded = y_0_new + y_0_new_lo;
+  const double y_1_new_rounded = y_1_new + y_1_new_lo;
+  const double y_2_new_rounded = y_2_new + y_2_new_lo;
+  const double y_3_new_rounded = y_3_new + y_3_new_lo;
+  const double y_4_new_rounded = y_4_new + y_4_new_lo;
+  const double y_5_new_rounded = y_5_new + y_5_new_lo;
+  y->m0 = y_0_new_rounded;
+  y->m1 = y_1_new_rounded;
+  y->m2 = y_2_new_rounded;
+  y->m3 = y_3_new_rounded;
+  y->m4 = y_4_new_rounded;
+  y->m5 = y_5_new_rounded;
+}
+
+/* co = a ci.
+   a: number; ci, co: coscrew (f in N; τ in N m).
+   6 mul, 6 add, 6 product error.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_product_ac_accurate(const double a, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double co_0 = a * ci->m0, co_0_lo = ksl_product_error(a, ci->m0, co_0);
+  const double co_1 = a * ci->m1, co_1_lo = ksl_product_error(a, ci->m1, co_1);
+  const double co_2 = a * ci->m2, co_2_lo = ksl_product_error(a, ci->m2, co_2);
+  const double co_3 = a * ci->m3, co_3_lo = ksl_product_error(a, ci->m3, co_3);
+  const double co_4 = a * ci->m4, co_4_lo = ksl_product_error(a, ci->m4, co_4);
+  const double co_5 = a * ci->m5, co_5_lo = ksl_product_error(a, ci->m5, co_5);
+  const double co_0_rounded = co_0 + co_0_lo;
+  const double co_1_rounded = co_1 + co_1_lo;
+  const double co_2_rounded = co_2 + co_2_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = co_0_rounded;
+  co->m1 = co_1_rounded;
+  co->m2 = co_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = c1 + c2.
+   c1, c2, co: coscrew (f in N; τ in N m).
+   12 add, 6 sum error.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_cc_accurate(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
+    ksl_coscrew_t *co) {
+  const double co_0 = c1->m0 + c2->m0, co_0_lo = ksl_sum_error(c1->m0, c2->m0, co_0);
+  const double co_1 = c1->m1 + c2->m1, co_1_lo = ksl_sum_error(c1->m1, c2->m1, co_1);
+  const double co_2 = c1->m2 + c2->m2, co_2_lo = ksl_sum_error(c1->m2, c2->m2, co_2);
+  const double co_3 = c1->m3 + c2->m3, co_3_lo = ksl_sum_error(c1->m3, c2->m3, co_3);
+  const double co_4 = c1->m4 + c2->m4, co_4_lo = ksl_sum_error(c1->m4, c2->m4, co_4);
+  const double co_5 = c1->m5 + c2->m5, co_5_lo = ksl_sum_error(c1->m5, c2->m5, co_5);
+  const double co_0_rounded = co_0 + co_0_lo;
+  const double co_1_rounded = co_1 + co_1_lo;
+  const double co_2_rounded = co_2 + co_2_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = co_0_rounded;
+  co->m1 = co_1_rounded;
+  co->m2 = co_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = c1 - c2.
+   c1, c2, co: coscrew (f in N; τ in N m).
+   12 add, 6 sum error.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_subtract_cc_accurate(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
+    ksl_coscrew_t *co) {
+  const double co_0 = c1->m0 - c2->m0, co_0_lo = ksl_difference_error(c1->m0, c2->m0, co_0);
+  const double co_1 = c1->m1 - c2->m1, co_1_lo = ksl_difference_error(c1->m1, c2->m1, co_1);
+  const double co_2 = c1->m2 - c2->m2, co_2_lo = ksl_difference_error(c1->m2, c2->m2, co_2);
+  const double co_3 = c1->m3 - c2->m3, co_3_lo = ksl_difference_error(c1->m3, c2->m3, co_3);
+  const double co_4 = c1->m4 - c2->m4, co_4_lo = ksl_difference_error(c1->m4, c2->m4, co_4);
+  const double co_5 = c1->m5 - c2->m5, co_5_lo = ksl_difference_error(c1->m5, c2->m5, co_5);
+  const double co_0_rounded = co_0 + co_0_lo;
+  const double co_1_rounded = co_1 + co_1_lo;
+  const double co_2_rounded = co_2 + co_2_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = co_0_rounded;
+  co->m1 = co_1_rounded;
+  co->m2 = co_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = (c1.lin + c2.lin ; c1.ang).
+   c1, c2, co: coscrew (f in N; τ in N m).
+   6 add, 3 sum error.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_cct_accurate(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
+    ksl_coscrew_t *co) {
+  const double co_0 = c1->m0 + c2->m0, co_0_lo = ksl_sum_error(c1->m0, c2->m0, co_0);
+  const double co_1 = c1->m1 + c2->m1, co_1_lo = ksl_sum_error(c1->m1, c2->m1, co_1);
+  const double co_2 = c1->m2 + c2->m2, co_2_lo = ksl_sum_error(c1->m2, c2->m2, co_2);
+  const double co_0_rounded = co_0 + co_0_lo;
+  const double co_1_rounded = co_1 + co_1_lo;
+  const double co_2_rounded = co_2 + co_2_lo;
+  const double c1_m3 = c1->m3;
+  const double c1_m4 = c1->m4;
+  const double c1_m5 = c1->m5;
+  co->m0 = co_0_rounded;
+  co->m1 = co_1_rounded;
+  co->m2 = co_2_rounded;
+  co->m3 = c1_m3;
+  co->m4 = c1_m4;
+  co->m5 = c1_m5;
+}
+
+/* co = [Ad]*(t) ci.
+   t: vector; ci, co: coscrew (f in N; τ in N m).
+   6 mul, 18 add, 6 product error, 6 sum error.
+   Error <= u |result| + (lin: 0, ang: 7) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_CoAdtc_accurate(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double co_3a = t->y * ci->m2, co_3a_lo = ksl_product_error(t->y, ci->m2, co_3a),
+      co_3b = t->z * ci->m1, co_3b_lo = ksl_product_error(t->z, ci->m1, co_3b),
+      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
+      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c + ci->m3,
+      co_3_error = ksl_sum_error(co_3c, ci->m3, co_3), co_3_lo = co_3_error + co_3c_lo;
+  const double co_4a = t->z * ci->m0, co_4a_lo = ksl_product_error(t->z, ci->m0, co_4a),
+      co_4b = t->x * ci->m2, co_4b_lo = ksl_product_error(t->x, ci->m2, co_4b),
+      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
+      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c + ci->m4,
+      co_4_error = ksl_sum_error(co_4c, ci->m4, co_4), co_4_lo = co_4_error + co_4c_lo;
+  const double co_5a = t->x * ci->m1, co_5a_lo = ksl_product_error(t->x, ci->m1, co_5a),
+      co_5b = t->y * ci->m0, co_5b_lo = ksl_product_error(t->y, ci->m0, co_5b),
+      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
+      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c + ci->m5,
+      co_5_error = ksl_sum_error(co_5c, ci->m5, co_5), co_5_lo = co_5_error + co_5c_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  const double ci_m0 = ci->m0;
+  const double ci_m1 = ci->m1;
+  const double ci_m2 = ci->m2;
+  co->m0 = ci_m0;
+  co->m1 = ci_m1;
+  co->m2 = ci_m2;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = [Ad]*(t)^-1 ci.
+   t: vector; ci, co: coscrew (f in N; τ in N m).
+   6 mul, 18 add, 6 product error, 6 sum error.
+   Error <= u |result| + (lin: 0, ang: 7) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_CoAdtinvc_accurate(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double co_3a = t->z * ci->m1, co_3a_lo = ksl_product_error(t->z, ci->m1, co_3a),
+      co_3b = t->y * ci->m2, co_3b_lo = ksl_product_error(t->y, ci->m2, co_3b),
+      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
+      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c + ci->m3,
+      co_3_error = ksl_sum_error(co_3c, ci->m3, co_3), co_3_lo = co_3_error + co_3c_lo;
+  const double co_4a = t->x * ci->m2, co_4a_lo = ksl_product_error(t->x, ci->m2, co_4a),
+      co_4b = t->z * ci->m0, co_4b_lo = ksl_product_error(t->z, ci->m0, co_4b),
+      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
+      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c + ci->m4,
+      co_4_error = ksl_sum_error(co_4c, ci->m4, co_4), co_4_lo = co_4_error + co_4c_lo;
+  const double co_5a = t->y * ci->m0, co_5a_lo = ksl_product_error(t->y, ci->m0, co_5a),
+      co_5b = t->x * ci->m1, co_5b_lo = ksl_product_error(t->x, ci->m1, co_5b),
+      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
+      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c + ci->m5,
+      co_5_error = ksl_sum_error(co_5c, ci->m5, co_5), co_5_lo = co_5_error + co_5c_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  const double ci_m0 = ci->m0;
+  const double ci_m1 = ci->m1;
+  const double ci_m2 = ci->m2;
+  co->m0 = ci_m0;
+  co->m1 = ci_m1;
+  co->m2 = ci_m2;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = [Ad]*(t) (-ci).
+   t: vector; ci, co: coscrew (f in N; τ in N m).
+   6 mul, 18 add, 6 product error, 6 sum error, 3 neg.
+   Error <= u |result| + (lin: 0, ang: 7) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_CoAdtcinv_accurate(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double co_0 = -ci->m0;
+  const double co_1 = -ci->m1;
+  const double co_2 = -ci->m2;
+  const double co_3a = t->z * ci->m1, co_3a_lo = ksl_product_error(t->z, ci->m1, co_3a),
+      co_3b = t->y * ci->m2, co_3b_lo = ksl_product_error(t->y, ci->m2, co_3b),
+      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
+      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c - ci->m3,
+      co_3_error = ksl_difference_error(co_3c, ci->m3, co_3), co_3_lo = co_3_error + co_3c_lo;
+  const double co_4a = t->x * ci->m2, co_4a_lo = ksl_product_error(t->x, ci->m2, co_4a),
+      co_4b = t->z * ci->m0, co_4b_lo = ksl_product_error(t->z, ci->m0, co_4b),
+      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
+      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c - ci->m4,
+      co_4_error = ksl_difference_error(co_4c, ci->m4, co_4), co_4_lo = co_4_error + co_4c_lo;
+  const double co_5a = t->y * ci->m0, co_5a_lo = ksl_product_error(t->y, ci->m0, co_5a),
+      co_5b = t->x * ci->m1, co_5b_lo = ksl_product_error(t->x, ci->m1, co_5b),
+      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
+      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c - ci->m5,
+      co_5_error = ksl_difference_error(co_5c, ci->m5, co_5), co_5_lo = co_5_error + co_5c_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = [Ad]*(R) ci.
+   R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
+   18 mul, 42 add, 18 product error, 12 sum error.
+   Error <= u |result| + 10 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_CoAdrc_accurate(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double co_0a = R->m00 * ci->m0, co_0a_lo = ksl_product_error(R->m00, ci->m0, co_0a),
+      co_0b = R->m01 * ci->m1, co_0b_lo = ksl_product_error(R->m01, ci->m1, co_0b),
+      co_0c = co_0a + co_0b, co_0c_error = ksl_sum_error(co_0a, co_0b, co_0c),
+      co_0c_lo1 = co_0c_error + co_0a_lo, co_0c_lo = co_0c_lo1 + co_0b_lo, co_0d = R->m02 * ci->m2,
+      co_0d_lo = ksl_product_error(R->m02, ci->m2, co_0d), co_0 = co_0c + co_0d,
+      co_0_error = ksl_sum_error(co_0c, co_0d, co_0), co_0_lo1 = co_0_error + co_0c_lo,
+      co_0_lo = co_0_lo1 + co_0d_lo;
+  const double co_1a = R->m10 * ci->m0, co_1a_lo = ksl_product_error(R->m10, ci->m0, co_1a),
+      co_1b = R->m11 * ci->m1, co_1b_lo = ksl_product_error(R->m11, ci->m1, co_1b),
+      co_1c = co_1a + co_1b, co_1c_error = ksl_sum_error(co_1a, co_1b, co_1c),
+      co_1c_lo1 = co_1c_error + co_1a_lo, co_1c_lo = co_1c_lo1 + co_1b_lo, co_1d = R->m12 * ci->m2,
+      co_1d_lo = ksl_product_error(R->m12, ci->m2, co_1d), co_1 = co_1c + co_1d,
+      co_1_error = ksl_sum_error(co_1c, co_1d, co_1), co_1_lo1 = co_1_error + co_1c_lo,
+      co_1_lo = co_1_lo1 + co_1d_lo;
+  const double co_2a = R->m20 * ci->m0, co_2a_lo = ksl_product_error(R->m20, ci->m0, co_2a),
+      co_2b = R->m21 * ci->m1, co_2b_lo = ksl_product_error(R->m21, ci->m1, co_2b),
+      co_2c = co_2a + co_2b, co_2c_error = ksl_sum_error(co_2a, co_2b, co_2c),
+      co_2c_lo1 = co_2c_error + co_2a_lo, co_2c_lo = co_2c_lo1 + co_2b_lo, co_2d = R->m22 * ci->m2,
+      co_2d_lo = ksl_product_error(R->m22, ci->m2, co_2d), co_2 = co_2c + co_2d,
+      co_2_error = ksl_sum_error(co_2c, co_2d, co_2), co_2_lo1 = co_2_error + co_2c_lo,
+      co_2_lo = co_2_lo1 + co_2d_lo;
+  const double co_3a = R->m00 * ci->m3, co_3a_lo = ksl_product_error(R->m00, ci->m3, co_3a),
+      co_3b = R->m01 * ci->m4, co_3b_lo = ksl_product_error(R->m01, ci->m4, co_3b),
+      co_3c = co_3a + co_3b, co_3c_error = ksl_sum_error(co_3a, co_3b, co_3c),
+      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 + co_3b_lo, co_3d = R->m02 * ci->m5,
+      co_3d_lo = ksl_product_error(R->m02, ci->m5, co_3d), co_3 = co_3c + co_3d,
+      co_3_error = ksl_sum_error(co_3c, co_3d, co_3), co_3_lo1 = co_3_error + co_3c_lo,
+      co_3_lo = co_3_lo1 + co_3d_lo;
+  const double co_4a = R->m10 * ci->m3, co_4a_lo = ksl_product_error(R->m10, ci->m3, co_4a),
+      co_4b = R->m11 * ci->m4, co_4b_lo = ksl_product_error(R->m11, ci->m4, co_4b),
+      co_4c = co_4a + co_4b, co_4c_error = ksl_sum_error(co_4a, co_4b, co_4c),
+      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 + co_4b_lo, co_4d = R->m12 * ci->m5,
+      co_4d_lo = ksl_product_error(R->m12, ci->m5, co_4d), co_4 = co_4c + co_4d,
+      co_4_error = ksl_sum_error(co_4c, co_4d, co_4), co_4_lo1 = co_4_error + co_4c_lo,
+      co_4_lo = co_4_lo1 + co_4d_lo;
+  const double co_5a = R->m20 * ci->m3, co_5a_lo = ksl_product_error(R->m20, ci->m3, co_5a),
+      co_5b = R->m21 * ci->m4, co_5b_lo = ksl_product_error(R->m21, ci->m4, co_5b),
+      co_5c = co_5a + co_5b, co_5c_error = ksl_sum_error(co_5a, co_5b, co_5c),
+      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 + co_5b_lo, co_5d = R->m22 * ci->m5,
+      co_5d_lo = ksl_product_error(R->m22, ci->m5, co_5d), co_5 = co_5c + co_5d,
+      co_5_error = ksl_sum_error(co_5c, co_5d, co_5), co_5_lo1 = co_5_error + co_5c_lo,
+      co_5_lo = co_5_lo1 + co_5d_lo;
+  const double co_0_rounded = co_0 + co_0_lo;
+  const double co_1_rounded = co_1 + co_1_lo;
+  const double co_2_rounded = co_2 + co_2_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = co_0_rounded;
+  co->m1 = co_1_rounded;
+  co->m2 = co_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = [Ad]*(R)^-1 ci.
+   R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
+   18 mul, 42 add, 18 product error, 12 sum error.
+   Error <= u |result| + 10 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_CoAdrinvc_accurate(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double co_0a = R->m00 * ci->m0, co_0a_lo = ksl_product_error(R->m00, ci->m0, co_0a),
+      co_0b = R->m10 * ci->m1, co_0b_lo = ksl_product_error(R->m10, ci->m1, co_0b),
+      co_0c = co_0a + co_0b, co_0c_error = ksl_sum_error(co_0a, co_0b, co_0c),
+      co_0c_lo1 = co_0c_error + co_0a_lo, co_0c_lo = co_0c_lo1 + co_0b_lo, co_0d = R->m20 * ci->m2,
+      co_0d_lo = ksl_product_error(R->m20, ci->m2, co_0d), co_0 = co_0c + co_0d,
+      co_0_error = ksl_sum_error(co_0c, co_0d, co_0), co_0_lo1 = co_0_error + co_0c_lo,
+      co_0_lo = co_0_lo1 + co_0d_lo;
+  const double co_1a = R->m01 * ci->m0, co_1a_lo = ksl_product_error(R->m01, ci->m0, co_1a),
+      co_1b = R->m11 * ci->m1, co_1b_lo = ksl_product_error(R->m11, ci->m1, co_1b),
+      co_1c = co_1a + co_1b, co_1c_error = ksl_sum_error(co_1a, co_1b, co_1c),
+      co_1c_lo1 = co_1c_error + co_1a_lo, co_1c_lo = co_1c_lo1 + co_1b_lo, co_1d = R->m21 * ci->m2,
+      co_1d_lo = ksl_product_error(R->m21, ci->m2, co_1d), co_1 = co_1c + co_1d,
+      co_1_error = ksl_sum_error(co_1c, co_1d, co_1), co_1_lo1 = co_1_error + co_1c_lo,
+      co_1_lo = co_1_lo1 + co_1d_lo;
+  const double co_2a = R->m02 * ci->m0, co_2a_lo = ksl_product_error(R->m02, ci->m0, co_2a),
+      co_2b = R->m12 * ci->m1, co_2b_lo = ksl_product_error(R->m12, ci->m1, co_2b),
+      co_2c = co_2a + co_2b, co_2c_error = ksl_sum_error(co_2a, co_2b, co_2c),
+      co_2c_lo1 = co_2c_error + co_2a_lo, co_2c_lo = co_2c_lo1 + co_2b_lo, co_2d = R->m22 * ci->m2,
+      co_2d_lo = ksl_product_error(R->m22, ci->m2, co_2d), co_2 = co_2c + co_2d,
+      co_2_error = ksl_sum_error(co_2c, co_2d, co_2), co_2_lo1 = co_2_error + co_2c_lo,
+      co_2_lo = co_2_lo1 + co_2d_lo;
+  const double co_3a = R->m00 * ci->m3, co_3a_lo = ksl_product_error(R->m00, ci->m3, co_3a),
+      co_3b = R->m10 * ci->m4, co_3b_lo = ksl_product_error(R->m10, ci->m4, co_3b),
+      co_3c = co_3a + co_3b, co_3c_error = ksl_sum_error(co_3a, co_3b, co_3c),
+      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 + co_3b_lo, co_3d = R->m20 * ci->m5,
+      co_3d_lo = ksl_product_error(R->m20, ci->m5, co_3d), co_3 = co_3c + co_3d,
+      co_3_error = ksl_sum_error(co_3c, co_3d, co_3), co_3_lo1 = co_3_error + co_3c_lo,
+      co_3_lo = co_3_lo1 + co_3d_lo;
+  const double co_4a = R->m01 * ci->m3, co_4a_lo = ksl_product_error(R->m01, ci->m3, co_4a),
+      co_4b = R->m11 * ci->m4, co_4b_lo = ksl_product_error(R->m11, ci->m4, co_4b),
+      co_4c = co_4a + co_4b, co_4c_error = ksl_sum_error(co_4a, co_4b, co_4c),
+      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 + co_4b_lo, co_4d = R->m21 * ci->m5,
+      co_4d_lo = ksl_product_error(R->m21, ci->m5, co_4d), co_4 = co_4c + co_4d,
+      co_4_error = ksl_sum_error(co_4c, co_4d, co_4), co_4_lo1 = co_4_error + co_4c_lo,
+      co_4_lo = co_4_lo1 + co_4d_lo;
+  const double co_5a = R->m02 * ci->m3, co_5a_lo = ksl_product_error(R->m02, ci->m3, co_5a),
+      co_5b = R->m12 * ci->m4, co_5b_lo = ksl_product_error(R->m12, ci->m4, co_5b),
+      co_5c = co_5a + co_5b, co_5c_error = ksl_sum_error(co_5a, co_5b, co_5c),
+      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 + co_5b_lo, co_5d = R->m22 * ci->m5,
+      co_5d_lo = ksl_product_error(R->m22, ci->m5, co_5d), co_5 = co_5c + co_5d,
+      co_5_error = ksl_sum_error(co_5c, co_5d, co_5), co_5_lo1 = co_5_error + co_5c_lo,
+      co_5_lo = co_5_lo1 + co_5d_lo;
+  const double co_0_rounded = co_0 + co_0_lo;
+  const double co_1_rounded = co_1 + co_1_lo;
+  const double co_2_rounded = co_2 + co_2_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = co_0_rounded;
+  co->m1 = co_1_rounded;
+  co->m2 = co_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = [Ad]*(R) (-ci).
+   R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
+   18 mul, 42 add, 18 product error, 12 sum error, 12 neg.
+   Error <= u |result| + 10 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_CoAdrcinv_accurate(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double co_0a = R->m00 * ci->m0, co_0a_lo = ksl_product_error(R->m00, ci->m0, co_0a),
+      co_0b = R->m01 * ci->m1, co_0b_lo = ksl_product_error(R->m01, ci->m1, co_0b),
+      co_0c = co_0a + co_0b, co_0c_error = ksl_sum_error(co_0a, co_0b, co_0c),
+      co_0c_lo1 = co_0c_error + co_0a_lo, co_0c_lo = co_0c_lo1 + co_0b_lo, co_0d = R->m02 * ci->m2,
+      co_0d_lo = ksl_product_error(R->m02, ci->m2, co_0d), co_0e = co_0c + co_0d,
+      co_0e_error = ksl_sum_error(co_0c, co_0d, co_0e), co_0e_lo1 = co_0e_error + co_0c_lo,
+      co_0e_lo = co_0e_lo1 + co_0d_lo, co_0 = -co_0e, co_0_lo = -co_0e_lo;
+  const double co_1a = R->m10 * ci->m0, co_1a_lo = ksl_product_error(R->m10, ci->m0, co_1a),
+      co_1b = R->m11 * ci->m1, co_1b_lo = ksl_product_error(R->m11, ci->m1, co_1b),
+      co_1c = co_1a + co_1b, co_1c_error = ksl_sum_error(co_1a, co_1b, co_1c),
+      co_1c_lo1 = co_1c_error + co_1a_lo, co_1c_lo = co_1c_lo1 + co_1b_lo, co_1d = R->m12 * ci->m2,
+      co_1d_lo = ksl_product_error(R->m12, ci->m2, co_1d), co_1e = co_1c + co_1d,
+      co_1e_error = ksl_sum_error(co_1c, co_1d, co_1e), co_1e_lo1 = co_1e_error + co_1c_lo,
+      co_1e_lo = co_1e_lo1 + co_1d_lo, co_1 = -co_1e, co_1_lo = -co_1e_lo;
+  const double co_2a = R->m20 * ci->m0, co_2a_lo = ksl_product_error(R->m20, ci->m0, co_2a),
+      co_2b = R->m21 * ci->m1, co_2b_lo = ksl_product_error(R->m21, ci->m1, co_2b),
+      co_2c = co_2a + co_2b, co_2c_error = ksl_sum_error(co_2a, co_2b, co_2c),
+      co_2c_lo1 = co_2c_error + co_2a_lo, co_2c_lo = co_2c_lo1 + co_2b_lo, co_2d = R->m22 * ci->m2,
+      co_2d_lo = ksl_product_error(R->m22, ci->m2, co_2d), co_2e = co_2c + co_2d,
+      co_2e_error = ksl_sum_error(co_2c, co_2d, co_2e), co_2e_lo1 = co_2e_error + co_2c_lo,
+      co_2e_lo = co_2e_lo1 + co_2d_lo, co_2 = -co_2e, co_2_lo = -co_2e_lo;
+  const double co_3a = R->m00 * ci->m3, co_3a_lo = ksl_product_error(R->m00, ci->m3, co_3a),
+      co_3b = R->m01 * ci->m4, co_3b_lo = ksl_product_error(R->m01, ci->m4, co_3b),
+      co_3c = co_3a + co_3b, co_3c_error = ksl_sum_error(co_3a, co_3b, co_3c),
+      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 + co_3b_lo, co_3d = R->m02 * ci->m5,
+      co_3d_lo = ksl_product_error(R->m02, ci->m5, co_3d), co_3e = co_3c + co_3d,
+      co_3e_error = ksl_sum_error(co_3c, co_3d, co_3e), co_3e_lo1 = co_3e_error + co_3c_lo,
+      co_3e_lo = co_3e_lo1 + co_3d_lo, co_3 = -co_3e, co_3_lo = -co_3e_lo;
+  const double co_4a = R->m10 * ci->m3, co_4a_lo = ksl_product_error(R->m10, ci->m3, co_4a),
+      co_4b = R->m11 * ci->m4, co_4b_lo = ksl_product_error(R->m11, ci->m4, co_4b),
+      co_4c = co_4a + co_4b, co_4c_error = ksl_sum_error(co_4a, co_4b, co_4c),
+      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 + co_4b_lo, co_4d = R->m12 * ci->m5,
+      co_4d_lo = ksl_product_error(R->m12, ci->m5, co_4d), co_4e = co_4c + co_4d,
+      co_4e_error = ksl_sum_error(co_4c, co_4d, co_4e), co_4e_lo1 = co_4e_error + co_4c_lo,
+      co_4e_lo = co_4e_lo1 + co_4d_lo, co_4 = -co_4e, co_4_lo = -co_4e_lo;
+  const double co_5a = R->m20 * ci->m3, co_5a_lo = ksl_product_error(R->m20, ci->m3, co_5a),
+      co_5b = R->m21 * ci->m4, co_5b_lo = ksl_product_error(R->m21, ci->m4, co_5b),
+      co_5c = co_5a + co_5b, co_5c_error = ksl_sum_error(co_5a, co_5b, co_5c),
+      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 + co_5b_lo, co_5d = R->m22 * ci->m5,
+      co_5d_lo = ksl_product_error(R->m22, ci->m5, co_5d), co_5e = co_5c + co_5d,
+      co_5e_error = ksl_sum_error(co_5c, co_5d, co_5e), co_5e_lo1 = co_5e_error + co_5c_lo,
+      co_5e_lo = co_5e_lo1 + co_5d_lo, co_5 = -co_5e, co_5_lo = -co_5e_lo;
+  const double co_0_rounded = co_0 + co_0_lo;
+  const double co_1_rounded = co_1 + co_1_lo;
+  const double co_2_rounded = co_2 + co_2_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = co_0_rounded;
+  co->m1 = co_1_rounded;
+  co->m2 = co_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.
+   D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
+   30 mul, 66 add, 24 product error, 18 sum error.
+   Error <= u |result| + (lin: 10, ang: 39) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_CoAdc_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m00 * ci->m0, w_0a_lo = ksl_product_error(D->m00, ci->m0, w_0a),
+      w_0b = D->m01 * ci->m1, w_0b_lo = ksl_product_error(D->m01, ci->m1, w_0b), w_0c = w_0a + w_0b,
+      w_0c_error = ksl_sum_error(w_0a, w_0b, w_0c), w_0c_lo1 = w_0c_error + w_0a_lo,
+      w_0c_lo = w_0c_lo1 + w_0b_lo, w_0d = D->m02 * ci->m2,
+      w_0d_lo = ksl_product_error(D->m02, ci->m2, w_0d), w_0 = w_0c + w_0d,
+      w_0_error = ksl_sum_error(w_0c, w_0d, w_0), w_0_lo1 = w_0_error + w_0c_lo,
+      w_0_lo = w_0_lo1 + w_0d_lo;
+  const double w_1a = D->m10 * ci->m0, w_1a_lo = ksl_product_error(D->m10, ci->m0, w_1a),
+      w_1b = D->m11 * ci->m1, w_1b_lo = ksl_product_error(D->m11, ci->m1, w_1b), w_1c = w_1a + w_1b,
+      w_1c_error = ksl_sum_error(w_1a, w_1b, w_1c), w_1c_lo1 = w_1c_error + w_1a_lo,
+      w_1c_lo = w_1c_lo1 + w_1b_lo, w_1d = D->m12 * ci->m2,
+      w_1d_lo = ksl_product_error(D->m12, ci->m2, w_1d), w_1 = w_1c + w_1d,
+      w_1_error = ksl_sum_error(w_1c, w_1d, w_1), w_1_lo1 = w_1_error + w_1c_lo,
+      w_1_lo = w_1_lo1 + w_1d_lo;
+  const double w_2a = D->m20 * ci->m0, w_2a_lo = ksl_product_error(D->m20, ci->m0, w_2a),
+      w_2b = D->m21 * ci->m1, w_2b_lo = ksl_product_error(D->m21, ci->m1, w_2b), w_2c = w_2a + w_2b,
+      w_2c_error = ksl_sum_error(w_2a, w_2b, w_2c), w_2c_lo1 = w_2c_error + w_2a_lo,
+      w_2c_lo = w_2c_lo1 + w_2b_lo, w_2d = D->m22 * ci->m2,
+      w_2d_lo = ksl_product_error(D->m22, ci->m2, w_2d), w_2 = w_2c + w_2d,
+      w_2_error = ksl_sum_error(w_2c, w_2d, w_2), w_2_lo1 = w_2_error + w_2c_lo,
+      w_2_lo = w_2_lo1 + w_2d_lo;
+  const double w_3a = D->m00 * ci->m3, w_3a_lo = ksl_product_error(D->m00, ci->m3, w_3a),
+      w_3b = D->m01 * ci->m4, w_3b_lo = ksl_product_error(D->m01, ci->m4, w_3b), w_3c = w_3a + w_3b,
+      w_3c_error = ksl_sum_error(w_3a, w_3b, w_3c), w_3c_lo1 = w_3c_error + w_3a_lo,
+      w_3c_lo = w_3c_lo1 + w_3b_lo, w_3d = D->m02 * ci->m5,
+      w_3d_lo = ksl_product_error(D->m02, ci->m5, w_3d), w_3 = w_3c + w_3d,
+      w_3_error = ksl_sum_error(w_3c, w_3d, w_3), w_3_lo1 = w_3_error + w_3c_lo,
+      w_3_lo = w_3_lo1 + w_3d_lo;
+  const double w_4a = D->m10 * ci->m3, w_4a_lo = ksl_product_error(D->m10, ci->m3, w_4a),
+      w_4b = D->m11 * ci->m4, w_4b_lo = ksl_product_error(D->m11, ci->m4, w_4b), w_4c = w_4a + w_4b,
+      w_4c_error = ksl_sum_error(w_4a, w_4b, w_4c), w_4c_lo1 = w_4c_error + w_4a_lo,
+      w_4c_lo = w_4c_lo1 + w_4b_lo, w_4d = D->m12 * ci->m5,
+      w_4d_lo = ksl_product_error(D->m12, ci->m5, w_4d), w_4 = w_4c + w_4d,
+      w_4_error = ksl_sum_error(w_4c, w_4d, w_4), w_4_lo1 = w_4_error + w_4c_lo,
+      w_4_lo = w_4_lo1 + w_4d_lo;
+  const double w_5a = D->m20 * ci->m3, w_5a_lo = ksl_product_error(D->m20, ci->m3, w_5a),
+      w_5b = D->m21 * ci->m4, w_5b_lo = ksl_product_error(D->m21, ci->m4, w_5b), w_5c = w_5a + w_5b,
+      w_5c_error = ksl_sum_error(w_5a, w_5b, w_5c), w_5c_lo1 = w_5c_error + w_5a_lo,
+      w_5c_lo = w_5c_lo1 + w_5b_lo, w_5d = D->m22 * ci->m5,
+      w_5d_lo = ksl_product_error(D->m22, ci->m5, w_5d), w_5 = w_5c + w_5d,
+      w_5_error = ksl_sum_error(w_5c, w_5d, w_5), w_5_lo1 = w_5_error + w_5c_lo,
+      w_5_lo = w_5_lo1 + w_5d_lo;
+  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
+      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
+      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
+      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
+      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
+      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c + w_3,
+      co_3_error = ksl_sum_error(co_3c, w_3, co_3), co_3_lo1 = co_3_error + co_3c_lo,
+      co_3_lo = co_3_lo1 + w_3_lo;
+  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
+      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
+      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
+      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
+      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
+      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c + w_4,
+      co_4_error = ksl_sum_error(co_4c, w_4, co_4), co_4_lo1 = co_4_error + co_4c_lo,
+      co_4_lo = co_4_lo1 + w_4_lo;
+  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
+      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
+      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
+      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
+      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
+      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c + w_5,
+      co_5_error = ksl_sum_error(co_5c, w_5, co_5), co_5_lo1 = co_5_error + co_5c_lo,
+      co_5_lo = co_5_lo1 + w_5_lo;
+  const double w_0_rounded = w_0 + w_0_lo;
+  const double w_1_rounded = w_1 + w_1_lo;
+  const double w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = w_0_rounded;
+  co->m1 = w_1_rounded;
+  co->m2 = w_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.
+   D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
+   33 mul, 66 add, 24 product error, 18 sum error.
+   Error <= u |result| + (lin: 10, ang: 36) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_CoAdinvc_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double w_3a = D->m23 * ci->m1, w_3a_lo = ksl_product_error(D->m23, ci->m1, w_3a),
+      w_3b = D->m13 * ci->m2, w_3b_lo = ksl_product_error(D->m13, ci->m2, w_3b), w_3c = w_3a - w_3b,
+      w_3c_error = ksl_difference_error(w_3a, w_3b, w_3c), w_3c_lo1 = w_3c_error + w_3a_lo,
+      w_3c_lo = w_3c_lo1 - w_3b_lo, w_3 = w_3c + ci->m3,
+      w_3_error = ksl_sum_error(w_3c, ci->m3, w_3), w_3_lo = w_3_error + w_3c_lo;
+  const double w_4a = D->m03 * ci->m2, w_4a_lo = ksl_product_error(D->m03, ci->m2, w_4a),
+      w_4b = D->m23 * ci->m0, w_4b_lo = ksl_product_error(D->m23, ci->m0, w_4b), w_4c = w_4a - w_4b,
+      w_4c_error = ksl_difference_error(w_4a, w_4b, w_4c), w_4c_lo1 = w_4c_error + w_4a_lo,
+      w_4c_lo = w_4c_lo1 - w_4b_lo, w_4 = w_4c + ci->m4,
+      w_4_error = ksl_sum_error(w_4c, ci->m4, w_4), w_4_lo = w_4_error + w_4c_lo;
+  const double w_5a = D->m13 * ci->m0, w_5a_lo = ksl_product_error(D->m13, ci->m0, w_5a),
+      w_5b = D->m03 * ci->m1, w_5b_lo = ksl_product_error(D->m03, ci->m1, w_5b), w_5c = w_5a - w_5b,
+      w_5c_error = ksl_difference_error(w_5a, w_5b, w_5c), w_5c_lo1 = w_5c_error + w_5a_lo,
+      w_5c_lo = w_5c_lo1 - w_5b_lo, w_5 = w_5c + ci->m5,
+      w_5_error = ksl_sum_error(w_5c, ci->m5, w_5), w_5_lo = w_5_error + w_5c_lo;
+  const double co_0a = D->m00 * ci->m0, co_0a_lo = ksl_product_error(D->m00, ci->m0, co_0a),
+      co_0b = D->m10 * ci->m1, co_0b_lo = ksl_product_error(D->m10, ci->m1, co_0b),
+      co_0c = co_0a + co_0b, co_0c_error = ksl_sum_error(co_0a, co_0b, co_0c),
+      co_0c_lo1 = co_0c_error + co_0a_lo, co_0c_lo = co_0c_lo1 + co_0b_lo, co_0d = D->m20 * ci->m2,
+      co_0d_lo = ksl_product_error(D->m20, ci->m2, co_0d), co_0 = co_0c + co_0d,
+      co_0_error = ksl_sum_error(co_0c, co_0d, co_0), co_0_lo1 = co_0_error + co_0c_lo,
+      co_0_lo = co_0_lo1 + co_0d_lo;
+  const double co_1a = D->m01 * ci->m0, co_1a_lo = ksl_product_error(D->m01, ci->m0, co_1a),
+      co_1b = D->m11 * ci->m1, co_1b_lo = ksl_product_error(D->m11, ci->m1, co_1b),
+      co_1c = co_1a + co_1b, co_1c_error = ksl_sum_error(co_1a, co_1b, co_1c),
+      co_1c_lo1 = co_1c_error + co_1a_lo, co_1c_lo = co_1c_lo1 + co_1b_lo, co_1d = D->m21 * ci->m2,
+      co_1d_lo = ksl_product_error(D->m21, ci->m2, co_1d), co_1 = co_1c + co_1d,
+      co_1_error = ksl_sum_error(co_1c, co_1d, co_1), co_1_lo1 = co_1_error + co_1c_lo,
+      co_1_lo = co_1_lo1 + co_1d_lo;
+  const double co_2a = D->m02 * ci->m0, co_2a_lo = ksl_product_error(D->m02, ci->m0, co_2a),
+      co_2b = D->m12 * ci->m1, co_2b_lo = ksl_product_error(D->m12, ci->m1, co_2b),
+      co_2c = co_2a + co_2b, co_2c_error = ksl_sum_error(co_2a, co_2b, co_2c),
+      co_2c_lo1 = co_2c_error + co_2a_lo, co_2c_lo = co_2c_lo1 + co_2b_lo, co_2d = D->m22 * ci->m2,
+      co_2d_lo = ksl_product_error(D->m22, ci->m2, co_2d), co_2 = co_2c + co_2d,
+      co_2_error = ksl_sum_error(co_2c, co_2d, co_2), co_2_lo1 = co_2_error + co_2c_lo,
+      co_2_lo = co_2_lo1 + co_2d_lo;
+  const double co_3a = D->m00 * w_3, co_3a_cross1 = D->m00 * w_3_lo,
+      co_3a_error = ksl_product_error(D->m00, w_3, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
+      co_3b = D->m10 * w_4, co_3b_cross1 = D->m10 * w_4_lo,
+      co_3b_error = ksl_product_error(D->m10, w_4, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
+      co_3c = co_3a + co_3b, co_3c_error = ksl_sum_error(co_3a, co_3b, co_3c),
+      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 + co_3b_lo, co_3d = D->m20 * w_5,
+      co_3d_cross1 = D->m20 * w_5_lo, co_3d_error = ksl_product_error(D->m20, w_5, co_3d),
+      co_3d_lo = co_3d_error + co_3d_cross1, co_3 = co_3c + co_3d,
+      co_3_error = ksl_sum_error(co_3c, co_3d, co_3), co_3_lo1 = co_3_error + co_3c_lo,
+      co_3_lo = co_3_lo1 + co_3d_lo;
+  const double co_4a = D->m01 * w_3, co_4a_cross1 = D->m01 * w_3_lo,
+      co_4a_error = ksl_product_error(D->m01, w_3, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
+      co_4b = D->m11 * w_4, co_4b_cross1 = D->m11 * w_4_lo,
+      co_4b_error = ksl_product_error(D->m11, w_4, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
+      co_4c = co_4a + co_4b, co_4c_error = ksl_sum_error(co_4a, co_4b, co_4c),
+      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 + co_4b_lo, co_4d = D->m21 * w_5,
+      co_4d_cross1 = D->m21 * w_5_lo, co_4d_error = ksl_product_error(D->m21, w_5, co_4d),
+      co_4d_lo = co_4d_error + co_4d_cross1, co_4 = co_4c + co_4d,
+      co_4_error = ksl_sum_error(co_4c, co_4d, co_4), co_4_lo1 = co_4_error + co_4c_lo,
+      co_4_lo = co_4_lo1 + co_4d_lo;
+  const double co_5a = D->m02 * w_3, co_5a_cross1 = D->m02 * w_3_lo,
+      co_5a_error = ksl_product_error(D->m02, w_3, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
+      co_5b = D->m12 * w_4, co_5b_cross1 = D->m12 * w_4_lo,
+      co_5b_error = ksl_product_error(D->m12, w_4, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
+      co_5c = co_5a + co_5b, co_5c_error = ksl_sum_error(co_5a, co_5b, co_5c),
+      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 + co_5b_lo, co_5d = D->m22 * w_5,
+      co_5d_cross1 = D->m22 * w_5_lo, co_5d_error = ksl_product_error(D->m22, w_5, co_5d),
+      co_5d_lo = co_5d_error + co_5d_cross1, co_5 = co_5c + co_5d,
+      co_5_error = ksl_sum_error(co_5c, co_5d, co_5), co_5_lo1 = co_5_error + co_5c_lo,
+      co_5_lo = co_5_lo1 + co_5d_lo;
+  const double co_0_rounded = co_0 + co_0_lo;
+  const double co_1_rounded = co_1 + co_1_lo;
+  const double co_2_rounded = co_2 + co_2_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = co_0_rounded;
+  co->m1 = co_1_rounded;
+  co->m2 = co_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = [Ad]*(D) (-ci).
+   D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
+   30 mul, 66 add, 24 product error, 18 sum error, 12 neg.
+   Error <= u |result| + (lin: 10, ang: 39) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_CoAdcinv_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m00 * ci->m0, w_0a_lo = ksl_product_error(D->m00, ci->m0, w_0a),
+      w_0b = D->m01 * ci->m1, w_0b_lo = ksl_product_error(D->m01, ci->m1, w_0b), w_0c = w_0a + w_0b,
+      w_0c_error = ksl_sum_error(w_0a, w_0b, w_0c), w_0c_lo1 = w_0c_error + w_0a_lo,
+      w_0c_lo = w_0c_lo1 + w_0b_lo, w_0d = D->m02 * ci->m2,
+      w_0d_lo = ksl_product_error(D->m02, ci->m2, w_0d), w_0e = w_0c + w_0d,
+      w_0e_error = ksl_sum_error(w_0c, w_0d, w_0e), w_0e_lo1 = w_0e_error + w_0c_lo,
+      w_0e_lo = w_0e_lo1 + w_0d_lo, w_0 = -w_0e, w_0_lo = -w_0e_lo;
+  const double w_1a = D->m10 * ci->m0, w_1a_lo = ksl_product_error(D->m10, ci->m0, w_1a),
+      w_1b = D->m11 * ci->m1, w_1b_lo = ksl_product_error(D->m11, ci->m1, w_1b), w_1c = w_1a + w_1b,
+      w_1c_error = ksl_sum_error(w_1a, w_1b, w_1c), w_1c_lo1 = w_1c_error + w_1a_lo,
+      w_1c_lo = w_1c_lo1 + w_1b_lo, w_1d = D->m12 * ci->m2,
+      w_1d_lo = ksl_product_error(D->m12, ci->m2, w_1d), w_1e = w_1c + w_1d,
+      w_1e_error = ksl_sum_error(w_1c, w_1d, w_1e), w_1e_lo1 = w_1e_error + w_1c_lo,
+      w_1e_lo = w_1e_lo1 + w_1d_lo, w_1 = -w_1e, w_1_lo = -w_1e_lo;
+  const double w_2a = D->m20 * ci->m0, w_2a_lo = ksl_product_error(D->m20, ci->m0, w_2a),
+      w_2b = D->m21 * ci->m1, w_2b_lo = ksl_product_error(D->m21, ci->m1, w_2b), w_2c = w_2a + w_2b,
+      w_2c_error = ksl_sum_error(w_2a, w_2b, w_2c), w_2c_lo1 = w_2c_error + w_2a_lo,
+      w_2c_lo = w_2c_lo1 + w_2b_lo, w_2d = D->m22 * ci->m2,
+      w_2d_lo = ksl_product_error(D->m22, ci->m2, w_2d), w_2e = w_2c + w_2d,
+      w_2e_error = ksl_sum_error(w_2c, w_2d, w_2e), w_2e_lo1 = w_2e_error + w_2c_lo,
+      w_2e_lo = w_2e_lo1 + w_2d_lo, w_2 = -w_2e, w_2_lo = -w_2e_lo;
+  const double w_3a = D->m00 * ci->m3, w_3a_lo = ksl_product_error(D->m00, ci->m3, w_3a),
+      w_3b = D->m01 * ci->m4, w_3b_lo = ksl_product_error(D->m01, ci->m4, w_3b), w_3c = w_3a + w_3b,
+      w_3c_error = ksl_sum_error(w_3a, w_3b, w_3c), w_3c_lo1 = w_3c_error + w_3a_lo,
+      w_3c_lo = w_3c_lo1 + w_3b_lo, w_3d = D->m02 * ci->m5,
+      w_3d_lo = ksl_product_error(D->m02, ci->m5, w_3d), w_3e = w_3c + w_3d,
+      w_3e_error = ksl_sum_error(w_3c, w_3d, w_3e), w_3e_lo1 = w_3e_error + w_3c_lo,
+      w_3e_lo = w_3e_lo1 + w_3d_lo, w_3 = -w_3e, w_3_lo = -w_3e_lo;
+  const double w_4a = D->m10 * ci->m3, w_4a_lo = ksl_product_error(D->m10, ci->m3, w_4a),
+      w_4b = D->m11 * ci->m4, w_4b_lo = ksl_product_error(D->m11, ci->m4, w_4b), w_4c = w_4a + w_4b,
+      w_4c_error = ksl_sum_error(w_4a, w_4b, w_4c), w_4c_lo1 = w_4c_error + w_4a_lo,
+      w_4c_lo = w_4c_lo1 + w_4b_lo, w_4d = D->m12 * ci->m5,
+      w_4d_lo = ksl_product_error(D->m12, ci->m5, w_4d), w_4e = w_4c + w_4d,
+      w_4e_error = ksl_sum_error(w_4c, w_4d, w_4e), w_4e_lo1 = w_4e_error + w_4c_lo,
+      w_4e_lo = w_4e_lo1 + w_4d_lo, w_4 = -w_4e, w_4_lo = -w_4e_lo;
+  const double w_5a = D->m20 * ci->m3, w_5a_lo = ksl_product_error(D->m20, ci->m3, w_5a),
+      w_5b = D->m21 * ci->m4, w_5b_lo = ksl_product_error(D->m21, ci->m4, w_5b), w_5c = w_5a + w_5b,
+      w_5c_error = ksl_sum_error(w_5a, w_5b, w_5c), w_5c_lo1 = w_5c_error + w_5a_lo,
+      w_5c_lo = w_5c_lo1 + w_5b_lo, w_5d = D->m22 * ci->m5,
+      w_5d_lo = ksl_product_error(D->m22, ci->m5, w_5d), w_5e = w_5c + w_5d,
+      w_5e_error = ksl_sum_error(w_5c, w_5d, w_5e), w_5e_lo1 = w_5e_error + w_5c_lo,
+      w_5e_lo = w_5e_lo1 + w_5d_lo, w_5 = -w_5e, w_5_lo = -w_5e_lo;
+  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
+      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
+      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
+      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
+      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
+      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c + w_3,
+      co_3_error = ksl_sum_error(co_3c, w_3, co_3), co_3_lo1 = co_3_error + co_3c_lo,
+      co_3_lo = co_3_lo1 + w_3_lo;
+  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
+      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
+      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
+      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
+      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
+      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c + w_4,
+      co_4_error = ksl_sum_error(co_4c, w_4, co_4), co_4_lo1 = co_4_error + co_4c_lo,
+      co_4_lo = co_4_lo1 + w_4_lo;
+  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
+      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
+      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
+      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
+      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
+      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c + w_5,
+      co_5_error = ksl_sum_error(co_5c, w_5, co_5), co_5_lo1 = co_5_error + co_5c_lo,
+      co_5_lo = co_5_lo1 + w_5_lo;
+  const double w_0_rounded = w_0 + w_0_lo;
+  const double w_1_rounded = w_1 + w_1_lo;
+  const double w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = w_0_rounded;
+  co->m1 = w_1_rounded;
+  co->m2 = w_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = h_tx: column 0 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 12 add, 6 product error, 3 sum error.
+   Error <= u |result| + (lin: 0, ang: 4) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_hctx_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double co_3a = D->m20 * D->m13, co_3a_lo = ksl_product_error(D->m20, D->m13, co_3a),
+      co_3b = D->m10 * D->m23, co_3b_lo = ksl_product_error(D->m10, D->m23, co_3b),
+      co_3 = co_3a - co_3b, co_3_error = ksl_difference_error(co_3a, co_3b, co_3),
+      co_3_lo1 = co_3_error + co_3a_lo, co_3_lo = co_3_lo1 - co_3b_lo;
+  const double co_4a = D->m00 * D->m23, co_4a_lo = ksl_product_error(D->m00, D->m23, co_4a),
+      co_4b = D->m20 * D->m03, co_4b_lo = ksl_product_error(D->m20, D->m03, co_4b),
+      co_4 = co_4a - co_4b, co_4_error = ksl_difference_error(co_4a, co_4b, co_4),
+      co_4_lo1 = co_4_error + co_4a_lo, co_4_lo = co_4_lo1 - co_4b_lo;
+  const double co_5a = D->m10 * D->m03, co_5a_lo = ksl_product_error(D->m10, D->m03, co_5a),
+      co_5b = D->m00 * D->m13, co_5b_lo = ksl_product_error(D->m00, D->m13, co_5b),
+      co_5 = co_5a - co_5b, co_5_error = ksl_difference_error(co_5a, co_5b, co_5),
+      co_5_lo1 = co_5_error + co_5a_lo, co_5_lo = co_5_lo1 - co_5b_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  const double D_m00 = D->m00;
+  const double D_m10 = D->m10;
+  const double D_m20 = D->m20;
+  co->m0 = D_m00;
+  co->m1 = D_m10;
+  co->m2 = D_m20;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = h_ty: column 1 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 12 add, 6 product error, 3 sum error.
+   Error <= u |result| + (lin: 0, ang: 4) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_hcty_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double co_3a = D->m21 * D->m13, co_3a_lo = ksl_product_error(D->m21, D->m13, co_3a),
+      co_3b = D->m11 * D->m23, co_3b_lo = ksl_product_error(D->m11, D->m23, co_3b),
+      co_3 = co_3a - co_3b, co_3_error = ksl_difference_error(co_3a, co_3b, co_3),
+      co_3_lo1 = co_3_error + co_3a_lo, co_3_lo = co_3_lo1 - co_3b_lo;
+  const double co_4a = D->m01 * D->m23, co_4a_lo = ksl_product_error(D->m01, D->m23, co_4a),
+      co_4b = D->m21 * D->m03, co_4b_lo = ksl_product_error(D->m21, D->m03, co_4b),
+      co_4 = co_4a - co_4b, co_4_error = ksl_difference_error(co_4a, co_4b, co_4),
+      co_4_lo1 = co_4_error + co_4a_lo, co_4_lo = co_4_lo1 - co_4b_lo;
+  const double co_5a = D->m11 * D->m03, co_5a_lo = ksl_product_error(D->m11, D->m03, co_5a),
+      co_5b = D->m01 * D->m13, co_5b_lo = ksl_product_error(D->m01, D->m13, co_5b),
+      co_5 = co_5a - co_5b, co_5_error = ksl_difference_error(co_5a, co_5b, co_5),
+      co_5_lo1 = co_5_error + co_5a_lo, co_5_lo = co_5_lo1 - co_5b_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  const double D_m01 = D->m01;
+  const double D_m11 = D->m11;
+  const double D_m21 = D->m21;
+  co->m0 = D_m01;
+  co->m1 = D_m11;
+  co->m2 = D_m21;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = h_tz: column 2 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 12 add, 6 product error, 3 sum error.
+   Error <= u |result| + (lin: 0, ang: 4) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_hctz_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double co_3a = D->m22 * D->m13, co_3a_lo = ksl_product_error(D->m22, D->m13, co_3a),
+      co_3b = D->m12 * D->m23, co_3b_lo = ksl_product_error(D->m12, D->m23, co_3b),
+      co_3 = co_3a - co_3b, co_3_error = ksl_difference_error(co_3a, co_3b, co_3),
+      co_3_lo1 = co_3_error + co_3a_lo, co_3_lo = co_3_lo1 - co_3b_lo;
+  const double co_4a = D->m02 * D->m23, co_4a_lo = ksl_product_error(D->m02, D->m23, co_4a),
+      co_4b = D->m22 * D->m03, co_4b_lo = ksl_product_error(D->m22, D->m03, co_4b),
+      co_4 = co_4a - co_4b, co_4_error = ksl_difference_error(co_4a, co_4b, co_4),
+      co_4_lo1 = co_4_error + co_4a_lo, co_4_lo = co_4_lo1 - co_4b_lo;
+  const double co_5a = D->m12 * D->m03, co_5a_lo = ksl_product_error(D->m12, D->m03, co_5a),
+      co_5b = D->m02 * D->m13, co_5b_lo = ksl_product_error(D->m02, D->m13, co_5b),
+      co_5 = co_5a - co_5b, co_5_error = ksl_difference_error(co_5a, co_5b, co_5),
+      co_5_lo1 = co_5_error + co_5a_lo, co_5_lo = co_5_lo1 - co_5b_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  const double D_m02 = D->m02;
+  const double D_m12 = D->m12;
+  const double D_m22 = D->m22;
+  co->m0 = D_m02;
+  co->m1 = D_m12;
+  co->m2 = D_m22;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = -h_tx: -column 0 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 12 add, 6 product error, 3 sum error, 3 neg.
+   Error <= u |result| + (lin: 0, ang: 4) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_hctxinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double co_0 = -D->m00;
+  const double co_1 = -D->m10;
+  const double co_2 = -D->m20;
+  const double co_3a = D->m10 * D->m23, co_3a_lo = ksl_product_error(D->m10, D->m23, co_3a),
+      co_3b = D->m20 * D->m13, co_3b_lo = ksl_product_error(D->m20, D->m13, co_3b),
+      co_3 = co_3a - co_3b, co_3_error = ksl_difference_error(co_3a, co_3b, co_3),
+      co_3_lo1 = co_3_error + co_3a_lo, co_3_lo = co_3_lo1 - co_3b_lo;
+  const double co_4a = D->m20 * D->m03, co_4a_lo = ksl_product_error(D->m20, D->m03, co_4a),
+      co_4b = D->m00 * D->m23, co_4b_lo = ksl_product_error(D->m00, D->m23, co_4b),
+      co_4 = co_4a - co_4b, co_4_error = ksl_difference_error(co_4a, co_4b, co_4),
+      co_4_lo1 = co_4_error + co_4a_lo, co_4_lo = co_4_lo1 - co_4b_lo;
+  const double co_5a = D->m00 * D->m13, co_5a_lo = ksl_product_error(D->m00, D->m13, co_5a),
+      co_5b = D->m10 * D->m03, co_5b_lo = ksl_product_error(D->m10, D->m03, co_5b),
+      co_5 = co_5a - co_5b, co_5_error = ksl_difference_error(co_5a, co_5b, co_5),
+      co_5_lo1 = co_5_error + co_5a_lo, co_5_lo = co_5_lo1 - co_5b_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = -h_ty: -column 1 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 12 add, 6 product error, 3 sum error, 3 neg.
+   Error <= u |result| + (lin: 0, ang: 4) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_hctyinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double co_0 = -D->m01;
+  const double co_1 = -D->m11;
+  const double co_2 = -D->m21;
+  const double co_3a = D->m11 * D->m23, co_3a_lo = ksl_product_error(D->m11, D->m23, co_3a),
+      co_3b = D->m21 * D->m13, co_3b_lo = ksl_product_error(D->m21, D->m13, co_3b),
+      co_3 = co_3a - co_3b, co_3_error = ksl_difference_error(co_3a, co_3b, co_3),
+      co_3_lo1 = co_3_error + co_3a_lo, co_3_lo = co_3_lo1 - co_3b_lo;
+  const double co_4a = D->m21 * D->m03, co_4a_lo = ksl_product_error(D->m21, D->m03, co_4a),
+      co_4b = D->m01 * D->m23, co_4b_lo = ksl_product_error(D->m01, D->m23, co_4b),
+      co_4 = co_4a - co_4b, co_4_error = ksl_difference_error(co_4a, co_4b, co_4),
+      co_4_lo1 = co_4_error + co_4a_lo, co_4_lo = co_4_lo1 - co_4b_lo;
+  const double co_5a = D->m01 * D->m13, co_5a_lo = ksl_product_error(D->m01, D->m13, co_5a),
+      co_5b = D->m11 * D->m03, co_5b_lo = ksl_product_error(D->m11, D->m03, co_5b),
+      co_5 = co_5a - co_5b, co_5_error = ksl_difference_error(co_5a, co_5b, co_5),
+      co_5_lo1 = co_5_error + co_5a_lo, co_5_lo = co_5_lo1 - co_5b_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = -h_tz: -column 2 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 12 add, 6 product error, 3 sum error, 3 neg.
+   Error <= u |result| + (lin: 0, ang: 4) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_hctzinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
+  const double co_0 = -D->m02;
+  const double co_1 = -D->m12;
+  const double co_2 = -D->m22;
+  const double co_3a = D->m12 * D->m23, co_3a_lo = ksl_product_error(D->m12, D->m23, co_3a),
+      co_3b = D->m22 * D->m13, co_3b_lo = ksl_product_error(D->m22, D->m13, co_3b),
+      co_3 = co_3a - co_3b, co_3_error = ksl_difference_error(co_3a, co_3b, co_3),
+      co_3_lo1 = co_3_error + co_3a_lo, co_3_lo = co_3_lo1 - co_3b_lo;
+  const double co_4a = D->m22 * D->m03, co_4a_lo = ksl_product_error(D->m22, D->m03, co_4a),
+      co_4b = D->m02 * D->m23, co_4b_lo = ksl_product_error(D->m02, D->m23, co_4b),
+      co_4 = co_4a - co_4b, co_4_error = ksl_difference_error(co_4a, co_4b, co_4),
+      co_4_lo1 = co_4_error + co_4a_lo, co_4_lo = co_4_lo1 - co_4b_lo;
+  const double co_5a = D->m02 * D->m13, co_5a_lo = ksl_product_error(D->m02, D->m13, co_5a),
+      co_5b = D->m12 * D->m03, co_5b_lo = ksl_product_error(D->m12, D->m03, co_5b),
+      co_5 = co_5a - co_5b, co_5_error = ksl_difference_error(co_5a, co_5b, co_5),
+      co_5_lo1 = co_5_error + co_5a_lo, co_5_lo = co_5_lo1 - co_5b_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* M = [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
+   18 mul, 36 add, 18 product error, 9 sum error.
+   Error <= u |result| + 4 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_CoAd_accurate(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
+  const double M_30a = D->m20 * D->m13, M_30a_lo = ksl_product_error(D->m20, D->m13, M_30a),
+      M_30b = D->m10 * D->m23, M_30b_lo = ksl_product_error(D->m10, D->m23, M_30b),
+      M_30 = M_30a - M_30b, M_30_error = ksl_difference_error(M_30a, M_30b, M_30),
+      M_30_lo1 = M_30_error + M_30a_lo, M_30_lo = M_30_lo1 - M_30b_lo;
+  const double M_31a = D->m21 * D->m13, M_31a_lo = ksl_product_error(D->m21, D->m13, M_31a),
+      M_31b = D->m11 * D->m23, M_31b_lo = ksl_product_error(D->m11, D->m23, M_31b),
+      M_31 = M_31a - M_31b, M_31_error = ksl_difference_error(M_31a, M_31b, M_31),
+      M_31_lo1 = M_31_error + M_31a_lo, M_31_lo = M_31_lo1 - M_31b_lo;
+  const double M_32a = D->m22 * D->m13, M_32a_lo = ksl_product_error(D->m22, D->m13, M_32a),
+      M_32b = D->m12 * D->m23, M_32b_lo = ksl_product_error(D->m12, D->m23, M_32b),
+      M_32 = M_32a - M_32b, M_32_error = ksl_difference_error(M_32a, M_32b, M_32),
+      M_32_lo1 = M_32_error + M_32a_lo, M_32_lo = M_32_lo1 - M_32b_lo;
+  const double M_40a = D->m00 * D->m23, M_40a_lo = ksl_product_error(D->m00, D->m23, M_40a),
+      M_40b = D->m20 * D->m03, M_40b_lo = ksl_product_error(D->m20, D->m03, M_40b),
+      M_40 = M_40a - M_40b, M_40_error = ksl_difference_error(M_40a, M_40b, M_40),
+      M_40_lo1 = M_40_error + M_40a_lo, M_40_lo = M_40_lo1 - M_40b_lo;
+  const double M_41a = D->m01 * D->m23, M_41a_lo = ksl_product_error(D->m01, D->m23, M_41a),
+      M_41b = D->m21 * D->m03, M_41b_lo = ksl_product_error(D->m21, D->m03, M_41b),
+      M_41 = M_41a - M_41b, M_41_error = ksl_difference_error(M_41a, M_41b, M_41),
+      M_41_lo1 = M_41_error + M_41a_lo, M_41_lo = M_41_lo1 - M_41b_lo;
+  const double M_42a = D->m02 * D->m23, M_42a_lo = ksl_product_error(D->m02, D->m23, M_42a),
+      M_42b = D->m22 * D->m03, M_42b_lo = ksl_product_error(D->m22, D->m03, M_42b),
+      M_42 = M_42a - M_42b, M_42_error = ksl_difference_error(M_42a, M_42b, M_42),
+      M_42_lo1 = M_42_error + M_42a_lo, M_42_lo = M_42_lo1 - M_42b_lo;
+  const double M_50a = D->m10 * D->m03, M_50a_lo = ksl_product_error(D->m10, D->m03, M_50a),
+      M_50b = D->m00 * D->m13, M_50b_lo = ksl_product_error(D->m00, D->m13, M_50b),
+      M_50 = M_50a - M_50b, M_50_error = ksl_difference_error(M_50a, M_50b, M_50),
+      M_50_lo1 = M_50_error + M_50a_lo, M_50_lo = M_50_lo1 - M_50b_lo;
+  const double M_51a = D->m11 * D->m03, M_51a_lo = ksl_product_error(D->m11, D->m03, M_51a),
+      M_51b = D->m01 * D->m13, M_51b_lo = ksl_product_error(D->m01, D->m13, M_51b),
+      M_51 = M_51a - M_51b, M_51_error = ksl_difference_error(M_51a, M_51b, M_51),
+      M_51_lo1 = M_51_error + M_51a_lo, M_51_lo = M_51_lo1 - M_51b_lo;
+  const double M_52a = D->m12 * D->m03, M_52a_lo = ksl_product_error(D->m12, D->m03, M_52a),
+      M_52b = D->m02 * D->m13, M_52b_lo = ksl_product_error(D->m02, D->m13, M_52b),
+      M_52 = M_52a - M_52b, M_52_error = ksl_difference_error(M_52a, M_52b, M_52),
+      M_52_lo1 = M_52_error + M_52a_lo, M_52_lo = M_52_lo1 - M_52b_lo;
+  const double M_30_rounded = M_30 + M_30_lo;
+  const double M_31_rounded = M_31 + M_31_lo;
+  const double M_32_rounded = M_32 + M_32_lo;
+  const double M_40_rounded = M_40 + M_40_lo;
+  const double M_41_rounded = M_41 + M_41_lo;
+  const double M_42_rounded = M_42 + M_42_lo;
+  const double M_50_rounded = M_50 + M_50_lo;
+  const double M_51_rounded = M_51 + M_51_lo;
+  const double M_52_rounded = M_52 + M_52_lo;
+  const double D_m00 = D->m00;
+  const double D_m01 = D->m01;
+  const double D_m02 = D->m02;
+  const double D_m10 = D->m10;
+  const double D_m11 = D->m11;
+  const double D_m12 = D->m12;
+  const double D_m20 = D->m20;
+  const double D_m21 = D->m21;
+  const double D_m22 = D->m22;
+  M->at[0][0] = D_m00;
+  M->at[1][0] = D_m01;
+  M->at[2][0] = D_m02;
+  M->at[3][0] = 0.0;
+  M->at[4][0] = 0.0;
+  M->at[5][0] = 0.0;
+  M->at[0][1] = D_m10;
+  M->at[1][1] = D_m11;
+  M->at[2][1] = D_m12;
+  M->at[3][1] = 0.0;
+  M->at[4][1] = 0.0;
+  M->at[5][1] = 0.0;
+  M->at[0][2] = D_m20;
+  M->at[1][2] = D_m21;
+  M->at[2][2] = D_m22;
+  M->at[3][2] = 0.0;
+  M->at[4][2] = 0.0;
+  M->at[5][2] = 0.0;
+  M->at[0][3] = M_30_rounded;
+  M->at[1][3] = M_31_rounded;
+  M->at[2][3] = M_32_rounded;
+  M->at[3][3] = D_m00;
+  M->at[4][3] = D_m01;
+  M->at[5][3] = D_m02;
+  M->at[0][4] = M_40_rounded;
+  M->at[1][4] = M_41_rounded;
+  M->at[2][4] = M_42_rounded;
+  M->at[3][4] = D_m10;
+  M->at[4][4] = D_m11;
+  M->at[5][4] = D_m12;
+  M->at[0][5] = M_50_rounded;
+  M->at[1][5] = M_51_rounded;
+  M->at[2][5] = M_52_rounded;
+  M->at[3][5] = D_m20;
+  M->at[4][5] = D_m21;
+  M->at[5][5] = D_m22;
+}
+
+/* power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).
+   c: coscrew (f in N; τ in N m); x: six components with the angular part on top.
+   6 mul, 16 add, 6 product error, 5 sum error.
+   Error <= u |result| + 18 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline double ksl_reciprocal_product_accurate(const ksl_coscrew_t *c, const double x[6]) {
+  const double power_a = c->m0 * x[3], power_a_lo = ksl_product_error(c->m0, x[3], power_a),
+      power_b = c->m1 * x[4], power_b_lo = ksl_product_error(c->m1, x[4], power_b),
+      power_c = power_a + power_b, power_c_error = ksl_sum_error(power_a, power_b, power_c),
+      power_c_lo1 = power_c_error + power_a_lo, power_c_lo = power_c_lo1 + power_b_lo,
+      power_d = c->m2 * x[5], power_d_lo = ksl_product_error(c->m2, x[5], power_d),
+      power_e = power_c + power_d, power_e_error = ksl_sum_error(power_c, power_d, power_e),
+      power_e_lo1 = power_e_error + power_c_lo, power_e_lo = power_e_lo1 + power_d_lo,
+      power_f = c->m3 * x[0], power_f_lo = ksl_product_error(c->m3, x[0], power_f),
+      power_g = c->m4 * x[1], power_g_lo = ksl_product_error(c->m4, x[1], power_g),
+      power_h = power_f + power_g, power_h_error = ksl_sum_error(power_f, power_g, power_h),
+      power_h_lo1 = power_h_error + power_f_lo, power_h_lo = power_h_lo1 + power_g_lo,
+      power_i = c->m5 * x[2], power_i_lo = ksl_product_error(c->m5, x[2], power_i),
+      power_j = power_h + power_i, power_j_error = ksl_sum_error(power_h, power_i, power_j),
+      power_j_lo1 = power_j_error + power_h_lo, power_j_lo = power_j_lo1 + power_i_lo,
+      power = power_e + power_j, power_error = ksl_sum_error(power_e, power_j, power),
+      power_lo1 = power_error + power_e_lo, power_lo = power_lo1 + power_j_lo;
+  const double power_rounded = power + power_lo;
+  return power_rounded;
+}
+
+/* co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
+   s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
+   18 mul, 42 add, 18 product error, 12 sum error.
+   Error <= u |result| + (lin: 4, ang: 10) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_cross_sc_accurate(const ksl_screw_t *s, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double co_0a = s->m4 * c->m2, co_0a_lo = ksl_product_error(s->m4, c->m2, co_0a),
+      co_0b = s->m5 * c->m1, co_0b_lo = ksl_product_error(s->m5, c->m1, co_0b),
+      co_0 = co_0a - co_0b, co_0_error = ksl_difference_error(co_0a, co_0b, co_0),
+      co_0_lo1 = co_0_error + co_0a_lo, co_0_lo = co_0_lo1 - co_0b_lo;
+  const double co_1a = s->m5 * c->m0, co_1a_lo = ksl_product_error(s->m5, c->m0, co_1a),
+      co_1b = s->m3 * c->m2, co_1b_lo = ksl_product_error(s->m3, c->m2, co_1b),
+      co_1 = co_1a - co_1b, co_1_error = ksl_difference_error(co_1a, co_1b, co_1),
+      co_1_lo1 = co_1_error + co_1a_lo, co_1_lo = co_1_lo1 - co_1b_lo;
+  const double co_2a = s->m3 * c->m1, co_2a_lo = ksl_product_error(s->m3, c->m1, co_2a),
+      co_2b = s->m4 * c->m0, co_2b_lo = ksl_product_error(s->m4, c->m0, co_2b),
+      co_2 = co_2a - co_2b, co_2_error = ksl_difference_error(co_2a, co_2b, co_2),
+      co_2_lo1 = co_2_error + co_2a_lo, co_2_lo = co_2_lo1 - co_2b_lo;
+  const double co_3a = s->m1 * c->m2, co_3a_lo = ksl_product_error(s->m1, c->m2, co_3a),
+      co_3b = s->m2 * c->m1, co_3b_lo = ksl_product_error(s->m2, c->m1, co_3b),
+      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
+      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3d = s->m4 * c->m5,
+      co_3d_lo = ksl_product_error(s->m4, c->m5, co_3d), co_3e = s->m5 * c->m4,
+      co_3e_lo = ksl_product_error(s->m5, c->m4, co_3e), co_3f = co_3d - co_3e,
+      co_3f_error = ksl_difference_error(co_3d, co_3e, co_3f), co_3f_lo1 = co_3f_error + co_3d_lo,
+      co_3f_lo = co_3f_lo1 - co_3e_lo, co_3 = co_3c + co_3f,
+      co_3_error = ksl_sum_error(co_3c, co_3f, co_3), co_3_lo1 = co_3_error + co_3c_lo,
+      co_3_lo = co_3_lo1 + co_3f_lo;
+  const double co_4a = s->m2 * c->m0, co_4a_lo = ksl_product_error(s->m2, c->m0, co_4a),
+      co_4b = s->m0 * c->m2, co_4b_lo = ksl_product_error(s->m0, c->m2, co_4b),
+      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
+      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4d = s->m5 * c->m3,
+      co_4d_lo = ksl_product_error(s->m5, c->m3, co_4d), co_4e = s->m3 * c->m5,
+      co_4e_lo = ksl_product_error(s->m3, c->m5, co_4e), co_4f = co_4d - co_4e,
+      co_4f_error = ksl_difference_error(co_4d, co_4e, co_4f), co_4f_lo1 = co_4f_error + co_4d_lo,
+      co_4f_lo = co_4f_lo1 - co_4e_lo, co_4 = co_4c + co_4f,
+      co_4_error = ksl_sum_error(co_4c, co_4f, co_4), co_4_lo1 = co_4_error + co_4c_lo,
+      co_4_lo = co_4_lo1 + co_4f_lo;
+  const double co_5a = s->m0 * c->m1, co_5a_lo = ksl_product_error(s->m0, c->m1, co_5a),
+      co_5b = s->m1 * c->m0, co_5b_lo = ksl_product_error(s->m1, c->m0, co_5b),
+      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
+      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5d = s->m3 * c->m4,
+      co_5d_lo = ksl_product_error(s->m3, c->m4, co_5d), co_5e = s->m4 * c->m3,
+      co_5e_lo = ksl_product_error(s->m4, c->m3, co_5e), co_5f = co_5d - co_5e,
+      co_5f_error = ksl_difference_error(co_5d, co_5e, co_5f), co_5f_lo1 = co_5f_error + co_5d_lo,
+      co_5f_lo = co_5f_lo1 - co_5e_lo, co_5 = co_5c + co_5f,
+      co_5_error = ksl_sum_error(co_5c, co_5f, co_5), co_5_lo1 = co_5_error + co_5c_lo,
+      co_5_lo = co_5_lo1 + co_5f_lo;
+  const double co_0_rounded = co_0 + co_0_lo;
+  const double co_1_rounded = co_1 + co_1_lo;
+  const double co_2_rounded = co_2 + co_2_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = co_0_rounded;
+  co->m1 = co_1_rounded;
+  co->m2 = co_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = (0 ; ω×τ).
+   s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
+   6 mul, 12 add, 6 product error, 3 sum error.
+   Error <= u |result| + (lin: 0, ang: 4) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_cross_sca_accurate(const ksl_screw_t *s, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double co_3a = s->m4 * c->m5, co_3a_lo = ksl_product_error(s->m4, c->m5, co_3a),
+      co_3b = s->m5 * c->m4, co_3b_lo = ksl_product_error(s->m5, c->m4, co_3b),
+      co_3 = co_3a - co_3b, co_3_error = ksl_difference_error(co_3a, co_3b, co_3),
+      co_3_lo1 = co_3_error + co_3a_lo, co_3_lo = co_3_lo1 - co_3b_lo;
+  const double co_4a = s->m5 * c->m3, co_4a_lo = ksl_product_error(s->m5, c->m3, co_4a),
+      co_4b = s->m3 * c->m5, co_4b_lo = ksl_product_error(s->m3, c->m5, co_4b),
+      co_4 = co_4a - co_4b, co_4_error = ksl_difference_error(co_4a, co_4b, co_4),
+      co_4_lo1 = co_4_error + co_4a_lo, co_4_lo = co_4_lo1 - co_4b_lo;
+  const double co_5a = s->m3 * c->m4, co_5a_lo = ksl_product_error(s->m3, c->m4, co_5a),
+      co_5b = s->m4 * c->m3, co_5b_lo = ksl_product_error(s->m4, c->m3, co_5b),
+      co_5 = co_5a - co_5b, co_5_error = ksl_difference_error(co_5a, co_5b, co_5),
+      co_5_lo1 = co_5_error + co_5a_lo, co_5_lo = co_5_lo1 - co_5b_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = 0.0;
+  co->m1 = 0.0;
+  co->m2 = 0.0;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   27 mul, 57 add, 21 product error, 15 sum error.
+   Error <= u |result| + (lin: 4, ang: 27) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_constraint_ctx_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m01 * c->m1, w_0a_lo = ksl_product_error(D->m01, c->m1, w_0a),
+      w_0b = D->m02 * c->m2, w_0b_lo = ksl_product_error(D->m02, c->m2, w_0b), w_0 = w_0a + w_0b,
+      w_0_error = ksl_sum_error(w_0a, w_0b, w_0), w_0_lo1 = w_0_error + w_0a_lo,
+      w_0_lo = w_0_lo1 + w_0b_lo;
+  const double w_1a = D->m11 * c->m1, w_1a_lo = ksl_product_error(D->m11, c->m1, w_1a),
+      w_1b = D->m12 * c->m2, w_1b_lo = ksl_product_error(D->m12, c->m2, w_1b), w_1 = w_1a + w_1b,
+      w_1_error = ksl_sum_error(w_1a, w_1b, w_1), w_1_lo1 = w_1_error + w_1a_lo,
+      w_1_lo = w_1_lo1 + w_1b_lo;
+  const double w_2a = D->m21 * c->m1, w_2a_lo = ksl_product_error(D->m21, c->m1, w_2a),
+      w_2b = D->m22 * c->m2, w_2b_lo = ksl_product_error(D->m22, c->m2, w_2b), w_2 = w_2a + w_2b,
+      w_2_error = ksl_sum_error(w_2a, w_2b, w_2), w_2_lo1 = w_2_error + w_2a_lo,
+      w_2_lo = w_2_lo1 + w_2b_lo;
+  const double w_3a = D->m00 * c->m3, w_3a_lo = ksl_product_error(D->m00, c->m3, w_3a),
+      w_3b = D->m01 * c->m4, w_3b_lo = ksl_product_error(D->m01, c->m4, w_3b), w_3c = w_3a + w_3b,
+      w_3c_error = ksl_sum_error(w_3a, w_3b, w_3c), w_3c_lo1 = w_3c_error + w_3a_lo,
+      w_3c_lo = w_3c_lo1 + w_3b_lo, w_3d = D->m02 * c->m5,
+      w_3d_lo = ksl_product_error(D->m02, c->m5, w_3d), w_3 = w_3c + w_3d,
+      w_3_error = ksl_sum_error(w_3c, w_3d, w_3), w_3_lo1 = w_3_error + w_3c_lo,
+      w_3_lo = w_3_lo1 + w_3d_lo;
+  const double w_4a = D->m10 * c->m3, w_4a_lo = ksl_product_error(D->m10, c->m3, w_4a),
+      w_4b = D->m11 * c->m4, w_4b_lo = ksl_product_error(D->m11, c->m4, w_4b), w_4c = w_4a + w_4b,
+      w_4c_error = ksl_sum_error(w_4a, w_4b, w_4c), w_4c_lo1 = w_4c_error + w_4a_lo,
+      w_4c_lo = w_4c_lo1 + w_4b_lo, w_4d = D->m12 * c->m5,
+      w_4d_lo = ksl_product_error(D->m12, c->m5, w_4d), w_4 = w_4c + w_4d,
+      w_4_error = ksl_sum_error(w_4c, w_4d, w_4), w_4_lo1 = w_4_error + w_4c_lo,
+      w_4_lo = w_4_lo1 + w_4d_lo;
+  const double w_5a = D->m20 * c->m3, w_5a_lo = ksl_product_error(D->m20, c->m3, w_5a),
+      w_5b = D->m21 * c->m4, w_5b_lo = ksl_product_error(D->m21, c->m4, w_5b), w_5c = w_5a + w_5b,
+      w_5c_error = ksl_sum_error(w_5a, w_5b, w_5c), w_5c_lo1 = w_5c_error + w_5a_lo,
+      w_5c_lo = w_5c_lo1 + w_5b_lo, w_5d = D->m22 * c->m5,
+      w_5d_lo = ksl_product_error(D->m22, c->m5, w_5d), w_5 = w_5c + w_5d,
+      w_5_error = ksl_sum_error(w_5c, w_5d, w_5), w_5_lo1 = w_5_error + w_5c_lo,
+      w_5_lo = w_5_lo1 + w_5d_lo;
+  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
+      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
+      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
+      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
+      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
+      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c + w_3,
+      co_3_error = ksl_sum_error(co_3c, w_3, co_3), co_3_lo1 = co_3_error + co_3c_lo,
+      co_3_lo = co_3_lo1 + w_3_lo;
+  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
+      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
+      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
+      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
+      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
+      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c + w_4,
+      co_4_error = ksl_sum_error(co_4c, w_4, co_4), co_4_lo1 = co_4_error + co_4c_lo,
+      co_4_lo = co_4_lo1 + w_4_lo;
+  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
+      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
+      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
+      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
+      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
+      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c + w_5,
+      co_5_error = ksl_sum_error(co_5c, w_5, co_5), co_5_lo1 = co_5_error + co_5c_lo,
+      co_5_lo = co_5_lo1 + w_5_lo;
+  const double w_0_rounded = w_0 + w_0_lo;
+  const double w_1_rounded = w_1 + w_1_lo;
+  const double w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = w_0_rounded;
+  co->m1 = w_1_rounded;
+  co->m2 = w_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   27 mul, 57 add, 21 product error, 15 sum error.
+   Error <= u |result| + (lin: 4, ang: 27) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_constraint_cty_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m00 * c->m0, w_0a_lo = ksl_product_error(D->m00, c->m0, w_0a),
+      w_0b = D->m02 * c->m2, w_0b_lo = ksl_product_error(D->m02, c->m2, w_0b), w_0 = w_0a + w_0b,
+      w_0_error = ksl_sum_error(w_0a, w_0b, w_0), w_0_lo1 = w_0_error + w_0a_lo,
+      w_0_lo = w_0_lo1 + w_0b_lo;
+  const double w_1a = D->m10 * c->m0, w_1a_lo = ksl_product_error(D->m10, c->m0, w_1a),
+      w_1b = D->m12 * c->m2, w_1b_lo = ksl_product_error(D->m12, c->m2, w_1b), w_1 = w_1a + w_1b,
+      w_1_error = ksl_sum_error(w_1a, w_1b, w_1), w_1_lo1 = w_1_error + w_1a_lo,
+      w_1_lo = w_1_lo1 + w_1b_lo;
+  const double w_2a = D->m20 * c->m0, w_2a_lo = ksl_product_error(D->m20, c->m0, w_2a),
+      w_2b = D->m22 * c->m2, w_2b_lo = ksl_product_error(D->m22, c->m2, w_2b), w_2 = w_2a + w_2b,
+      w_2_error = ksl_sum_error(w_2a, w_2b, w_2), w_2_lo1 = w_2_error + w_2a_lo,
+      w_2_lo = w_2_lo1 + w_2b_lo;
+  const double w_3a = D->m00 * c->m3, w_3a_lo = ksl_product_error(D->m00, c->m3, w_3a),
+      w_3b = D->m01 * c->m4, w_3b_lo = ksl_product_error(D->m01, c->m4, w_3b), w_3c = w_3a + w_3b,
+      w_3c_error = ksl_sum_error(w_3a, w_3b, w_3c), w_3c_lo1 = w_3c_error + w_3a_lo,
+      w_3c_lo = w_3c_lo1 + w_3b_lo, w_3d = D->m02 * c->m5,
+      w_3d_lo = ksl_product_error(D->m02, c->m5, w_3d), w_3 = w_3c + w_3d,
+      w_3_error = ksl_sum_error(w_3c, w_3d, w_3), w_3_lo1 = w_3_error + w_3c_lo,
+      w_3_lo = w_3_lo1 + w_3d_lo;
+  const double w_4a = D->m10 * c->m3, w_4a_lo = ksl_product_error(D->m10, c->m3, w_4a),
+      w_4b = D->m11 * c->m4, w_4b_lo = ksl_product_error(D->m11, c->m4, w_4b), w_4c = w_4a + w_4b,
+      w_4c_error = ksl_sum_error(w_4a, w_4b, w_4c), w_4c_lo1 = w_4c_error + w_4a_lo,
+      w_4c_lo = w_4c_lo1 + w_4b_lo, w_4d = D->m12 * c->m5,
+      w_4d_lo = ksl_product_error(D->m12, c->m5, w_4d), w_4 = w_4c + w_4d,
+      w_4_error = ksl_sum_error(w_4c, w_4d, w_4), w_4_lo1 = w_4_error + w_4c_lo,
+      w_4_lo = w_4_lo1 + w_4d_lo;
+  const double w_5a = D->m20 * c->m3, w_5a_lo = ksl_product_error(D->m20, c->m3, w_5a),
+      w_5b = D->m21 * c->m4, w_5b_lo = ksl_product_error(D->m21, c->m4, w_5b), w_5c = w_5a + w_5b,
+      w_5c_error = ksl_sum_error(w_5a, w_5b, w_5c), w_5c_lo1 = w_5c_error + w_5a_lo,
+      w_5c_lo = w_5c_lo1 + w_5b_lo, w_5d = D->m22 * c->m5,
+      w_5d_lo = ksl_product_error(D->m22, c->m5, w_5d), w_5 = w_5c + w_5d,
+      w_5_error = ksl_sum_error(w_5c, w_5d, w_5), w_5_lo1 = w_5_error + w_5c_lo,
+      w_5_lo = w_5_lo1 + w_5d_lo;
+  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
+      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
+      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
+      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
+      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
+      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c + w_3,
+      co_3_error = ksl_sum_error(co_3c, w_3, co_3), co_3_lo1 = co_3_error + co_3c_lo,
+      co_3_lo = co_3_lo1 + w_3_lo;
+  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
+      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
+      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
+      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
+      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
+      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c + w_4,
+      co_4_error = ksl_sum_error(co_4c, w_4, co_4), co_4_lo1 = co_4_error + co_4c_lo,
+      co_4_lo = co_4_lo1 + w_4_lo;
+  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
+      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
+      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
+      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
+      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
+      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c + w_5,
+      co_5_error = ksl_sum_error(co_5c, w_5, co_5), co_5_lo1 = co_5_error + co_5c_lo,
+      co_5_lo = co_5_lo1 + w_5_lo;
+  const double w_0_rounded = w_0 + w_0_lo;
+  const double w_1_rounded = w_1 + w_1_lo;
+  const double w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = w_0_rounded;
+  co->m1 = w_1_rounded;
+  co->m2 = w_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   27 mul, 57 add, 21 product error, 15 sum error.
+   Error <= u |result| + (lin: 4, ang: 27) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_constraint_ctz_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m00 * c->m0, w_0a_lo = ksl_product_error(D->m00, c->m0, w_0a),
+      w_0b = D->m01 * c->m1, w_0b_lo = ksl_product_error(D->m01, c->m1, w_0b), w_0 = w_0a + w_0b,
+      w_0_error = ksl_sum_error(w_0a, w_0b, w_0), w_0_lo1 = w_0_error + w_0a_lo,
+      w_0_lo = w_0_lo1 + w_0b_lo;
+  const double w_1a = D->m10 * c->m0, w_1a_lo = ksl_product_error(D->m10, c->m0, w_1a),
+      w_1b = D->m11 * c->m1, w_1b_lo = ksl_product_error(D->m11, c->m1, w_1b), w_1 = w_1a + w_1b,
+      w_1_error = ksl_sum_error(w_1a, w_1b, w_1), w_1_lo1 = w_1_error + w_1a_lo,
+      w_1_lo = w_1_lo1 + w_1b_lo;
+  const double w_2a = D->m20 * c->m0, w_2a_lo = ksl_product_error(D->m20, c->m0, w_2a),
+      w_2b = D->m21 * c->m1, w_2b_lo = ksl_product_error(D->m21, c->m1, w_2b), w_2 = w_2a + w_2b,
+      w_2_error = ksl_sum_error(w_2a, w_2b, w_2), w_2_lo1 = w_2_error + w_2a_lo,
+      w_2_lo = w_2_lo1 + w_2b_lo;
+  const double w_3a = D->m00 * c->m3, w_3a_lo = ksl_product_error(D->m00, c->m3, w_3a),
+      w_3b = D->m01 * c->m4, w_3b_lo = ksl_product_error(D->m01, c->m4, w_3b), w_3c = w_3a + w_3b,
+      w_3c_error = ksl_sum_error(w_3a, w_3b, w_3c), w_3c_lo1 = w_3c_error + w_3a_lo,
+      w_3c_lo = w_3c_lo1 + w_3b_lo, w_3d = D->m02 * c->m5,
+      w_3d_lo = ksl_product_error(D->m02, c->m5, w_3d), w_3 = w_3c + w_3d,
+      w_3_error = ksl_sum_error(w_3c, w_3d, w_3), w_3_lo1 = w_3_error + w_3c_lo,
+      w_3_lo = w_3_lo1 + w_3d_lo;
+  const double w_4a = D->m10 * c->m3, w_4a_lo = ksl_product_error(D->m10, c->m3, w_4a),
+      w_4b = D->m11 * c->m4, w_4b_lo = ksl_product_error(D->m11, c->m4, w_4b), w_4c = w_4a + w_4b,
+      w_4c_error = ksl_sum_error(w_4a, w_4b, w_4c), w_4c_lo1 = w_4c_error + w_4a_lo,
+      w_4c_lo = w_4c_lo1 + w_4b_lo, w_4d = D->m12 * c->m5,
+      w_4d_lo = ksl_product_error(D->m12, c->m5, w_4d), w_4 = w_4c + w_4d,
+      w_4_error = ksl_sum_error(w_4c, w_4d, w_4), w_4_lo1 = w_4_error + w_4c_lo,
+      w_4_lo = w_4_lo1 + w_4d_lo;
+  const double w_5a = D->m20 * c->m3, w_5a_lo = ksl_product_error(D->m20, c->m3, w_5a),
+      w_5b = D->m21 * c->m4, w_5b_lo = ksl_product_error(D->m21, c->m4, w_5b), w_5c = w_5a + w_5b,
+      w_5c_error = ksl_sum_error(w_5a, w_5b, w_5c), w_5c_lo1 = w_5c_error + w_5a_lo,
+      w_5c_lo = w_5c_lo1 + w_5b_lo, w_5d = D->m22 * c->m5,
+      w_5d_lo = ksl_product_error(D->m22, c->m5, w_5d), w_5 = w_5c + w_5d,
+      w_5_error = ksl_sum_error(w_5c, w_5d, w_5), w_5_lo1 = w_5_error + w_5c_lo,
+      w_5_lo = w_5_lo1 + w_5d_lo;
+  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
+      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
+      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
+      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
+      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
+      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c + w_3,
+      co_3_error = ksl_sum_error(co_3c, w_3, co_3), co_3_lo1 = co_3_error + co_3c_lo,
+      co_3_lo = co_3_lo1 + w_3_lo;
+  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
+      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
+      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
+      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
+      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
+      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c + w_4,
+      co_4_error = ksl_sum_error(co_4c, w_4, co_4), co_4_lo1 = co_4_error + co_4c_lo,
+      co_4_lo = co_4_lo1 + w_4_lo;
+  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
+      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
+      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
+      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
+      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
+      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c + w_5,
+      co_5_error = ksl_sum_error(co_5c, w_5, co_5), co_5_lo1 = co_5_error + co_5c_lo,
+      co_5_lo = co_5_lo1 + w_5_lo;
+  const double w_0_rounded = w_0 + w_0_lo;
+  const double w_1_rounded = w_1 + w_1_lo;
+  const double w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = w_0_rounded;
+  co->m1 = w_1_rounded;
+  co->m2 = w_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   27 mul, 57 add, 21 product error, 15 sum error.
+   Error <= u |result| + (lin: 10, ang: 39) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_constraint_crx_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m00 * c->m0, w_0a_lo = ksl_product_error(D->m00, c->m0, w_0a),
+      w_0b = D->m01 * c->m1, w_0b_lo = ksl_product_error(D->m01, c->m1, w_0b), w_0c = w_0a + w_0b,
+      w_0c_error = ksl_sum_error(w_0a, w_0b, w_0c), w_0c_lo1 = w_0c_error + w_0a_lo,
+      w_0c_lo = w_0c_lo1 + w_0b_lo, w_0d = D->m02 * c->m2,
+      w_0d_lo = ksl_product_error(D->m02, c->m2, w_0d), w_0 = w_0c + w_0d,
+      w_0_error = ksl_sum_error(w_0c, w_0d, w_0), w_0_lo1 = w_0_error + w_0c_lo,
+      w_0_lo = w_0_lo1 + w_0d_lo;
+  const double w_1a = D->m10 * c->m0, w_1a_lo = ksl_product_error(D->m10, c->m0, w_1a),
+      w_1b = D->m11 * c->m1, w_1b_lo = ksl_product_error(D->m11, c->m1, w_1b), w_1c = w_1a + w_1b,
+      w_1c_error = ksl_sum_error(w_1a, w_1b, w_1c), w_1c_lo1 = w_1c_error + w_1a_lo,
+      w_1c_lo = w_1c_lo1 + w_1b_lo, w_1d = D->m12 * c->m2,
+      w_1d_lo = ksl_product_error(D->m12, c->m2, w_1d), w_1 = w_1c + w_1d,
+      w_1_error = ksl_sum_error(w_1c, w_1d, w_1), w_1_lo1 = w_1_error + w_1c_lo,
+      w_1_lo = w_1_lo1 + w_1d_lo;
+  const double w_2a = D->m20 * c->m0, w_2a_lo = ksl_product_error(D->m20, c->m0, w_2a),
+      w_2b = D->m21 * c->m1, w_2b_lo = ksl_product_error(D->m21, c->m1, w_2b), w_2c = w_2a + w_2b,
+      w_2c_error = ksl_sum_error(w_2a, w_2b, w_2c), w_2c_lo1 = w_2c_error + w_2a_lo,
+      w_2c_lo = w_2c_lo1 + w_2b_lo, w_2d = D->m22 * c->m2,
+      w_2d_lo = ksl_product_error(D->m22, c->m2, w_2d), w_2 = w_2c + w_2d,
+      w_2_error = ksl_sum_error(w_2c, w_2d, w_2), w_2_lo1 = w_2_error + w_2c_lo,
+      w_2_lo = w_2_lo1 + w_2d_lo;
+  const double w_3a = D->m01 * c->m4, w_3a_lo = ksl_product_error(D->m01, c->m4, w_3a),
+      w_3b = D->m02 * c->m5, w_3b_lo = ksl_product_error(D->m02, c->m5, w_3b), w_3 = w_3a + w_3b,
+      w_3_error = ksl_sum_error(w_3a, w_3b, w_3), w_3_lo1 = w_3_error + w_3a_lo,
+      w_3_lo = w_3_lo1 + w_3b_lo;
+  const double w_4a = D->m11 * c->m4, w_4a_lo = ksl_product_error(D->m11, c->m4, w_4a),
+      w_4b = D->m12 * c->m5, w_4b_lo = ksl_product_error(D->m12, c->m5, w_4b), w_4 = w_4a + w_4b,
+      w_4_error = ksl_sum_error(w_4a, w_4b, w_4), w_4_lo1 = w_4_error + w_4a_lo,
+      w_4_lo = w_4_lo1 + w_4b_lo;
+  const double w_5a = D->m21 * c->m4, w_5a_lo = ksl_product_error(D->m21, c->m4, w_5a),
+      w_5b = D->m22 * c->m5, w_5b_lo = ksl_product_error(D->m22, c->m5, w_5b), w_5 = w_5a + w_5b,
+      w_5_error = ksl_sum_error(w_5a, w_5b, w_5), w_5_lo1 = w_5_error + w_5a_lo,
+      w_5_lo = w_5_lo1 + w_5b_lo;
+  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
+      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
+      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
+      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
+      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
+      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c + w_3,
+      co_3_error = ksl_sum_error(co_3c, w_3, co_3), co_3_lo1 = co_3_error + co_3c_lo,
+      co_3_lo = co_3_lo1 + w_3_lo;
+  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
+      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
+      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
+      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
+      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
+      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c + w_4,
+      co_4_error = ksl_sum_error(co_4c, w_4, co_4), co_4_lo1 = co_4_error + co_4c_lo,
+      co_4_lo = co_4_lo1 + w_4_lo;
+  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
+      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
+      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
+      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
+      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
+      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c + w_5,
+      co_5_error = ksl_sum_error(co_5c, w_5, co_5), co_5_lo1 = co_5_error + co_5c_lo,
+      co_5_lo = co_5_lo1 + w_5_lo;
+  const double w_0_rounded = w_0 + w_0_lo;
+  const double w_1_rounded = w_1 + w_1_lo;
+  const double w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = w_0_rounded;
+  co->m1 = w_1_rounded;
+  co->m2 = w_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   27 mul, 57 add, 21 product error, 15 sum error.
+   Error <= u |result| + (lin: 10, ang: 39) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_constraint_cry_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m00 * c->m0, w_0a_lo = ksl_product_error(D->m00, c->m0, w_0a),
+      w_0b = D->m01 * c->m1, w_0b_lo = ksl_product_error(D->m01, c->m1, w_0b), w_0c = w_0a + w_0b,
+      w_0c_error = ksl_sum_error(w_0a, w_0b, w_0c), w_0c_lo1 = w_0c_error + w_0a_lo,
+      w_0c_lo = w_0c_lo1 + w_0b_lo, w_0d = D->m02 * c->m2,
+      w_0d_lo = ksl_product_error(D->m02, c->m2, w_0d), w_0 = w_0c + w_0d,
+      w_0_error = ksl_sum_error(w_0c, w_0d, w_0), w_0_lo1 = w_0_error + w_0c_lo,
+      w_0_lo = w_0_lo1 + w_0d_lo;
+  const double w_1a = D->m10 * c->m0, w_1a_lo = ksl_product_error(D->m10, c->m0, w_1a),
+      w_1b = D->m11 * c->m1, w_1b_lo = ksl_product_error(D->m11, c->m1, w_1b), w_1c = w_1a + w_1b,
+      w_1c_error = ksl_sum_error(w_1a, w_1b, w_1c), w_1c_lo1 = w_1c_error + w_1a_lo,
+      w_1c_lo = w_1c_lo1 + w_1b_lo, w_1d = D->m12 * c->m2,
+      w_1d_lo = ksl_product_error(D->m12, c->m2, w_1d), w_1 = w_1c + w_1d,
+      w_1_error = ksl_sum_error(w_1c, w_1d, w_1), w_1_lo1 = w_1_error + w_1c_lo,
+      w_1_lo = w_1_lo1 + w_1d_lo;
+  const double w_2a = D->m20 * c->m0, w_2a_lo = ksl_product_error(D->m20, c->m0, w_2a),
+      w_2b = D->m21 * c->m1, w_2b_lo = ksl_product_error(D->m21, c->m1, w_2b), w_2c = w_2a + w_2b,
+      w_2c_error = ksl_sum_error(w_2a, w_2b, w_2c), w_2c_lo1 = w_2c_error + w_2a_lo,
+      w_2c_lo = w_2c_lo1 + w_2b_lo, w_2d = D->m22 * c->m2,
+      w_2d_lo = ksl_product_error(D->m22, c->m2, w_2d), w_2 = w_2c + w_2d,
+      w_2_error = ksl_sum_error(w_2c, w_2d, w_2), w_2_lo1 = w_2_error + w_2c_lo,
+      w_2_lo = w_2_lo1 + w_2d_lo;
+  const double w_3a = D->m00 * c->m3, w_3a_lo = ksl_product_error(D->m00, c->m3, w_3a),
+      w_3b = D->m02 * c->m5, w_3b_lo = ksl_product_error(D->m02, c->m5, w_3b), w_3 = w_3a + w_3b,
+      w_3_error = ksl_sum_error(w_3a, w_3b, w_3), w_3_lo1 = w_3_error + w_3a_lo,
+      w_3_lo = w_3_lo1 + w_3b_lo;
+  const double w_4a = D->m10 * c->m3, w_4a_lo = ksl_product_error(D->m10, c->m3, w_4a),
+      w_4b = D->m12 * c->m5, w_4b_lo = ksl_product_error(D->m12, c->m5, w_4b), w_4 = w_4a + w_4b,
+      w_4_error = ksl_sum_error(w_4a, w_4b, w_4), w_4_lo1 = w_4_error + w_4a_lo,
+      w_4_lo = w_4_lo1 + w_4b_lo;
+  const double w_5a = D->m20 * c->m3, w_5a_lo = ksl_product_error(D->m20, c->m3, w_5a),
+      w_5b = D->m22 * c->m5, w_5b_lo = ksl_product_error(D->m22, c->m5, w_5b), w_5 = w_5a + w_5b,
+      w_5_error = ksl_sum_error(w_5a, w_5b, w_5), w_5_lo1 = w_5_error + w_5a_lo,
+      w_5_lo = w_5_lo1 + w_5b_lo;
+  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
+      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
+      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
+      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
+      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
+      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c + w_3,
+      co_3_error = ksl_sum_error(co_3c, w_3, co_3), co_3_lo1 = co_3_error + co_3c_lo,
+      co_3_lo = co_3_lo1 + w_3_lo;
+  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
+      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
+      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
+      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
+      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
+      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c + w_4,
+      co_4_error = ksl_sum_error(co_4c, w_4, co_4), co_4_lo1 = co_4_error + co_4c_lo,
+      co_4_lo = co_4_lo1 + w_4_lo;
+  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
+      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
+      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
+      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
+      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
+      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c + w_5,
+      co_5_error = ksl_sum_error(co_5c, w_5, co_5), co_5_lo1 = co_5_error + co_5c_lo,
+      co_5_lo = co_5_lo1 + w_5_lo;
+  const double w_0_rounded = w_0 + w_0_lo;
+  const double w_1_rounded = w_1 + w_1_lo;
+  const double w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = w_0_rounded;
+  co->m1 = w_1_rounded;
+  co->m2 = w_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   27 mul, 57 add, 21 product error, 15 sum error.
+   Error <= u |result| + (lin: 10, ang: 39) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_constraint_crz_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0a = D->m00 * c->m0, w_0a_lo = ksl_product_error(D->m00, c->m0, w_0a),
+      w_0b = D->m01 * c->m1, w_0b_lo = ksl_product_error(D->m01, c->m1, w_0b), w_0c = w_0a + w_0b,
+      w_0c_error = ksl_sum_error(w_0a, w_0b, w_0c), w_0c_lo1 = w_0c_error + w_0a_lo,
+      w_0c_lo = w_0c_lo1 + w_0b_lo, w_0d = D->m02 * c->m2,
+      w_0d_lo = ksl_product_error(D->m02, c->m2, w_0d), w_0 = w_0c + w_0d,
+      w_0_error = ksl_sum_error(w_0c, w_0d, w_0), w_0_lo1 = w_0_error + w_0c_lo,
+      w_0_lo = w_0_lo1 + w_0d_lo;
+  const double w_1a = D->m10 * c->m0, w_1a_lo = ksl_product_error(D->m10, c->m0, w_1a),
+      w_1b = D->m11 * c->m1, w_1b_lo = ksl_product_error(D->m11, c->m1, w_1b), w_1c = w_1a + w_1b,
+      w_1c_error = ksl_sum_error(w_1a, w_1b, w_1c), w_1c_lo1 = w_1c_error + w_1a_lo,
+      w_1c_lo = w_1c_lo1 + w_1b_lo, w_1d = D->m12 * c->m2,
+      w_1d_lo = ksl_product_error(D->m12, c->m2, w_1d), w_1 = w_1c + w_1d,
+      w_1_error = ksl_sum_error(w_1c, w_1d, w_1), w_1_lo1 = w_1_error + w_1c_lo,
+      w_1_lo = w_1_lo1 + w_1d_lo;
+  const double w_2a = D->m20 * c->m0, w_2a_lo = ksl_product_error(D->m20, c->m0, w_2a),
+      w_2b = D->m21 * c->m1, w_2b_lo = ksl_product_error(D->m21, c->m1, w_2b), w_2c = w_2a + w_2b,
+      w_2c_error = ksl_sum_error(w_2a, w_2b, w_2c), w_2c_lo1 = w_2c_error + w_2a_lo,
+      w_2c_lo = w_2c_lo1 + w_2b_lo, w_2d = D->m22 * c->m2,
+      w_2d_lo = ksl_product_error(D->m22, c->m2, w_2d), w_2 = w_2c + w_2d,
+      w_2_error = ksl_sum_error(w_2c, w_2d, w_2), w_2_lo1 = w_2_error + w_2c_lo,
+      w_2_lo = w_2_lo1 + w_2d_lo;
+  const double w_3a = D->m00 * c->m3, w_3a_lo = ksl_product_error(D->m00, c->m3, w_3a),
+      w_3b = D->m01 * c->m4, w_3b_lo = ksl_product_error(D->m01, c->m4, w_3b), w_3 = w_3a + w_3b,
+      w_3_error = ksl_sum_error(w_3a, w_3b, w_3), w_3_lo1 = w_3_error + w_3a_lo,
+      w_3_lo = w_3_lo1 + w_3b_lo;
+  const double w_4a = D->m10 * c->m3, w_4a_lo = ksl_product_error(D->m10, c->m3, w_4a),
+      w_4b = D->m11 * c->m4, w_4b_lo = ksl_product_error(D->m11, c->m4, w_4b), w_4 = w_4a + w_4b,
+      w_4_error = ksl_sum_error(w_4a, w_4b, w_4), w_4_lo1 = w_4_error + w_4a_lo,
+      w_4_lo = w_4_lo1 + w_4b_lo;
+  const double w_5a = D->m20 * c->m3, w_5a_lo = ksl_product_error(D->m20, c->m3, w_5a),
+      w_5b = D->m21 * c->m4, w_5b_lo = ksl_product_error(D->m21, c->m4, w_5b), w_5 = w_5a + w_5b,
+      w_5_error = ksl_sum_error(w_5a, w_5b, w_5), w_5_lo1 = w_5_error + w_5a_lo,
+      w_5_lo = w_5_lo1 + w_5b_lo;
+  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
+      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
+      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
+      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
+      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
+      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c + w_3,
+      co_3_error = ksl_sum_error(co_3c, w_3, co_3), co_3_lo1 = co_3_error + co_3c_lo,
+      co_3_lo = co_3_lo1 + w_3_lo;
+  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
+      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
+      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
+      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
+      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
+      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c + w_4,
+      co_4_error = ksl_sum_error(co_4c, w_4, co_4), co_4_lo1 = co_4_error + co_4c_lo,
+      co_4_lo = co_4_lo1 + w_4_lo;
+  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
+      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
+      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
+      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
+      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
+      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c + w_5,
+      co_5_error = ksl_sum_error(co_5c, w_5, co_5), co_5_lo1 = co_5_error + co_5c_lo,
+      co_5_lo = co_5_lo1 + w_5_lo;
+  const double w_0_rounded = w_0 + w_0_lo;
+  const double w_1_rounded = w_1 + w_1_lo;
+  const double w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = w_0_rounded;
+  co->m1 = w_1_rounded;
+  co->m2 = w_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   15 mul, 21 add, 9 product error, 3 sum error.
+   Error <= u |result| + (lin: 0, ang: 9) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_working_ctx_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0 = D->m00 * c->m0, w_0_lo = ksl_product_error(D->m00, c->m0, w_0);
+  const double w_1 = D->m10 * c->m0, w_1_lo = ksl_product_error(D->m10, c->m0, w_1);
+  const double w_2 = D->m20 * c->m0, w_2_lo = ksl_product_error(D->m20, c->m0, w_2);
+  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
+      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
+      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
+      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
+      co_3 = co_3a - co_3b, co_3_error = ksl_difference_error(co_3a, co_3b, co_3),
+      co_3_lo1 = co_3_error + co_3a_lo, co_3_lo = co_3_lo1 - co_3b_lo;
+  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
+      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
+      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
+      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
+      co_4 = co_4a - co_4b, co_4_error = ksl_difference_error(co_4a, co_4b, co_4),
+      co_4_lo1 = co_4_error + co_4a_lo, co_4_lo = co_4_lo1 - co_4b_lo;
+  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
+      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
+      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
+      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
+      co_5 = co_5a - co_5b, co_5_error = ksl_difference_error(co_5a, co_5b, co_5),
+      co_5_lo1 = co_5_error + co_5a_lo, co_5_lo = co_5_lo1 - co_5b_lo;
+  const double w_0_rounded = w_0 + w_0_lo;
+  const double w_1_rounded = w_1 + w_1_lo;
+  const double w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = w_0_rounded;
+  co->m1 = w_1_rounded;
+  co->m2 = w_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   15 mul, 21 add, 9 product error, 3 sum error.
+   Error <= u |result| + (lin: 0, ang: 9) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_working_cty_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0 = D->m01 * c->m1, w_0_lo = ksl_product_error(D->m01, c->m1, w_0);
+  const double w_1 = D->m11 * c->m1, w_1_lo = ksl_product_error(D->m11, c->m1, w_1);
+  const double w_2 = D->m21 * c->m1, w_2_lo = ksl_product_error(D->m21, c->m1, w_2);
+  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
+      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
+      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
+      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
+      co_3 = co_3a - co_3b, co_3_error = ksl_difference_error(co_3a, co_3b, co_3),
+      co_3_lo1 = co_3_error + co_3a_lo, co_3_lo = co_3_lo1 - co_3b_lo;
+  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
+      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
+      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
+      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
+      co_4 = co_4a - co_4b, co_4_error = ksl_difference_error(co_4a, co_4b, co_4),
+      co_4_lo1 = co_4_error + co_4a_lo, co_4_lo = co_4_lo1 - co_4b_lo;
+  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
+      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
+      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
+      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
+      co_5 = co_5a - co_5b, co_5_error = ksl_difference_error(co_5a, co_5b, co_5),
+      co_5_lo1 = co_5_error + co_5a_lo, co_5_lo = co_5_lo1 - co_5b_lo;
+  const double w_0_rounded = w_0 + w_0_lo;
+  const double w_1_rounded = w_1 + w_1_lo;
+  const double w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = w_0_rounded;
+  co->m1 = w_1_rounded;
+  co->m2 = w_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   15 mul, 21 add, 9 product error, 3 sum error.
+   Error <= u |result| + (lin: 0, ang: 9) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_working_ctz_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_0 = D->m02 * c->m2, w_0_lo = ksl_product_error(D->m02, c->m2, w_0);
+  const double w_1 = D->m12 * c->m2, w_1_lo = ksl_product_error(D->m12, c->m2, w_1);
+  const double w_2 = D->m22 * c->m2, w_2_lo = ksl_product_error(D->m22, c->m2, w_2);
+  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
+      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
+      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
+      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
+      co_3 = co_3a - co_3b, co_3_error = ksl_difference_error(co_3a, co_3b, co_3),
+      co_3_lo1 = co_3_error + co_3a_lo, co_3_lo = co_3_lo1 - co_3b_lo;
+  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
+      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
+      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
+      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
+      co_4 = co_4a - co_4b, co_4_error = ksl_difference_error(co_4a, co_4b, co_4),
+      co_4_lo1 = co_4_error + co_4a_lo, co_4_lo = co_4_lo1 - co_4b_lo;
+  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
+      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
+      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
+      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
+      co_5 = co_5a - co_5b, co_5_error = ksl_difference_error(co_5a, co_5b, co_5),
+      co_5_lo1 = co_5_error + co_5a_lo, co_5_lo = co_5_lo1 - co_5b_lo;
+  const double w_0_rounded = w_0 + w_0_lo;
+  const double w_1_rounded = w_1 + w_1_lo;
+  const double w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = w_0_rounded;
+  co->m1 = w_1_rounded;
+  co->m2 = w_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   3 mul, 3 add, 3 product error.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_working_crx_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_3 = D->m00 * c->m3, w_3_lo = ksl_product_error(D->m00, c->m3, w_3);
+  const double w_4 = D->m10 * c->m3, w_4_lo = ksl_product_error(D->m10, c->m3, w_4);
+  const double w_5 = D->m20 * c->m3, w_5_lo = ksl_product_error(D->m20, c->m3, w_5);
+  const double w_3_rounded = w_3 + w_3_lo;
+  const double w_4_rounded = w_4 + w_4_lo;
+  const double w_5_rounded = w_5 + w_5_lo;
+  co->m0 = 0.0;
+  co->m1 = 0.0;
+  co->m2 = 0.0;
+  co->m3 = w_3_rounded;
+  co->m4 = w_4_rounded;
+  co->m5 = w_5_rounded;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   3 mul, 3 add, 3 product error.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_working_cry_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_3 = D->m01 * c->m4, w_3_lo = ksl_product_error(D->m01, c->m4, w_3);
+  const double w_4 = D->m11 * c->m4, w_4_lo = ksl_product_error(D->m11, c->m4, w_4);
+  const double w_5 = D->m21 * c->m4, w_5_lo = ksl_product_error(D->m21, c->m4, w_5);
+  const double w_3_rounded = w_3 + w_3_lo;
+  const double w_4_rounded = w_4 + w_4_lo;
+  const double w_5_rounded = w_5 + w_5_lo;
+  co->m0 = 0.0;
+  co->m1 = 0.0;
+  co->m2 = 0.0;
+  co->m3 = w_3_rounded;
+  co->m4 = w_4_rounded;
+  co->m5 = w_5_rounded;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   3 mul, 3 add, 3 product error.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_working_crz_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
+    ksl_coscrew_t *co) {
+  const double w_3 = D->m02 * c->m5, w_3_lo = ksl_product_error(D->m02, c->m5, w_3);
+  const double w_4 = D->m12 * c->m5, w_4_lo = ksl_product_error(D->m12, c->m5, w_4);
+  const double w_5 = D->m22 * c->m5, w_5_lo = ksl_product_error(D->m22, c->m5, w_5);
+  const double w_3_rounded = w_3 + w_3_lo;
+  const double w_4_rounded = w_4 + w_4_lo;
+  const double w_5_rounded = w_5 + w_5_lo;
+  co->m0 = 0.0;
+  co->m1 = 0.0;
+  co->m2 = 0.0;
+  co->m3 = w_3_rounded;
+  co->m4 = w_4_rounded;
+  co->m5 = w_5_rounded;
+}
+
+/* self = a self.
+   self: coscrew (f in N; τ in N m); a: number.
+   6 mul.
+   Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_coscrewf_scale_accurate(ksl_coscrewf_t *self, const float a) {
+  const double self_0_new = (double)self->m0 * (double)a;
+  const double self_1_new = (double)self->m1 * (double)a;
+  const double self_2_new = (double)self->m2 * (double)a;
+  const double self_3_new = (double)self->m3 * (double)a;
+  const double self_4_new = (double)self->m4 * (double)a;
+  const double self_5_new = (double)self->m5 * (double)a;
+  self->m0 = (float)self_0_new;
+  self->m1 = (float)self_1_new;
+  self->m2 = (float)self_2_new;
+  self->m3 = (float)self_3_new;
+  self->m4 = (float)self_4_new;
+  self->m5 = (float)self_5_new;
+}
+
+/* y = a x + y.
+   a: number; x, y: coscrew (f in N; τ in N m).
+   6 mul, 6 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_axpy_ccf_accurate(const float a, const ksl_coscrewf_t *x,
+    ksl_coscrewf_t *y) {
+  const double y_0_new_a = (double)a * (double)x->m0, y_0_new = y_0_new_a + (double)y->m0;
+  const double y_1_new_a = (double)a * (double)x->m1, y_1_new = y_1_new_a + (double)y->m1;
+  const double y_2_new_a = (double)a * (double)x->m2, y_2_new = y_2_new_a + (double)y->m2;
+  const double y_3_new_a = (double)a * (double)x->m3, y_3_new = y_3_new_a + (double)y->m3;
+  const double y_4_new_a = (double)a * (double)x->m4, y_4_new = y_4_new_a + (double)y->m4;
+  const double y_5_new_a = (double)a * (double)x->m5, y_5_new = y_5_new_a + (double)y->m5;
+  y->m0 = (float)y_0_new;
+  y->m1 = (float)y_1_new;
+  y->m2 = (float)y_2_new;
+  y->m3 = (float)y_3_new;
+  y->m4 = (float)y_4_new;
+  y->m5 = (float)y_5_new;
+}
+
+/* y = x + y.
+   x, y: coscrew (f in N; τ in N m).
+   6 add.
+   Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_xpy_ccf_accurate(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
+  const double y_0_new = (double)x->m0 + (double)y->m0;
+  const double y_1_new = (double)x->m1 + (double)y->m1;
+  const double y_2_new = (double)x->m2 + (double)y->m2;
+  const double y_3_new = (double)x->m3 + (double)y->m3;
+  const double y_4_new = (double)x->m4 + (double)y->m4;
+  const double y_5_new = (double)x->m5 + (double)y->m5;
+  y->m0 = (float)y_0_new;
+  y->m1 = (float)y_1_new;
+  y->m2 = (float)y_2_new;
+  y->m3 = (float)y_3_new;
+  y->m4 = (float)y_4_new;
+  y->m5 = (float)y_5_new;
+}
+
+/* y = -x + y.
+   x, y: coscrew (f in N; τ in N m).
+   6 add.
+   Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_nxpy_ccf_accurate(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
+  const double y_0_new = (double)y->m0 - (double)x->m0;
+  const double y_1_new = (double)y->m1 - (double)x->m1;
+  const double y_2_new = (double)y->m2 - (double)x->m2;
+  const double y_3_new = (double)y->m3 - (double)x->m3;
+  const double y_4_new = (double)y->m4 - (double)x->m4;
+  const double y_5_new = (double)y->m5 - (double)x->m5;
+  y->m0 = (float)y_0_new;
+  y->m1 = (float)y_1_new;
+  y->m2 = (float)y_2_new;
+  y->m3 = (float)y_3_new;
+  y->m4 = (float)y_4_new;
+  y->m5 = (float)y_5_new;
+}
+
+/* co = a ci.
+   a: number; ci, co: coscrew (f in N; τ in N m).
+   6 mul.
+   Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_acf_accurate(const float a, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const double co_0 = (double)a * (double)ci->m0;
+  const double co_1 = (double)a * (double)ci->m1;
+  const double co_2 = (double)a * (double)ci->m2;
+  const double co_3 = (double)a * (double)ci->m3;
+  const double co_4 = (double)a * (double)ci->m4;
+  const double co_5 = (double)a * (double)ci->m5;
+  co->m0 = (float)co_0;
+  co->m1 = (float)co_1;
+  co->m2 = (float)co_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = c1 + c2.
+   c1, c2, co: coscrew (f in N; τ in N m).
+   6 add.
+   Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_add_ccf_accurate(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
+    ksl_coscrewf_t *co) {
+  const double co_0 = (double)c1->m0 + (double)c2->m0;
+  const double co_1 = (double)c1->m1 + (double)c2->m1;
+  const double co_2 = (double)c1->m2 + (double)c2->m2;
+  const double co_3 = (double)c1->m3 + (double)c2->m3;
+  const double co_4 = (double)c1->m4 + (double)c2->m4;
+  const double co_5 = (double)c1->m5 + (double)c2->m5;
+  co->m0 = (float)co_0;
+  co->m1 = (float)co_1;
+  co->m2 = (float)co_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = c1 - c2.
+   c1, c2, co: coscrew (f in N; τ in N m).
+   6 add.
+   Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_subtract_ccf_accurate(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
+    ksl_coscrewf_t *co) {
+  const double co_0 = (double)c1->m0 - (double)c2->m0;
+  const double co_1 = (double)c1->m1 - (double)c2->m1;
+  const double co_2 = (double)c1->m2 - (double)c2->m2;
+  const double co_3 = (double)c1->m3 - (double)c2->m3;
+  const double co_4 = (double)c1->m4 - (double)c2->m4;
+  const double co_5 = (double)c1->m5 - (double)c2->m5;
+  co->m0 = (float)co_0;
+  co->m1 = (float)co_1;
+  co->m2 = (float)co_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = (c1.lin + c2.lin ; c1.ang).
+   c1, c2, co: coscrew (f in N; τ in N m).
+   3 add.
+   Error <= u |result| + (lin: 1/32, ang: 0) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_add_cctf_accurate(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
+    ksl_coscrewf_t *co) {
+  const double co_0 = (double)c1->m0 + (double)c2->m0;
+  const double co_1 = (double)c1->m1 + (double)c2->m1;
+  const double co_2 = (double)c1->m2 + (double)c2->m2;
+  const float c1_m3 = c1->m3;
+  const float c1_m4 = c1->m4;
+  const float c1_m5 = c1->m5;
+  co->m0 = (float)co_0;
+  co->m1 = (float)co_1;
+  co->m2 = (float)co_2;
+  co->m3 = c1_m3;
+  co->m4 = c1_m4;
+  co->m5 = c1_m5;
+}
+
+/* co = [Ad]*(t) ci.
+   t: vector; ci, co: coscrew (f in N; τ in N m).
+   6 mul, 6 add.
+   Error <= u |result| + (lin: 0, ang: 3/32) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_CoAdtcf_accurate(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const double co_3a = (double)t->y * (double)ci->m2, co_3b = (double)t->z * (double)ci->m1,
+      co_3c = co_3a - co_3b, co_3 = co_3c + (double)ci->m3;
+  const double co_4a = (double)t->z * (double)ci->m0, co_4b = (double)t->x * (double)ci->m2,
+      co_4c = co_4a - co_4b, co_4 = co_4c + (double)ci->m4;
+  const double co_5a = (double)t->x * (double)ci->m1, co_5b = (double)t->y * (double)ci->m0,
+      co_5c = co_5a - co_5b, co_5 = co_5c + (double)ci->m5;
+  const float ci_m0 = ci->m0;
+  const float ci_m1 = ci->m1;
+  const float ci_m2 = ci->m2;
+  co->m0 = ci_m0;
+  co->m1 = ci_m1;
+  co->m2 = ci_m2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = [Ad]*(t)^-1 ci.
+   t: vector; ci, co: coscrew (f in N; τ in N m).
+   6 mul, 6 add.
+   Error <= u |result| + (lin: 0, ang: 3/32) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_CoAdtinvcf_accurate(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const double co_3a = (double)t->z * (double)ci->m1, co_3b = (double)t->y * (double)ci->m2,
+      co_3c = co_3a - co_3b, co_3 = co_3c + (double)ci->m3;
+  const double co_4a = (double)t->x * (double)ci->m2, co_4b = (double)t->z * (double)ci->m0,
+      co_4c = co_4a - co_4b, co_4 = co_4c + (double)ci->m4;
+  const double co_5a = (double)t->y * (double)ci->m0, co_5b = (double)t->x * (double)ci->m1,
+      co_5c = co_5a - co_5b, co_5 = co_5c + (double)ci->m5;
+  const float ci_m0 = ci->m0;
+  const float ci_m1 = ci->m1;
+  const float ci_m2 = ci->m2;
+  co->m0 = ci_m0;
+  co->m1 = ci_m1;
+  co->m2 = ci_m2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = [Ad]*(t) (-ci).
+   t: vector; ci, co: coscrew (f in N; τ in N m).
+   6 mul, 6 add, 3 neg.
+   Error <= u |result| + (lin: 0, ang: 3/32) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_CoAdtcinvf_accurate(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const double co_0 = -(double)ci->m0;
+  const double co_1 = -(double)ci->m1;
+  const double co_2 = -(double)ci->m2;
+  const double co_3a = (double)t->z * (double)ci->m1, co_3b = (double)t->y * (double)ci->m2,
+      co_3c = co_3a - co_3b, co_3 = co_3c - (double)ci->m3;
+  const double co_4a = (double)t->x * (double)ci->m2, co_4b = (double)t->z * (double)ci->m0,
+      co_4c = co_4a - co_4b, co_4 = co_4c - (double)ci->m4;
+  const double co_5a = (double)t->y * (double)ci->m0, co_5b = (double)t->x * (double)ci->m1,
+      co_5c = co_5a - co_5b, co_5 = co_5c - (double)ci->m5;
+  co->m0 = (float)co_0;
+  co->m1 = (float)co_1;
+  co->m2 = (float)co_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = [Ad]*(R) ci.
+   R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
+   18 mul, 12 add.
+   Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_CoAdrcf_accurate(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const double co_0a = (double)R->m00 * (double)ci->m0, co_0b = (double)R->m01 * (double)ci->m1,
+      co_0c = co_0a + co_0b, co_0d = (double)R->m02 * (double)ci->m2, co_0 = co_0c + co_0d;
+  const double co_1a = (double)R->m10 * (double)ci->m0, co_1b = (double)R->m11 * (double)ci->m1,
+      co_1c = co_1a + co_1b, co_1d = (double)R->m12 * (double)ci->m2, co_1 = co_1c + co_1d;
+  const double co_2a = (double)R->m20 * (double)ci->m0, co_2b = (double)R->m21 * (double)ci->m1,
+      co_2c = co_2a + co_2b, co_2d = (double)R->m22 * (double)ci->m2, co_2 = co_2c + co_2d;
+  const double co_3a = (double)R->m00 * (double)ci->m3, co_3b = (double)R->m01 * (double)ci->m4,
+      co_3c = co_3a + co_3b, co_3d = (double)R->m02 * (double)ci->m5, co_3 = co_3c + co_3d;
+  const double co_4a = (double)R->m10 * (double)ci->m3, co_4b = (double)R->m11 * (double)ci->m4,
+      co_4c = co_4a + co_4b, co_4d = (double)R->m12 * (double)ci->m5, co_4 = co_4c + co_4d;
+  const double co_5a = (double)R->m20 * (double)ci->m3, co_5b = (double)R->m21 * (double)ci->m4,
+      co_5c = co_5a + co_5b, co_5d = (double)R->m22 * (double)ci->m5, co_5 = co_5c + co_5d;
+  co->m0 = (float)co_0;
+  co->m1 = (float)co_1;
+  co->m2 = (float)co_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = [Ad]*(R)^-1 ci.
+   R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
+   18 mul, 12 add.
+   Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_CoAdrinvcf_accurate(const ksl_mat3x3f_t *R,
+    const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
+  const double co_0a = (double)R->m00 * (double)ci->m0, co_0b = (double)R->m10 * (double)ci->m1,
+      co_0c = co_0a + co_0b, co_0d = (double)R->m20 * (double)ci->m2, co_0 = co_0c + co_0d;
+  const double co_1a = (double)R->m01 * (double)ci->m0, co_1b = (double)R->m11 * (double)ci->m1,
+      co_1c = co_1a + co_1b, co_1d = (double)R->m21 * (double)ci->m2, co_1 = co_1c + co_1d;
+  const double co_2a = (double)R->m02 * (double)ci->m0, co_2b = (double)R->m12 * (double)ci->m1,
+      co_2c = co_2a + co_2b, co_2d = (double)R->m22 * (double)ci->m2, co_2 = co_2c + co_2d;
+  const double co_3a = (double)R->m00 * (double)ci->m3, co_3b = (double)R->m10 * (double)ci->m4,
+      co_3c = co_3a + co_3b, co_3d = (double)R->m20 * (double)ci->m5, co_3 = co_3c + co_3d;
+  const double co_4a = (double)R->m01 * (double)ci->m3, co_4b = (double)R->m11 * (double)ci->m4,
+      co_4c = co_4a + co_4b, co_4d = (double)R->m21 * (double)ci->m5, co_4 = co_4c + co_4d;
+  const double co_5a = (double)R->m02 * (double)ci->m3, co_5b = (double)R->m12 * (double)ci->m4,
+      co_5c = co_5a + co_5b, co_5d = (double)R->m22 * (double)ci->m5, co_5 = co_5c + co_5d;
+  co->m0 = (float)co_0;
+  co->m1 = (float)co_1;
+  co->m2 = (float)co_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = [Ad]*(R) (-ci).
+   R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
+   18 mul, 12 add, 6 neg.
+   Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_CoAdrcinvf_accurate(const ksl_mat3x3f_t *R,
+    const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
+  const double co_0a = (double)R->m00 * (double)ci->m0, co_0b = (double)R->m01 * (double)ci->m1,
+      co_0c = co_0a + co_0b, co_0d = (double)R->m02 * (double)ci->m2, co_0e = co_0c + co_0d,
+      co_0 = -co_0e;
+  const double co_1a = (double)R->m10 * (double)ci->m0, co_1b = (double)R->m11 * (double)ci->m1,
+      co_1c = co_1a + co_1b, co_1d = (double)R->m12 * (double)ci->m2, co_1e = co_1c + co_1d,
+      co_1 = -co_1e;
+  const double co_2a = (double)R->m20 * (double)ci->m0, co_2b = (double)R->m21 * (double)ci->m1,
+      co_2c = co_2a + co_2b, co_2d = (double)R->m22 * (double)ci->m2, co_2e = co_2c + co_2d,
+      co_2 = -co_2e;
+  const double co_3a = (double)R->m00 * (double)ci->m3, co_3b = (double)R->m01 * (double)ci->m4,
+      co_3c = co_3a + co_3b, co_3d = (double)R->m02 * (double)ci->m5, co_3e = co_3c + co_3d,
+      co_3 = -co_3e;
+  const double co_4a = (double)R->m10 * (double)ci->m3, co_4b = (double)R->m11 * (double)ci->m4,
+      co_4c = co_4a + co_4b, co_4d = (double)R->m12 * (double)ci->m5, co_4e = co_4c + co_4d,
+      co_4 = -co_4e;
+  const double co_5a = (double)R->m20 * (double)ci->m3, co_5b = (double)R->m21 * (double)ci->m4,
+      co_5c = co_5a + co_5b, co_5d = (double)R->m22 * (double)ci->m5, co_5e = co_5c + co_5d,
+      co_5 = -co_5e;
+  co->m0 = (float)co_0;
+  co->m1 = (float)co_1;
+  co->m2 = (float)co_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.
+   D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
+   24 mul, 18 add.
+   Error <= u |result| + (lin: 3/32, ang: 3/16) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_CoAdcf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const double w_0a = (double)D->m00 * (double)ci->m0, w_0b = (double)D->m01 * (double)ci->m1,
+      w_0c = w_0a + w_0b, w_0d = (double)D->m02 * (double)ci->m2, w_0 = w_0c + w_0d;
+  const double w_1a = (double)D->m10 * (double)ci->m0, w_1b = (double)D->m11 * (double)ci->m1,
+      w_1c = w_1a + w_1b, w_1d = (double)D->m12 * (double)ci->m2, w_1 = w_1c + w_1d;
+  const double w_2a = (double)D->m20 * (double)ci->m0, w_2b = (double)D->m21 * (double)ci->m1,
+      w_2c = w_2a + w_2b, w_2d = (double)D->m22 * (double)ci->m2, w_2 = w_2c + w_2d;
+  const double w_3a = (double)D->m00 * (double)ci->m3, w_3b = (double)D->m01 * (double)ci->m4,
+      w_3c = w_3a + w_3b, w_3d = (double)D->m02 * (double)ci->m5, w_3 = w_3c + w_3d;
+  const double w_4a = (double)D->m10 * (double)ci->m3, w_4b = (double)D->m11 * (double)ci->m4,
+      w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)ci->m5, w_4 = w_4c + w_4d;
+  const double w_5a = (double)D->m20 * (double)ci->m3, w_5b = (double)D->m21 * (double)ci->m4,
+      w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)ci->m5, w_5 = w_5c + w_5d;
+  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
+  co->m0 = (float)w_0;
+  co->m1 = (float)w_1;
+  co->m2 = (float)w_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.
+   D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
+   24 mul, 18 add.
+   Error <= u |result| + (lin: 3/32, ang: 3/16) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_CoAdinvcf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const double w_3a = (double)D->m23 * (double)ci->m1, w_3b = (double)D->m13 * (double)ci->m2,
+      w_3c = w_3a - w_3b, w_3 = w_3c + (double)ci->m3;
+  const double w_4a = (double)D->m03 * (double)ci->m2, w_4b = (double)D->m23 * (double)ci->m0,
+      w_4c = w_4a - w_4b, w_4 = w_4c + (double)ci->m4;
+  const double w_5a = (double)D->m13 * (double)ci->m0, w_5b = (double)D->m03 * (double)ci->m1,
+      w_5c = w_5a - w_5b, w_5 = w_5c + (double)ci->m5;
+  const double co_0a = (double)D->m00 * (double)ci->m0, co_0b = (double)D->m10 * (double)ci->m1,
+      co_0c = co_0a + co_0b, co_0d = (double)D->m20 * (double)ci->m2, co_0 = co_0c + co_0d;
+  const double co_1a = (double)D->m01 * (double)ci->m0, co_1b = (double)D->m11 * (double)ci->m1,
+      co_1c = co_1a + co_1b, co_1d = (double)D->m21 * (double)ci->m2, co_1 = co_1c + co_1d;
+  const double co_2a = (double)D->m02 * (double)ci->m0, co_2b = (double)D->m12 * (double)ci->m1,
+      co_2c = co_2a + co_2b, co_2d = (double)D->m22 * (double)ci->m2, co_2 = co_2c + co_2d;
+  const double co_3a = (double)D->m00 * w_3, co_3b = (double)D->m10 * w_4, co_3c = co_3a + co_3b,
+      co_3d = (double)D->m20 * w_5, co_3 = co_3c + co_3d;
+  const double co_4a = (double)D->m01 * w_3, co_4b = (double)D->m11 * w_4, co_4c = co_4a + co_4b,
+      co_4d = (double)D->m21 * w_5, co_4 = co_4c + co_4d;
+  const double co_5a = (double)D->m02 * w_3, co_5b = (double)D->m12 * w_4, co_5c = co_5a + co_5b,
+      co_5d = (double)D->m22 * w_5, co_5 = co_5c + co_5d;
+  co->m0 = (float)co_0;
+  co->m1 = (float)co_1;
+  co->m2 = (float)co_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = [Ad]*(D) (-ci).
+   D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
+   24 mul, 18 add, 6 neg.
+   Error <= u |result| + (lin: 3/32, ang: 3/16) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_CoAdcinvf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
+    ksl_coscrewf_t *co) {
+  const double w_0a = (double)D->m00 * (double)ci->m0, w_0b = (double)D->m01 * (double)ci->m1,
+      w_0c = w_0a + w_0b, w_0d = (double)D->m02 * (double)ci->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
+  const double w_1a = (double)D->m10 * (double)ci->m0, w_1b = (double)D->m11 * (double)ci->m1,
+      w_1c = w_1a + w_1b, w_1d = (double)D->m12 * (double)ci->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
+  const double w_2a = (double)D->m20 * (double)ci->m0, w_2b = (double)D->m21 * (double)ci->m1,
+      w_2c = w_2a + w_2b, w_2d = (double)D->m22 * (double)ci->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
+  const double w_3a = (double)D->m00 * (double)ci->m3, w_3b = (double)D->m01 * (double)ci->m4,
+      w_3c = w_3a + w_3b, w_3d = (double)D->m02 * (double)ci->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
+  const double w_4a = (double)D->m10 * (double)ci->m3, w_4b = (double)D->m11 * (double)ci->m4,
+      w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)ci->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
+  const double w_5a = (double)D->m20 * (double)ci->m3, w_5b = (double)D->m21 * (double)ci->m4,
+      w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)ci->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
+  co->m0 = (float)w_0;
+  co->m1 = (float)w_1;
+  co->m2 = (float)w_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = h_tx: column 0 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 3 add.
+   Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_hctxf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const double co_3a = (double)D->m20 * (double)D->m13, co_3b = (double)D->m10 * (double)D->m23,
+      co_3 = co_3a - co_3b;
+  const double co_4a = (double)D->m00 * (double)D->m23, co_4b = (double)D->m20 * (double)D->m03,
+      co_4 = co_4a - co_4b;
+  const double co_5a = (double)D->m10 * (double)D->m03, co_5b = (double)D->m00 * (double)D->m13,
+      co_5 = co_5a - co_5b;
+  const float D_m00 = D->m00;
+  const float D_m10 = D->m10;
+  const float D_m20 = D->m20;
+  co->m0 = D_m00;
+  co->m1 = D_m10;
+  co->m2 = D_m20;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = h_ty: column 1 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 3 add.
+   Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_hctyf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const double co_3a = (double)D->m21 * (double)D->m13, co_3b = (double)D->m11 * (double)D->m23,
+      co_3 = co_3a - co_3b;
+  const double co_4a = (double)D->m01 * (double)D->m23, co_4b = (double)D->m21 * (double)D->m03,
+      co_4 = co_4a - co_4b;
+  const double co_5a = (double)D->m11 * (double)D->m03, co_5b = (double)D->m01 * (double)D->m13,
+      co_5 = co_5a - co_5b;
+  const float D_m01 = D->m01;
+  const float D_m11 = D->m11;
+  const float D_m21 = D->m21;
+  co->m0 = D_m01;
+  co->m1 = D_m11;
+  co->m2 = D_m21;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = h_tz: column 2 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 3 add.
+   Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_hctzf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const double co_3a = (double)D->m22 * (double)D->m13, co_3b = (double)D->m12 * (double)D->m23,
+      co_3 = co_3a - co_3b;
+  const double co_4a = (double)D->m02 * (double)D->m23, co_4b = (double)D->m22 * (double)D->m03,
+      co_4 = co_4a - co_4b;
+  const double co_5a = (double)D->m12 * (double)D->m03, co_5b = (double)D->m02 * (double)D->m13,
+      co_5 = co_5a - co_5b;
+  const float D_m02 = D->m02;
+  const float D_m12 = D->m12;
+  const float D_m22 = D->m22;
+  co->m0 = D_m02;
+  co->m1 = D_m12;
+  co->m2 = D_m22;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = -h_tx: -column 0 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 3 add, 3 neg.
+   Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_hctxinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const double co_0 = -(double)D->m00;
+  const double co_1 = -(double)D->m10;
+  const double co_2 = -(double)D->m20;
+  const double co_3a = (double)D->m10 * (double)D->m23, co_3b = (double)D->m20 * (double)D->m13,
+      co_3 = co_3a - co_3b;
+  const double co_4a = (double)D->m20 * (double)D->m03, co_4b = (double)D->m00 * (double)D->m23,
+      co_4 = co_4a - co_4b;
+  const double co_5a = (double)D->m00 * (double)D->m13, co_5b = (double)D->m10 * (double)D->m03,
+      co_5 = co_5a - co_5b;
+  co->m0 = (float)co_0;
+  co->m1 = (float)co_1;
+  co->m2 = (float)co_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = -h_ty: -column 1 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 3 add, 3 neg.
+   Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_hctyinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const double co_0 = -(double)D->m01;
+  const double co_1 = -(double)D->m11;
+  const double co_2 = -(double)D->m21;
+  const double co_3a = (double)D->m11 * (double)D->m23, co_3b = (double)D->m21 * (double)D->m13,
+      co_3 = co_3a - co_3b;
+  const double co_4a = (double)D->m21 * (double)D->m03, co_4b = (double)D->m01 * (double)D->m23,
+      co_4 = co_4a - co_4b;
+  const double co_5a = (double)D->m01 * (double)D->m13, co_5b = (double)D->m11 * (double)D->m03,
+      co_5 = co_5a - co_5b;
+  co->m0 = (float)co_0;
+  co->m1 = (float)co_1;
+  co->m2 = (float)co_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = -h_tz: -column 2 of [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+   6 mul, 3 add, 3 neg.
+   Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_hctzinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
+  const double co_0 = -(double)D->m02;
+  const double co_1 = -(double)D->m12;
+  const double co_2 = -(double)D->m22;
+  const double co_3a = (double)D->m12 * (double)D->m23, co_3b = (double)D->m22 * (double)D->m13,
+      co_3 = co_3a - co_3b;
+  const double co_4a = (double)D->m22 * (double)D->m03, co_4b = (double)D->m02 * (double)D->m23,
+      co_4 = co_4a - co_4b;
+  const double co_5a = (double)D->m02 * (double)D->m13, co_5b = (double)D->m12 * (double)D->m03,
+      co_5 = co_5a - co_5b;
+  co->m0 = (float)co_0;
+  co->m1 = (float)co_1;
+  co->m2 = (float)co_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* M = [Ad]*(D).
+   D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
+   18 mul, 9 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_CoAdf_accurate(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
+  const double M_30a = (double)D->m20 * (double)D->m13, M_30b = (double)D->m10 * (double)D->m23,
+      M_30 = M_30a - M_30b;
+  const double M_31a = (double)D->m21 * (double)D->m13, M_31b = (double)D->m11 * (double)D->m23,
+      M_31 = M_31a - M_31b;
+  const double M_32a = (double)D->m22 * (double)D->m13, M_32b = (double)D->m12 * (double)D->m23,
+      M_32 = M_32a - M_32b;
+  const double M_40a = (double)D->m00 * (double)D->m23, M_40b = (double)D->m20 * (double)D->m03,
+      M_40 = M_40a - M_40b;
+  const double M_41a = (double)D->m01 * (double)D->m23, M_41b = (double)D->m21 * (double)D->m03,
+      M_41 = M_41a - M_41b;
+  const double M_42a = (double)D->m02 * (double)D->m23, M_42b = (double)D->m22 * (double)D->m03,
+      M_42 = M_42a - M_42b;
+  const double M_50a = (double)D->m10 * (double)D->m03, M_50b = (double)D->m00 * (double)D->m13,
+      M_50 = M_50a - M_50b;
+  const double M_51a = (double)D->m11 * (double)D->m03, M_51b = (double)D->m01 * (double)D->m13,
+      M_51 = M_51a - M_51b;
+  const double M_52a = (double)D->m12 * (double)D->m03, M_52b = (double)D->m02 * (double)D->m13,
+      M_52 = M_52a - M_52b;
+  const float D_m00 = D->m00;
+  const float D_m01 = D->m01;
+  const float D_m02 = D->m02;
+  const float D_m10 = D->m10;
+  const float D_m11 = D->m11;
+  const float D_m12 = D->m12;
+  const float D_m20 = D->m20;
+  const float D_m21 = D->m21;
+  const float D_m22 = D->m22;
+  M->at[0][0] = D_m00;
+  M->at[1][0] = D_m01;
+  M->at[2][0] = D_m02;
+  M->at[3][0] = (float)0.0;
+  M->at[4][0] = (float)0.0;
+  M->at[5][0] = (float)0.0;
+  M->at[0][1] = D_m10;
+  M->at[1][1] = D_m11;
+  M->at[2][1] = D_m12;
+  M->at[3][1] = (float)0.0;
+  M->at[4][1] = (float)0.0;
+  M->at[5][1] = (float)0.0;
+  M->at[0][2] = D_m20;
+  M->at[1][2] = D_m21;
+  M->at[2][2] = D_m22;
+  M->at[3][2] = (float)0.0;
+  M->at[4][2] = (float)0.0;
+  M->at[5][2] = (float)0.0;
+  M->at[0][3] = (float)M_30;
+  M->at[1][3] = (float)M_31;
+  M->at[2][3] = (float)M_32;
+  M->at[3][3] = D_m00;
+  M->at[4][3] = D_m01;
+  M->at[5][3] = D_m02;
+  M->at[0][4] = (float)M_40;
+  M->at[1][4] = (float)M_41;
+  M->at[2][4] = (float)M_42;
+  M->at[3][4] = D_m10;
+  M->at[4][4] = D_m11;
+  M->at[5][4] = D_m12;
+  M->at[0][5] = (float)M_50;
+  M->at[1][5] = (float)M_51;
+  M->at[2][5] = (float)M_52;
+  M->at[3][5] = D_m20;
+  M->at[4][5] = D_m21;
+  M->at[5][5] = D_m22;
+}
+
+/* power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).
+   c: coscrew (f in N; τ in N m); x: six components with the angular part on top.
+   6 mul, 5 add.
+   Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline float ksl_reciprocal_productf_accurate(const ksl_coscrewf_t *c, const float x[6]) {
+  const double power_a = (double)c->m0 * (double)x[3], power_b = (double)c->m1 * (double)x[4],
+      power_c = power_a + power_b, power_d = (double)c->m2 * (double)x[5],
+      power_e = power_c + power_d, power_f = (double)c->m3 * (double)x[0],
+      power_g = (double)c->m4 * (double)x[1], power_h = power_f + power_g,
+      power_i = (double)c->m5 * (double)x[2], power_j = power_h + power_i,
+      power = power_e + power_j;
+  return (float)power;
+}
+
+/* co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
+   s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
+   18 mul, 12 add.
+   Error <= u |result| + (lin: 1/16, ang: 3/32) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_cross_scf_accurate(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const double co_0a = (double)s->m4 * (double)c->m2, co_0b = (double)s->m5 * (double)c->m1,
+      co_0 = co_0a - co_0b;
+  const double co_1a = (double)s->m5 * (double)c->m0, co_1b = (double)s->m3 * (double)c->m2,
+      co_1 = co_1a - co_1b;
+  const double co_2a = (double)s->m3 * (double)c->m1, co_2b = (double)s->m4 * (double)c->m0,
+      co_2 = co_2a - co_2b;
+  const double co_3a = (double)s->m1 * (double)c->m2, co_3b = (double)s->m2 * (double)c->m1,
+      co_3c = co_3a - co_3b, co_3d = (double)s->m4 * (double)c->m5,
+      co_3e = (double)s->m5 * (double)c->m4, co_3f = co_3d - co_3e, co_3 = co_3c + co_3f;
+  const double co_4a = (double)s->m2 * (double)c->m0, co_4b = (double)s->m0 * (double)c->m2,
+      co_4c = co_4a - co_4b, co_4d = (double)s->m5 * (double)c->m3,
+      co_4e = (double)s->m3 * (double)c->m5, co_4f = co_4d - co_4e, co_4 = co_4c + co_4f;
+  const double co_5a = (double)s->m0 * (double)c->m1, co_5b = (double)s->m1 * (double)c->m0,
+      co_5c = co_5a - co_5b, co_5d = (double)s->m3 * (double)c->m4,
+      co_5e = (double)s->m4 * (double)c->m3, co_5f = co_5d - co_5e, co_5 = co_5c + co_5f;
+  co->m0 = (float)co_0;
+  co->m1 = (float)co_1;
+  co->m2 = (float)co_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = (0 ; ω×τ).
+   s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
+   6 mul, 3 add.
+   Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_cross_scaf_accurate(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const double co_3a = (double)s->m4 * (double)c->m5, co_3b = (double)s->m5 * (double)c->m4,
+      co_3 = co_3a - co_3b;
+  const double co_4a = (double)s->m5 * (double)c->m3, co_4b = (double)s->m3 * (double)c->m5,
+      co_4 = co_4a - co_4b;
+  const double co_5a = (double)s->m3 * (double)c->m4, co_5b = (double)s->m4 * (double)c->m3,
+      co_5 = co_5a - co_5b;
+  co->m0 = (float)0.0;
+  co->m1 = (float)0.0;
+  co->m2 = (float)0.0;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   21 mul, 15 add.
+   Error <= u |result| + (lin: 1/16, ang: 5/32) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_constraint_ctxf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const double w_0a = (double)D->m01 * (double)c->m1, w_0b = (double)D->m02 * (double)c->m2,
+      w_0 = w_0a + w_0b;
+  const double w_1a = (double)D->m11 * (double)c->m1, w_1b = (double)D->m12 * (double)c->m2,
+      w_1 = w_1a + w_1b;
+  const double w_2a = (double)D->m21 * (double)c->m1, w_2b = (double)D->m22 * (double)c->m2,
+      w_2 = w_2a + w_2b;
+  const double w_3a = (double)D->m00 * (double)c->m3, w_3b = (double)D->m01 * (double)c->m4,
+      w_3c = w_3a + w_3b, w_3d = (double)D->m02 * (double)c->m5, w_3 = w_3c + w_3d;
+  const double w_4a = (double)D->m10 * (double)c->m3, w_4b = (double)D->m11 * (double)c->m4,
+      w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)c->m5, w_4 = w_4c + w_4d;
+  const double w_5a = (double)D->m20 * (double)c->m3, w_5b = (double)D->m21 * (double)c->m4,
+      w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)c->m5, w_5 = w_5c + w_5d;
+  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
+  co->m0 = (float)w_0;
+  co->m1 = (float)w_1;
+  co->m2 = (float)w_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   21 mul, 15 add.
+   Error <= u |result| + (lin: 1/16, ang: 5/32) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_constraint_ctyf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const double w_0a = (double)D->m00 * (double)c->m0, w_0b = (double)D->m02 * (double)c->m2,
+      w_0 = w_0a + w_0b;
+  const double w_1a = (double)D->m10 * (double)c->m0, w_1b = (double)D->m12 * (double)c->m2,
+      w_1 = w_1a + w_1b;
+  const double w_2a = (double)D->m20 * (double)c->m0, w_2b = (double)D->m22 * (double)c->m2,
+      w_2 = w_2a + w_2b;
+  const double w_3a = (double)D->m00 * (double)c->m3, w_3b = (double)D->m01 * (double)c->m4,
+      w_3c = w_3a + w_3b, w_3d = (double)D->m02 * (double)c->m5, w_3 = w_3c + w_3d;
+  const double w_4a = (double)D->m10 * (double)c->m3, w_4b = (double)D->m11 * (double)c->m4,
+      w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)c->m5, w_4 = w_4c + w_4d;
+  const double w_5a = (double)D->m20 * (double)c->m3, w_5b = (double)D->m21 * (double)c->m4,
+      w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)c->m5, w_5 = w_5c + w_5d;
+  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
+  co->m0 = (float)w_0;
+  co->m1 = (float)w_1;
+  co->m2 = (float)w_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   21 mul, 15 add.
+   Error <= u |result| + (lin: 1/16, ang: 5/32) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_constraint_ctzf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const double w_0a = (double)D->m00 * (double)c->m0, w_0b = (double)D->m01 * (double)c->m1,
+      w_0 = w_0a + w_0b;
+  const double w_1a = (double)D->m10 * (double)c->m0, w_1b = (double)D->m11 * (double)c->m1,
+      w_1 = w_1a + w_1b;
+  const double w_2a = (double)D->m20 * (double)c->m0, w_2b = (double)D->m21 * (double)c->m1,
+      w_2 = w_2a + w_2b;
+  const double w_3a = (double)D->m00 * (double)c->m3, w_3b = (double)D->m01 * (double)c->m4,
+      w_3c = w_3a + w_3b, w_3d = (double)D->m02 * (double)c->m5, w_3 = w_3c + w_3d;
+  const double w_4a = (double)D->m10 * (double)c->m3, w_4b = (double)D->m11 * (double)c->m4,
+      w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)c->m5, w_4 = w_4c + w_4d;
+  const double w_5a = (double)D->m20 * (double)c->m3, w_5b = (double)D->m21 * (double)c->m4,
+      w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)c->m5, w_5 = w_5c + w_5d;
+  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
+  co->m0 = (float)w_0;
+  co->m1 = (float)w_1;
+  co->m2 = (float)w_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   21 mul, 15 add.
+   Error <= u |result| + (lin: 3/32, ang: 3/16) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_constraint_crxf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const double w_0a = (double)D->m00 * (double)c->m0, w_0b = (double)D->m01 * (double)c->m1,
+      w_0c = w_0a + w_0b, w_0d = (double)D->m02 * (double)c->m2, w_0 = w_0c + w_0d;
+  const double w_1a = (double)D->m10 * (double)c->m0, w_1b = (double)D->m11 * (double)c->m1,
+      w_1c = w_1a + w_1b, w_1d = (double)D->m12 * (double)c->m2, w_1 = w_1c + w_1d;
+  const double w_2a = (double)D->m20 * (double)c->m0, w_2b = (double)D->m21 * (double)c->m1,
+      w_2c = w_2a + w_2b, w_2d = (double)D->m22 * (double)c->m2, w_2 = w_2c + w_2d;
+  const double w_3a = (double)D->m01 * (double)c->m4, w_3b = (double)D->m02 * (double)c->m5,
+      w_3 = w_3a + w_3b;
+  const double w_4a = (double)D->m11 * (double)c->m4, w_4b = (double)D->m12 * (double)c->m5,
+      w_4 = w_4a + w_4b;
+  const double w_5a = (double)D->m21 * (double)c->m4, w_5b = (double)D->m22 * (double)c->m5,
+      w_5 = w_5a + w_5b;
+  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
+  co->m0 = (float)w_0;
+  co->m1 = (float)w_1;
+  co->m2 = (float)w_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   21 mul, 15 add.
+   Error <= u |result| + (lin: 3/32, ang: 3/16) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_constraint_cryf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const double w_0a = (double)D->m00 * (double)c->m0, w_0b = (double)D->m01 * (double)c->m1,
+      w_0c = w_0a + w_0b, w_0d = (double)D->m02 * (double)c->m2, w_0 = w_0c + w_0d;
+  const double w_1a = (double)D->m10 * (double)c->m0, w_1b = (double)D->m11 * (double)c->m1,
+      w_1c = w_1a + w_1b, w_1d = (double)D->m12 * (double)c->m2, w_1 = w_1c + w_1d;
+  const double w_2a = (double)D->m20 * (double)c->m0, w_2b = (double)D->m21 * (double)c->m1,
+      w_2c = w_2a + w_2b, w_2d = (double)D->m22 * (double)c->m2, w_2 = w_2c + w_2d;
+  const double w_3a = (double)D->m00 * (double)c->m3, w_3b = (double)D->m02 * (double)c->m5,
+      w_3 = w_3a + w_3b;
+  const double w_4a = (double)D->m10 * (double)c->m3, w_4b = (double)D->m12 * (double)c->m5,
+      w_4 = w_4a + w_4b;
+  const double w_5a = (double)D->m20 * (double)c->m3, w_5b = (double)D->m22 * (double)c->m5,
+      w_5 = w_5a + w_5b;
+  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
+  co->m0 = (float)w_0;
+  co->m1 = (float)w_1;
+  co->m2 = (float)w_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   21 mul, 15 add.
+   Error <= u |result| + (lin: 3/32, ang: 3/16) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_constraint_crzf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const double w_0a = (double)D->m00 * (double)c->m0, w_0b = (double)D->m01 * (double)c->m1,
+      w_0c = w_0a + w_0b, w_0d = (double)D->m02 * (double)c->m2, w_0 = w_0c + w_0d;
+  const double w_1a = (double)D->m10 * (double)c->m0, w_1b = (double)D->m11 * (double)c->m1,
+      w_1c = w_1a + w_1b, w_1d = (double)D->m12 * (double)c->m2, w_1 = w_1c + w_1d;
+  const double w_2a = (double)D->m20 * (double)c->m0, w_2b = (double)D->m21 * (double)c->m1,
+      w_2c = w_2a + w_2b, w_2d = (double)D->m22 * (double)c->m2, w_2 = w_2c + w_2d;
+  const double w_3a = (double)D->m00 * (double)c->m3, w_3b = (double)D->m01 * (double)c->m4,
+      w_3 = w_3a + w_3b;
+  const double w_4a = (double)D->m10 * (double)c->m3, w_4b = (double)D->m11 * (double)c->m4,
+      w_4 = w_4a + w_4b;
+  const double w_5a = (double)D->m20 * (double)c->m3, w_5b = (double)D->m21 * (double)c->m4,
+      w_5 = w_5a + w_5b;
+  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
+  co->m0 = (float)w_0;
+  co->m1 = (float)w_1;
+  co->m2 = (float)w_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add.
+   Error <= u |result| + (lin: 1/32, ang: 3/32) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_working_ctxf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const double w_0 = (double)D->m00 * (double)c->m0;
+  const double w_1 = (double)D->m10 * (double)c->m0;
+  const double w_2 = (double)D->m20 * (double)c->m0;
+  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3 = co_3a - co_3b;
+  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4 = co_4a - co_4b;
+  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5 = co_5a - co_5b;
+  co->m0 = (float)w_0;
+  co->m1 = (float)w_1;
+  co->m2 = (float)w_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add.
+   Error <= u |result| + (lin: 1/32, ang: 3/32) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_working_ctyf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const double w_0 = (double)D->m01 * (double)c->m1;
+  const double w_1 = (double)D->m11 * (double)c->m1;
+  const double w_2 = (double)D->m21 * (double)c->m1;
+  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3 = co_3a - co_3b;
+  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4 = co_4a - co_4b;
+  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5 = co_5a - co_5b;
+  co->m0 = (float)w_0;
+  co->m1 = (float)w_1;
+  co->m2 = (float)w_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   9 mul, 3 add.
+   Error <= u |result| + (lin: 1/32, ang: 3/32) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_working_ctzf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const double w_0 = (double)D->m02 * (double)c->m2;
+  const double w_1 = (double)D->m12 * (double)c->m2;
+  const double w_2 = (double)D->m22 * (double)c->m2;
+  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3 = co_3a - co_3b;
+  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4 = co_4a - co_4b;
+  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5 = co_5a - co_5b;
+  co->m0 = (float)w_0;
+  co->m1 = (float)w_1;
+  co->m2 = (float)w_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   3 mul.
+   Error <= u |result| + (lin: 0, ang: 1/32) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_working_crxf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const double w_3 = (double)D->m00 * (double)c->m3;
+  const double w_4 = (double)D->m10 * (double)c->m3;
+  const double w_5 = (double)D->m20 * (double)c->m3;
+  co->m0 = (float)0.0;
+  co->m1 = (float)0.0;
+  co->m2 = (float)0.0;
+  co->m3 = (float)w_3;
+  co->m4 = (float)w_4;
+  co->m5 = (float)w_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   3 mul.
+   Error <= u |result| + (lin: 0, ang: 1/32) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_working_cryf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const double w_3 = (double)D->m01 * (double)c->m4;
+  const double w_4 = (double)D->m11 * (double)c->m4;
+  const double w_5 = (double)D->m21 * (double)c->m4;
+  co->m0 = (float)0.0;
+  co->m1 = (float)0.0;
+  co->m2 = (float)0.0;
+  co->m3 = (float)w_3;
+  co->m4 = (float)w_4;
+  co->m5 = (float)w_5;
+}
+
+/* co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D.
+   D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
+   3 mul.
+   Error <= u |result| + (lin: 0, ang: 1/32) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_working_crzf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
+    ksl_coscrewf_t *co) {
+  const double w_3 = (double)D->m02 * (double)c->m5;
+  const double w_4 = (double)D->m12 * (double)c->m5;
+  const double w_5 = (double)D->m22 * (double)c->m5;
+  co->m0 = (float)0.0;
+  co->m1 = (float)0.0;
+  co->m2 = (float)0.0;
+  co->m3 = (float)w_3;
+  co->m4 = (float)w_4;
+  co->m5 = (float)w_5;
+}
+
+#endif

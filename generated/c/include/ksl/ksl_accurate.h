@@ -1,0 +1,13 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* All kernels of the accurate tier. */
+#ifndef KSL_ACCURATE_H
+#define KSL_ACCURATE_H
+
+#include "vec3_accurate.h"
+#include "mat3x3_accurate.h"
+#include "SE3_accurate.h"
+#include "matrix_accurate.h"
+#include "screw_accurate.h"
+#include "coscrew_accurate.h"
+
+#endif

@@ -1,0 +1,13 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* All kernels of the fused tier. */
+#ifndef KSL_FUSED_H
+#define KSL_FUSED_H
+
+#include "vec3_fused.h"
+#include "mat3x3_fused.h"
+#include "SE3_fused.h"
+#include "matrix_fused.h"
+#include "screw_fused.h"
+#include "coscrew_fused.h"
+
+#endif

@@ -1,0 +1,34 @@
+# Made by `coscrew generate`; changes are overwritten.
+"""Exact rounding errors, for compensated kernels.
+
+Exact while nothing over- or underflows: products of numbers below 2^996 in magnitude whose own
+magnitude is above 2^-969.
+"""
+
+_SPLITTER = 134217729.0  # 2^27 + 1
+
+
+def sum_error(a, b, s):
+    """a + b - s exactly, s the rounded sum.  Source: Knuth, TwoSum."""
+    t = s - a
+    return (a - (s - t)) + (b - t)
+
+
+def difference_error(a, b, s):
+    """a - b - s exactly, s the rounded difference."""
+    t = s - a
+    return (a - (s - t)) - (b + t)
+
+
+def _halves(a):
+    """a = high + low, each of at most 26 bits.  Source: Veltkamp."""
+    c = _SPLITTER * a
+    high = c - (c - a)
+    return high, a - high
+
+
+def product_error(a, b, p):
+    """a b - p exactly, p the rounded product.  Source: Dekker, TwoProduct."""
+    a_high, a_low = _halves(a)
+    b_high, b_low = _halves(b)
+    return ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low

@@ -1,0 +1,273 @@
+# Made by `coscrew generate`; changes are overwritten.
+"""The accurate tier: float64 compensated, intermediate results carried as hi + lo; float32 computed
+in float64 and rounded once.  In pure NumPy; the same bits as the C kernels while nothing over- or
+underflows.  Operations that round nothing, or are not polynomials, are those of `coscrew` itself.
+"""
+
+from coscrew._kernel import dispatch
+from coscrew.accurate import double, single
+
+vec3_scale = dispatch(double.vec3_scale, single.vec3_scale)
+axpy_vv = dispatch(double.axpy_vv, single.axpy_vv)
+xpy_vv = dispatch(double.xpy_vv, single.xpy_vv)
+nxpy_vv = dispatch(double.nxpy_vv, single.nxpy_vv)
+product_av = dispatch(double.product_av, single.product_av)
+add_vv = dispatch(double.add_vv, single.add_vv)
+subtract_vv = dispatch(double.subtract_vv, single.subtract_vv)
+vec3_scaled = dispatch(double.vec3_scaled, single.vec3_scaled)
+dot_vv = dispatch(double.dot_vv, single.dot_vv)
+product_avinv = dispatch(double.product_avinv, single.product_avinv)
+cross_vv = dispatch(double.cross_vv, single.cross_vv)
+cross_vvinv = dispatch(double.cross_vvinv, single.cross_vvinv)
+add_vvx = dispatch(double.add_vvx, single.add_vvx)
+add_vvxinv = dispatch(double.add_vvxinv, single.add_vvxinv)
+add_vvy = dispatch(double.add_vvy, single.add_vvy)
+add_vvyinv = dispatch(double.add_vvyinv, single.add_vvyinv)
+add_vvz = dispatch(double.add_vvz, single.add_vvz)
+add_vvzinv = dispatch(double.add_vvzinv, single.add_vvzinv)
+mat3x3_determinant = dispatch(double.mat3x3_determinant, single.mat3x3_determinant)
+SE3_invert = dispatch(double.SE3_invert, single.SE3_invert)
+SE3_inverted = dispatch(double.SE3_inverted, single.SE3_inverted)
+product_drv = dispatch(double.product_drv, single.product_drv)
+product_drvinv = dispatch(double.product_drvinv, single.product_drvinv)
+product_drinvv = dispatch(double.product_drinvv, single.product_drinvv)
+product_drinvvinv = dispatch(double.product_drinvvinv, single.product_drinvvinv)
+product_dv = dispatch(double.product_dv, single.product_dv)
+product_dinvv = dispatch(double.product_dinvv, single.product_dinvv)
+product_drdr = dispatch(double.product_drdr, single.product_drdr)
+product_drdrinv = dispatch(double.product_drdrinv, single.product_drdrinv)
+product_drinvdr = dispatch(double.product_drinvdr, single.product_drinvdr)
+product_dd = dispatch(double.product_dd, single.product_dd)
+product_ddinv = dispatch(double.product_ddinv, single.product_ddinv)
+product_dinvd = dispatch(double.product_dinvd, single.product_dinvd)
+product_ddr = dispatch(double.product_ddr, single.product_ddr)
+product_ddrinv = dispatch(double.product_ddrinv, single.product_ddrinv)
+product_ddt = dispatch(double.product_ddt, single.product_ddt)
+product_ddtinv = dispatch(double.product_ddtinv, single.product_ddtinv)
+product_dinvdt = dispatch(double.product_dinvdt, single.product_dinvdt)
+product_drvtx = dispatch(double.product_drvtx, single.product_drvtx)
+product_drdrx = dispatch(double.product_drdrx, single.product_drdrx)
+product_ddrx = dispatch(double.product_ddrx, single.product_ddrx)
+product_ddtx = dispatch(double.product_ddtx, single.product_ddtx)
+product_drvtxinv = dispatch(double.product_drvtxinv, single.product_drvtxinv)
+product_drdrxinv = dispatch(double.product_drdrxinv, single.product_drdrxinv)
+product_ddrxinv = dispatch(double.product_ddrxinv, single.product_ddrxinv)
+product_ddtxinv = dispatch(double.product_ddtxinv, single.product_ddtxinv)
+product_drvty = dispatch(double.product_drvty, single.product_drvty)
+product_drdry = dispatch(double.product_drdry, single.product_drdry)
+product_ddry = dispatch(double.product_ddry, single.product_ddry)
+product_ddty = dispatch(double.product_ddty, single.product_ddty)
+product_drvtyinv = dispatch(double.product_drvtyinv, single.product_drvtyinv)
+product_drdryinv = dispatch(double.product_drdryinv, single.product_drdryinv)
+product_ddryinv = dispatch(double.product_ddryinv, single.product_ddryinv)
+product_ddtyinv = dispatch(double.product_ddtyinv, single.product_ddtyinv)
+product_drvtz = dispatch(double.product_drvtz, single.product_drvtz)
+product_drdrz = dispatch(double.product_drdrz, single.product_drdrz)
+product_ddrz = dispatch(double.product_ddrz, single.product_ddrz)
+product_ddtz = dispatch(double.product_ddtz, single.product_ddtz)
+product_drvtzinv = dispatch(double.product_drvtzinv, single.product_drvtzinv)
+product_drdrzinv = dispatch(double.product_drdrzinv, single.product_drdrzinv)
+product_ddrzinv = dispatch(double.product_ddrzinv, single.product_ddrzinv)
+product_ddtzinv = dispatch(double.product_ddtzinv, single.product_ddtzinv)
+screw_scale = dispatch(double.screw_scale, single.screw_scale)
+axpy_ss = dispatch(double.axpy_ss, single.axpy_ss)
+xpy_ss = dispatch(double.xpy_ss, single.xpy_ss)
+nxpy_ss = dispatch(double.nxpy_ss, single.nxpy_ss)
+product_as = dispatch(double.product_as, single.product_as)
+add_ss = dispatch(double.add_ss, single.add_ss)
+subtract_ss = dispatch(double.subtract_ss, single.subtract_ss)
+add_sst = dispatch(double.add_sst, single.add_sst)
+product_Adts = dispatch(double.product_Adts, single.product_Adts)
+product_Adtinvs = dispatch(double.product_Adtinvs, single.product_Adtinvs)
+product_Adtsinv = dispatch(double.product_Adtsinv, single.product_Adtsinv)
+product_Adrs = dispatch(double.product_Adrs, single.product_Adrs)
+product_Adrinvs = dispatch(double.product_Adrinvs, single.product_Adrinvs)
+product_Adrsinv = dispatch(double.product_Adrsinv, single.product_Adrsinv)
+product_Ads = dispatch(double.product_Ads, single.product_Ads)
+product_Adinvs = dispatch(double.product_Adinvs, single.product_Adinvs)
+product_Adsinv = dispatch(double.product_Adsinv, single.product_Adsinv)
+hsrx = dispatch(double.hsrx, single.hsrx)
+hsry = dispatch(double.hsry, single.hsry)
+hsrz = dispatch(double.hsrz, single.hsrz)
+hsrxinv = dispatch(double.hsrxinv, single.hsrxinv)
+hsryinv = dispatch(double.hsryinv, single.hsryinv)
+hsrzinv = dispatch(double.hsrzinv, single.hsrzinv)
+Ad = dispatch(double.Ad, single.Ad)
+dot_cs = dispatch(double.dot_cs, single.dot_cs)
+cross_ss = dispatch(double.cross_ss, single.cross_ss)
+cross_sst = dispatch(double.cross_sst, single.cross_sst)
+hsra = dispatch(double.hsra, single.hsra)
+hsta = dispatch(double.hsta, single.hsta)
+coscrew_scale = dispatch(double.coscrew_scale, single.coscrew_scale)
+axpy_cc = dispatch(double.axpy_cc, single.axpy_cc)
+xpy_cc = dispatch(double.xpy_cc, single.xpy_cc)
+nxpy_cc = dispatch(double.nxpy_cc, single.nxpy_cc)
+product_ac = dispatch(double.product_ac, single.product_ac)
+add_cc = dispatch(double.add_cc, single.add_cc)
+subtract_cc = dispatch(double.subtract_cc, single.subtract_cc)
+add_cct = dispatch(double.add_cct, single.add_cct)
+product_CoAdtc = dispatch(double.product_CoAdtc, single.product_CoAdtc)
+product_CoAdtinvc = dispatch(double.product_CoAdtinvc, single.product_CoAdtinvc)
+product_CoAdtcinv = dispatch(double.product_CoAdtcinv, single.product_CoAdtcinv)
+product_CoAdrc = dispatch(double.product_CoAdrc, single.product_CoAdrc)
+product_CoAdrinvc = dispatch(double.product_CoAdrinvc, single.product_CoAdrinvc)
+product_CoAdrcinv = dispatch(double.product_CoAdrcinv, single.product_CoAdrcinv)
+product_CoAdc = dispatch(double.product_CoAdc, single.product_CoAdc)
+product_CoAdinvc = dispatch(double.product_CoAdinvc, single.product_CoAdinvc)
+product_CoAdcinv = dispatch(double.product_CoAdcinv, single.product_CoAdcinv)
+hctx = dispatch(double.hctx, single.hctx)
+hcty = dispatch(double.hcty, single.hcty)
+hctz = dispatch(double.hctz, single.hctz)
+hctxinv = dispatch(double.hctxinv, single.hctxinv)
+hctyinv = dispatch(double.hctyinv, single.hctyinv)
+hctzinv = dispatch(double.hctzinv, single.hctzinv)
+CoAd = dispatch(double.CoAd, single.CoAd)
+reciprocal_product = dispatch(double.reciprocal_product, single.reciprocal_product)
+cross_sc = dispatch(double.cross_sc, single.cross_sc)
+cross_sca = dispatch(double.cross_sca, single.cross_sca)
+constraint_ctx = dispatch(double.constraint_ctx, single.constraint_ctx)
+constraint_cty = dispatch(double.constraint_cty, single.constraint_cty)
+constraint_ctz = dispatch(double.constraint_ctz, single.constraint_ctz)
+constraint_crx = dispatch(double.constraint_crx, single.constraint_crx)
+constraint_cry = dispatch(double.constraint_cry, single.constraint_cry)
+constraint_crz = dispatch(double.constraint_crz, single.constraint_crz)
+working_ctx = dispatch(double.working_ctx, single.working_ctx)
+working_cty = dispatch(double.working_cty, single.working_cty)
+working_ctz = dispatch(double.working_ctz, single.working_ctz)
+working_crx = dispatch(double.working_crx, single.working_crx)
+working_cry = dispatch(double.working_cry, single.working_cry)
+working_crz = dispatch(double.working_crz, single.working_crz)
+
+__all__ = [
+    "double", "single", 
+    "vec3_scale",
+    "axpy_vv",
+    "xpy_vv",
+    "nxpy_vv",
+    "product_av",
+    "add_vv",
+    "subtract_vv",
+    "vec3_scaled",
+    "dot_vv",
+    "product_avinv",
+    "cross_vv",
+    "cross_vvinv",
+    "add_vvx",
+    "add_vvxinv",
+    "add_vvy",
+    "add_vvyinv",
+    "add_vvz",
+    "add_vvzinv",
+    "mat3x3_determinant",
+    "SE3_invert",
+    "SE3_inverted",
+    "product_drv",
+    "product_drvinv",
+    "product_drinvv",
+    "product_drinvvinv",
+    "product_dv",
+    "product_dinvv",
+    "product_drdr",
+    "product_drdrinv",
+    "product_drinvdr",
+    "product_dd",
+    "product_ddinv",
+    "product_dinvd",
+    "product_ddr",
+    "product_ddrinv",
+    "product_ddt",
+    "product_ddtinv",
+    "product_dinvdt",
+    "product_drvtx",
+    "product_drdrx",
+    "product_ddrx",
+    "product_ddtx",
+    "product_drvtxinv",
+    "product_drdrxinv",
+    "product_ddrxinv",
+    "product_ddtxinv",
+    "product_drvty",
+    "product_drdry",
+    "product_ddry",
+    "product_ddty",
+    "product_drvtyinv",
+    "product_drdryinv",
+    "product_ddryinv",
+    "product_ddtyinv",
+    "product_drvtz",
+    "product_drdrz",
+    "product_ddrz",
+    "product_ddtz",
+    "product_drvtzinv",
+    "product_drdrzinv",
+    "product_ddrzinv",
+    "product_ddtzinv",
+    "screw_scale",
+    "axpy_ss",
+    "xpy_ss",
+    "nxpy_ss",
+    "product_as",
+    "add_ss",
+    "subtract_ss",
+    "add_sst",
+    "product_Adts",
+    "product_Adtinvs",
+    "product_Adtsinv",
+    "product_Adrs",
+    "product_Adrinvs",
+    "product_Adrsinv",
+    "product_Ads",
+    "product_Adinvs",
+    "product_Adsinv",
+    "hsrx",
+    "hsry",
+    "hsrz",
+    "hsrxinv",
+    "hsryinv",
+    "hsrzinv",
+    "Ad",
+    "dot_cs",
+    "cross_ss",
+    "cross_sst",
+    "hsra",
+    "hsta",
+    "coscrew_scale",
+    "axpy_cc",
+    "xpy_cc",
+    "nxpy_cc",
+    "product_ac",
+    "add_cc",
+    "subtract_cc",
+    "add_cct",
+    "product_CoAdtc",
+    "product_CoAdtinvc",
+    "product_CoAdtcinv",
+    "product_CoAdrc",
+    "product_CoAdrinvc",
+    "product_CoAdrcinv",
+    "product_CoAdc",
+    "product_CoAdinvc",
+    "product_CoAdcinv",
+    "hctx",
+    "hcty",
+    "hctz",
+    "hctxinv",
+    "hctyinv",
+    "hctzinv",
+    "CoAd",
+    "reciprocal_product",
+    "cross_sc",
+    "cross_sca",
+    "constraint_ctx",
+    "constraint_cty",
+    "constraint_ctz",
+    "constraint_crx",
+    "constraint_cry",
+    "constraint_crz",
+    "working_ctx",
+    "working_cty",
+    "working_ctz",
+    "working_crx",
+    "working_cry",
+    "working_crz",
+]

@@ -1,0 +1,1984 @@
+# Made by `coscrew generate`; changes are overwritten.
+"""Coscrews: wrenches and momenta, c = (f; τ).
+
+In double precision, accurate tier.
+"""
+
+from coscrew._exact import difference_error, product_error, sum_error
+from coscrew._kernel import double_kernel as kernel
+
+
+@kernel("(6),()->(6)")
+def coscrew_scale(self, a):
+    """self = a self.
+
+    (6),()->(6).  self: coscrew (f in N; τ in N m); a: number.
+    6 mul, 6 add, 6 product error.  Error <= u |result|, barring over- and underflow.
+    """
+    self_0, self_1, self_2, self_3, self_4, self_5 = self
+    self_0_new = self_0 * a
+    self_1_new = self_1 * a
+    self_2_new = self_2 * a
+    self_3_new = self_3 * a
+    self_4_new = self_4 * a
+    self_5_new = self_5 * a
+    self_0_new_rounded = self_0_new + product_error(self_0, a, self_0_new)
+    self_1_new_rounded = self_1_new + product_error(self_1, a, self_1_new)
+    self_2_new_rounded = self_2_new + product_error(self_2, a, self_2_new)
+    self_3_new_rounded = self_3_new + product_error(self_3, a, self_3_new)
+    self_4_new_rounded = self_4_new + product_error(self_4, a, self_4_new)
+    self_5_new_rounded = self_5_new + product_error(self_5, a, self_5_new)
+    return (self_0_new_rounded, self_1_new_rounded, self_2_new_rounded, self_3_new_rounded,
+        self_4_new_rounded, self_5_new_rounded)
+
+
+@kernel("(),(6),(6)->(6)")
+def axpy_cc(a, x, y):
+    """y = a x + y.
+
+    (),(6),(6)->(6).  a: number; x, y: coscrew (f in N; τ in N m).
+    6 mul, 18 add, 6 product error, 6 sum error.  Error <= u |result| + 2 u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
+    """
+    x_0, x_1, x_2, x_3, x_4, x_5 = x
+    y_0, y_1, y_2, y_3, y_4, y_5 = y
+    y_0_new_a = a * x_0
+    y_0_new = y_0_new_a + y_0
+    y_0_new_lo = sum_error(y_0_new_a, y_0, y_0_new) + product_error(a, x_0, y_0_new_a)
+    y_1_new_a = a * x_1
+    y_1_new = y_1_new_a + y_1
+    y_1_new_lo = sum_error(y_1_new_a, y_1, y_1_new) + product_error(a, x_1, y_1_new_a)
+    y_2_new_a = a * x_2
+    y_2_new = y_2_new_a + y_2
+    y_2_new_lo = sum_error(y_2_new_a, y_2, y_2_new) + product_error(a, x_2, y_2_new_a)
+    y_3_new_a = a * x_3
+    y_3_new = y_3_new_a + y_3
+    y_3_new_lo = sum_error(y_3_new_a, y_3, y_3_new) + product_error(a, x_3, y_3_new_a)
+    y_4_new_a = a * x_4
+    y_4_new = y_4_new_a + y_4
+    y_4_new_lo = sum_error(y_4_new_a, y_4, y_4_new) + product_error(a, x_4, y_4_new_a)
+    y_5_new_a = a * x_5
+    y_5_new = y_5_new_a + y_5
+    y_5_new_lo = sum_error(y_5_new_a, y_5, y_5_new) + product_error(a, x_5, y_5_new_a)
+    y_0_new_rounded = y_0_new + y_0_new_lo
+    y_1_new_rounded = y_1_new + y_1_new_lo
+    y_2_new_rounded = y_2_new + y_2_new_lo
+    y_3_new_rounded = y_3_new + y_3_new_lo
+    y_4_new_rounded = y_4_new + y_4_new_lo
+    y_5_new_rounded = y_5_new + y_5_new_lo
+    return (y_0_new_rounded, y_1_new_rounded, y_2_new_rounded, y_3_new_rounded, y_4_new_rounded,
+        y_5_new_rounded)
+
+
+@kernel("(6),(6)->(6)")
+def xpy_cc(x, y):
+    """y = x + y.
+
+    (6),(6)->(6).  x, y: coscrew (f in N; τ in N m).
+    12 add, 6 sum error.  Error <= u |result|, barring over- and underflow.
+    """
+    x_0, x_1, x_2, x_3, x_4, x_5 = x
+    y_0, y_1, y_2, y_3, y_4, y_5 = y
+    y_0_new = x_0 + y_0
+    y_1_new = x_1 + y_1
+    y_2_new = x_2 + y_2
+    y_3_new = x_3 + y_3
+    y_4_new = x_4 + y_4
+    y_5_new = x_5 + y_5
+    y_0_new_rounded = y_0_new + sum_error(x_0, y_0, y_0_new)
+    y_1_new_rounded = y_1_new + sum_error(x_1, y_1, y_1_new)
+    y_2_new_rounded = y_2_new + sum_error(x_2, y_2, y_2_new)
+    y_3_new_rounded = y_3_new + sum_error(x_3, y_3, y_3_new)
+    y_4_new_rounded = y_4_new + sum_error(x_4, y_4, y_4_new)
+    y_5_new_rounded = y_5_new + sum_error(x_5, y_5, y_5_new)
+    return (y_0_new_rounded, y_1_new_rounded, y_2_new_rounded, y_3_new_rounded, y_4_new_rounded,
+        y_5_new_rounded)
+
+
+@kernel("(6),(6)->(6)")
+def nxpy_cc(x, y):
+    """y = -x + y.
+
+    (6),(6)->(6).  x, y: coscrew (f in N; τ in N m).
+    12 add, 6 sum error.  Error <= u |result|, barring over- and underflow.
+    """
+    x_0, x_1, x_2, x_3, x_4, x_5 = x
+    y_0, y_1, y_2, y_3, y_4, y_5 = y
+    y_0_new = y_0 - x_0
+    y_1_new = y_1 - x_1
+    y_2_new = y_2 - x_2
+    y_3_new = y_3 - x_3
+    y_4_new = y_4 - x_4
+    y_5_new = y_5 - x_5
+    y_0_new_rounded = y_0_new + difference_error(y_0, x_0, y_0_new)
+    y_1_new_rounded = y_1_new + difference_error(y_1, x_1, y_1_new)
+    y_2_new_rounded = y_2_new + difference_error(y_2, x_2, y_2_new)
+    y_3_new_rounded = y_3_new + difference_error(y_3, x_3, y_3_new)
+    y_4_new_rounded = y_4_new + difference_error(y_4, x_4, y_4_new)
+    y_5_new_rounded = y_5_new + difference_error(y_5, x_5, y_5_new)
+    return (y_0_new_rounded, y_1_new_rounded, y_2_new_rounded, y_3_new_rounded, y_4_new_rounded,
+        y_5_new_rounded)
+
+
+@kernel("(),(6)->(6)")
+def product_ac(a, ci):
+    """co = a ci.
+
+    (),(6)->(6).  a: number; ci, co: coscrew (f in N; τ in N m).
+    6 mul, 6 add, 6 product error.  Error <= u |result|, barring over- and underflow.
+    """
+    ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
+    co_0 = a * ci_0
+    co_1 = a * ci_1
+    co_2 = a * ci_2
+    co_3 = a * ci_3
+    co_4 = a * ci_4
+    co_5 = a * ci_5
+    co_0_rounded = co_0 + product_error(a, ci_0, co_0)
+    co_1_rounded = co_1 + product_error(a, ci_1, co_1)
+    co_2_rounded = co_2 + product_error(a, ci_2, co_2)
+    co_3_rounded = co_3 + product_error(a, ci_3, co_3)
+    co_4_rounded = co_4 + product_error(a, ci_4, co_4)
+    co_5_rounded = co_5 + product_error(a, ci_5, co_5)
+    return (co_0_rounded, co_1_rounded, co_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(6),(6)->(6)")
+def add_cc(c1, c2):
+    """co = c1 + c2.
+
+    (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
+    12 add, 6 sum error.  Error <= u |result|, barring over- and underflow.
+    """
+    c1_0, c1_1, c1_2, c1_3, c1_4, c1_5 = c1
+    c2_0, c2_1, c2_2, c2_3, c2_4, c2_5 = c2
+    co_0 = c1_0 + c2_0
+    co_1 = c1_1 + c2_1
+    co_2 = c1_2 + c2_2
+    co_3 = c1_3 + c2_3
+    co_4 = c1_4 + c2_4
+    co_5 = c1_5 + c2_5
+    co_0_rounded = co_0 + sum_error(c1_0, c2_0, co_0)
+    co_1_rounded = co_1 + sum_error(c1_1, c2_1, co_1)
+    co_2_rounded = co_2 + sum_error(c1_2, c2_2, co_2)
+    co_3_rounded = co_3 + sum_error(c1_3, c2_3, co_3)
+    co_4_rounded = co_4 + sum_error(c1_4, c2_4, co_4)
+    co_5_rounded = co_5 + sum_error(c1_5, c2_5, co_5)
+    return (co_0_rounded, co_1_rounded, co_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(6),(6)->(6)")
+def subtract_cc(c1, c2):
+    """co = c1 - c2.
+
+    (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
+    12 add, 6 sum error.  Error <= u |result|, barring over- and underflow.
+    """
+    c1_0, c1_1, c1_2, c1_3, c1_4, c1_5 = c1
+    c2_0, c2_1, c2_2, c2_3, c2_4, c2_5 = c2
+    co_0 = c1_0 - c2_0
+    co_1 = c1_1 - c2_1
+    co_2 = c1_2 - c2_2
+    co_3 = c1_3 - c2_3
+    co_4 = c1_4 - c2_4
+    co_5 = c1_5 - c2_5
+    co_0_rounded = co_0 + difference_error(c1_0, c2_0, co_0)
+    co_1_rounded = co_1 + difference_error(c1_1, c2_1, co_1)
+    co_2_rounded = co_2 + difference_error(c1_2, c2_2, co_2)
+    co_3_rounded = co_3 + difference_error(c1_3, c2_3, co_3)
+    co_4_rounded = co_4 + difference_error(c1_4, c2_4, co_4)
+    co_5_rounded = co_5 + difference_error(c1_5, c2_5, co_5)
+    return (co_0_rounded, co_1_rounded, co_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(6),(6)->(6)")
+def add_cct(c1, c2):
+    """co = (c1.lin + c2.lin ; c1.ang).
+
+    (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
+    6 add, 3 sum error.  Error <= u |result|, barring over- and underflow.
+    """
+    c1_0, c1_1, c1_2, c1_3, c1_4, c1_5 = c1
+    c2_0, c2_1, c2_2, c2_3, c2_4, c2_5 = c2
+    co_0 = c1_0 + c2_0
+    co_1 = c1_1 + c2_1
+    co_2 = c1_2 + c2_2
+    co_0_rounded = co_0 + sum_error(c1_0, c2_0, co_0)
+    co_1_rounded = co_1 + sum_error(c1_1, c2_1, co_1)
+    co_2_rounded = co_2 + sum_error(c1_2, c2_2, co_2)
+    return (co_0_rounded, co_1_rounded, co_2_rounded, c1_3, c1_4, c1_5)
+
+
+@kernel("(3),(6)->(6)")
+def product_CoAdtc(t, ci):
+    """co = [Ad]*(t) ci.
+
+    (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
+    6 mul, 18 add, 6 product error, 6 sum error.  Error <= u |result| + (lin: 0, ang: 7) u^2 S,
+    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    t_0, t_1, t_2 = t
+    ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
+    co_3a = t_1 * ci_2
+    co_3b = t_2 * ci_1
+    co_3c = co_3a - co_3b
+    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + product_error(t_1, ci_2, co_3a)
+    co_3c_lo = co_3c_lo1 - product_error(t_2, ci_1, co_3b)
+    co_3 = co_3c + ci_3
+    co_3_lo = sum_error(co_3c, ci_3, co_3) + co_3c_lo
+    co_4a = t_2 * ci_0
+    co_4b = t_0 * ci_2
+    co_4c = co_4a - co_4b
+    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + product_error(t_2, ci_0, co_4a)
+    co_4c_lo = co_4c_lo1 - product_error(t_0, ci_2, co_4b)
+    co_4 = co_4c + ci_4
+    co_4_lo = sum_error(co_4c, ci_4, co_4) + co_4c_lo
+    co_5a = t_0 * ci_1
+    co_5b = t_1 * ci_0
+    co_5c = co_5a - co_5b
+    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + product_error(t_0, ci_1, co_5a)
+    co_5c_lo = co_5c_lo1 - product_error(t_1, ci_0, co_5b)
+    co_5 = co_5c + ci_5
+    co_5_lo = sum_error(co_5c, ci_5, co_5) + co_5c_lo
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (ci_0, ci_1, ci_2, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3),(6)->(6)")
+def product_CoAdtinvc(t, ci):
+    """co = [Ad]*(t)^-1 ci.
+
+    (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
+    6 mul, 18 add, 6 product error, 6 sum error.  Error <= u |result| + (lin: 0, ang: 7) u^2 S,
+    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    t_0, t_1, t_2 = t
+    ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
+    co_3a = t_2 * ci_1
+    co_3b = t_1 * ci_2
+    co_3c = co_3a - co_3b
+    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + product_error(t_2, ci_1, co_3a)
+    co_3c_lo = co_3c_lo1 - product_error(t_1, ci_2, co_3b)
+    co_3 = co_3c + ci_3
+    co_3_lo = sum_error(co_3c, ci_3, co_3) + co_3c_lo
+    co_4a = t_0 * ci_2
+    co_4b = t_2 * ci_0
+    co_4c = co_4a - co_4b
+    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + product_error(t_0, ci_2, co_4a)
+    co_4c_lo = co_4c_lo1 - product_error(t_2, ci_0, co_4b)
+    co_4 = co_4c + ci_4
+    co_4_lo = sum_error(co_4c, ci_4, co_4) + co_4c_lo
+    co_5a = t_1 * ci_0
+    co_5b = t_0 * ci_1
+    co_5c = co_5a - co_5b
+    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + product_error(t_1, ci_0, co_5a)
+    co_5c_lo = co_5c_lo1 - product_error(t_0, ci_1, co_5b)
+    co_5 = co_5c + ci_5
+    co_5_lo = sum_error(co_5c, ci_5, co_5) + co_5c_lo
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (ci_0, ci_1, ci_2, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3),(6)->(6)")
+def product_CoAdtcinv(t, ci):
+    """co = [Ad]*(t) (-ci).
+
+    (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
+    6 mul, 18 add, 6 product error, 6 sum error, 3 neg.  Error <= u |result| + (lin: 0, ang: 7)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    t_0, t_1, t_2 = t
+    ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
+    co_0 = -ci_0
+    co_1 = -ci_1
+    co_2 = -ci_2
+    co_3a = t_2 * ci_1
+    co_3b = t_1 * ci_2
+    co_3c = co_3a - co_3b
+    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + product_error(t_2, ci_1, co_3a)
+    co_3c_lo = co_3c_lo1 - product_error(t_1, ci_2, co_3b)
+    co_3 = co_3c - ci_3
+    co_3_lo = difference_error(co_3c, ci_3, co_3) + co_3c_lo
+    co_4a = t_0 * ci_2
+    co_4b = t_2 * ci_0
+    co_4c = co_4a - co_4b
+    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + product_error(t_0, ci_2, co_4a)
+    co_4c_lo = co_4c_lo1 - product_error(t_2, ci_0, co_4b)
+    co_4 = co_4c - ci_4
+    co_4_lo = difference_error(co_4c, ci_4, co_4) + co_4c_lo
+    co_5a = t_1 * ci_0
+    co_5b = t_0 * ci_1
+    co_5c = co_5a - co_5b
+    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + product_error(t_1, ci_0, co_5a)
+    co_5c_lo = co_5c_lo1 - product_error(t_0, ci_1, co_5b)
+    co_5 = co_5c - ci_5
+    co_5_lo = difference_error(co_5c, ci_5, co_5) + co_5c_lo
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (co_0, co_1, co_2, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,3),(6)->(6)")
+def product_CoAdrc(R, ci):
+    """co = [Ad]*(R) ci.
+
+    (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
+    18 mul, 42 add, 18 product error, 12 sum error.  Error <= u |result| + 10 u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
+    ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
+    co_0a = R_00 * ci_0
+    co_0b = R_01 * ci_1
+    co_0c = co_0a + co_0b
+    co_0c_lo1 = sum_error(co_0a, co_0b, co_0c) + product_error(R_00, ci_0, co_0a)
+    co_0c_lo = co_0c_lo1 + product_error(R_01, ci_1, co_0b)
+    co_0d = R_02 * ci_2
+    co_0 = co_0c + co_0d
+    co_0_lo1 = sum_error(co_0c, co_0d, co_0) + co_0c_lo
+    co_0_lo = co_0_lo1 + product_error(R_02, ci_2, co_0d)
+    co_1a = R_10 * ci_0
+    co_1b = R_11 * ci_1
+    co_1c = co_1a + co_1b
+    co_1c_lo1 = sum_error(co_1a, co_1b, co_1c) + product_error(R_10, ci_0, co_1a)
+    co_1c_lo = co_1c_lo1 + product_error(R_11, ci_1, co_1b)
+    co_1d = R_12 * ci_2
+    co_1 = co_1c + co_1d
+    co_1_lo1 = sum_error(co_1c, co_1d, co_1) + co_1c_lo
+    co_1_lo = co_1_lo1 + product_error(R_12, ci_2, co_1d)
+    co_2a = R_20 * ci_0
+    co_2b = R_21 * ci_1
+    co_2c = co_2a + co_2b
+    co_2c_lo1 = sum_error(co_2a, co_2b, co_2c) + product_error(R_20, ci_0, co_2a)
+    co_2c_lo = co_2c_lo1 + product_error(R_21, ci_1, co_2b)
+    co_2d = R_22 * ci_2
+    co_2 = co_2c + co_2d
+    co_2_lo1 = sum_error(co_2c, co_2d, co_2) + co_2c_lo
+    co_2_lo = co_2_lo1 + product_error(R_22, ci_2, co_2d)
+    co_3a = R_00 * ci_3
+    co_3b = R_01 * ci_4
+    co_3c = co_3a + co_3b
+    co_3c_lo1 = sum_error(co_3a, co_3b, co_3c) + product_error(R_00, ci_3, co_3a)
+    co_3c_lo = co_3c_lo1 + product_error(R_01, ci_4, co_3b)
+    co_3d = R_02 * ci_5
+    co_3 = co_3c + co_3d
+    co_3_lo1 = sum_error(co_3c, co_3d, co_3) + co_3c_lo
+    co_3_lo = co_3_lo1 + product_error(R_02, ci_5, co_3d)
+    co_4a = R_10 * ci_3
+    co_4b = R_11 * ci_4
+    co_4c = co_4a + co_4b
+    co_4c_lo1 = sum_error(co_4a, co_4b, co_4c) + product_error(R_10, ci_3, co_4a)
+    co_4c_lo = co_4c_lo1 + product_error(R_11, ci_4, co_4b)
+    co_4d = R_12 * ci_5
+    co_4 = co_4c + co_4d
+    co_4_lo1 = sum_error(co_4c, co_4d, co_4) + co_4c_lo
+    co_4_lo = co_4_lo1 + product_error(R_12, ci_5, co_4d)
+    co_5a = R_20 * ci_3
+    co_5b = R_21 * ci_4
+    co_5c = co_5a + co_5b
+    co_5c_lo1 = sum_error(co_5a, co_5b, co_5c) + product_error(R_20, ci_3, co_5a)
+    co_5c_lo = co_5c_lo1 + product_error(R_21, ci_4, co_5b)
+    co_5d = R_22 * ci_5
+    co_5 = co_5c + co_5d
+    co_5_lo1 = sum_error(co_5c, co_5d, co_5) + co_5c_lo
+    co_5_lo = co_5_lo1 + product_error(R_22, ci_5, co_5d)
+    co_0_rounded = co_0 + co_0_lo
+    co_1_rounded = co_1 + co_1_lo
+    co_2_rounded = co_2 + co_2_lo
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (co_0_rounded, co_1_rounded, co_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,3),(6)->(6)")
+def product_CoAdrinvc(R, ci):
+    """co = [Ad]*(R)^-1 ci.
+
+    (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
+    18 mul, 42 add, 18 product error, 12 sum error.  Error <= u |result| + 10 u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
+    ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
+    co_0a = R_00 * ci_0
+    co_0b = R_10 * ci_1
+    co_0c = co_0a + co_0b
+    co_0c_lo1 = sum_error(co_0a, co_0b, co_0c) + product_error(R_00, ci_0, co_0a)
+    co_0c_lo = co_0c_lo1 + product_error(R_10, ci_1, co_0b)
+    co_0d = R_20 * ci_2
+    co_0 = co_0c + co_0d
+    co_0_lo1 = sum_error(co_0c, co_0d, co_0) + co_0c_lo
+    co_0_lo = co_0_lo1 + product_error(R_20, ci_2, co_0d)
+    co_1a = R_01 * ci_0
+    co_1b = R_11 * ci_1
+    co_1c = co_1a + co_1b
+    co_1c_lo1 = sum_error(co_1a, co_1b, co_1c) + product_error(R_01, ci_0, co_1a)
+    co_1c_lo = co_1c_lo1 + product_error(R_11, ci_1, co_1b)
+    co_1d = R_21 * ci_2
+    co_1 = co_1c + co_1d
+    co_1_lo1 = sum_error(co_1c, co_1d, co_1) + co_1c_lo
+    co_1_lo = co_1_lo1 + product_error(R_21, ci_2, co_1d)
+    co_2a = R_02 * ci_0
+    co_2b = R_12 * ci_1
+    co_2c = co_2a + co_2b
+    co_2c_lo1 = sum_error(co_2a, co_2b, co_2c) + product_error(R_02, ci_0, co_2a)
+    co_2c_lo = co_2c_lo1 + product_error(R_12, ci_1, co_2b)
+    co_2d = R_22 * ci_2
+    co_2 = co_2c + co_2d
+    co_2_lo1 = sum_error(co_2c, co_2d, co_2) + co_2c_lo
+    co_2_lo = co_2_lo1 + product_error(R_22, ci_2, co_2d)
+    co_3a = R_00 * ci_3
+    co_3b = R_10 * ci_4
+    co_3c = co_3a + co_3b
+    co_3c_lo1 = sum_error(co_3a, co_3b, co_3c) + product_error(R_00, ci_3, co_3a)
+    co_3c_lo = co_3c_lo1 + product_error(R_10, ci_4, co_3b)
+    co_3d = R_20 * ci_5
+    co_3 = co_3c + co_3d
+    co_3_lo1 = sum_error(co_3c, co_3d, co_3) + co_3c_lo
+    co_3_lo = co_3_lo1 + product_error(R_20, ci_5, co_3d)
+    co_4a = R_01 * ci_3
+    co_4b = R_11 * ci_4
+    co_4c = co_4a + co_4b
+    co_4c_lo1 = sum_error(co_4a, co_4b, co_4c) + product_error(R_01, ci_3, co_4a)
+    co_4c_lo = co_4c_lo1 + product_error(R_11, ci_4, co_4b)
+    co_4d = R_21 * ci_5
+    co_4 = co_4c + co_4d
+    co_4_lo1 = sum_error(co_4c, co_4d, co_4) + co_4c_lo
+    co_4_lo = co_4_lo1 + product_error(R_21, ci_5, co_4d)
+    co_5a = R_02 * ci_3
+    co_5b = R_12 * ci_4
+    co_5c = co_5a + co_5b
+    co_5c_lo1 = sum_error(co_5a, co_5b, co_5c) + product_error(R_02, ci_3, co_5a)
+    co_5c_lo = co_5c_lo1 + product_error(R_12, ci_4, co_5b)
+    co_5d = R_22 * ci_5
+    co_5 = co_5c + co_5d
+    co_5_lo1 = sum_error(co_5c, co_5d, co_5) + co_5c_lo
+    co_5_lo = co_5_lo1 + product_error(R_22, ci_5, co_5d)
+    co_0_rounded = co_0 + co_0_lo
+    co_1_rounded = co_1 + co_1_lo
+    co_2_rounded = co_2 + co_2_lo
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (co_0_rounded, co_1_rounded, co_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,3),(6)->(6)")
+def product_CoAdrcinv(R, ci):
+    """co = [Ad]*(R) (-ci).
+
+    (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
+    18 mul, 42 add, 18 product error, 12 sum error, 12 neg.  Error <= u |result| + 10 u^2 S, S
+    the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
+    ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
+    co_0a = R_00 * ci_0
+    co_0b = R_01 * ci_1
+    co_0c = co_0a + co_0b
+    co_0c_lo1 = sum_error(co_0a, co_0b, co_0c) + product_error(R_00, ci_0, co_0a)
+    co_0c_lo = co_0c_lo1 + product_error(R_01, ci_1, co_0b)
+    co_0d = R_02 * ci_2
+    co_0e = co_0c + co_0d
+    co_0e_lo1 = sum_error(co_0c, co_0d, co_0e) + co_0c_lo
+    co_0e_lo = co_0e_lo1 + product_error(R_02, ci_2, co_0d)
+    co_0 = -co_0e
+    co_0_lo = -co_0e_lo
+    co_1a = R_10 * ci_0
+    co_1b = R_11 * ci_1
+    co_1c = co_1a + co_1b
+    co_1c_lo1 = sum_error(co_1a, co_1b, co_1c) + product_error(R_10, ci_0, co_1a)
+    co_1c_lo = co_1c_lo1 + product_error(R_11, ci_1, co_1b)
+    co_1d = R_12 * ci_2
+    co_1e = co_1c + co_1d
+    co_1e_lo1 = sum_error(co_1c, co_1d, co_1e) + co_1c_lo
+    co_1e_lo = co_1e_lo1 + product_error(R_12, ci_2, co_1d)
+    co_1 = -co_1e
+    co_1_lo = -co_1e_lo
+    co_2a = R_20 * ci_0
+    co_2b = R_21 * ci_1
+    co_2c = co_2a + co_2b
+    co_2c_lo1 = sum_error(co_2a, co_2b, co_2c) + product_error(R_20, ci_0, co_2a)
+    co_2c_lo = co_2c_lo1 + product_error(R_21, ci_1, co_2b)
+    co_2d = R_22 * ci_2
+    co_2e = co_2c + co_2d
+    co_2e_lo1 = sum_error(co_2c, co_2d, co_2e) + co_2c_lo
+    co_2e_lo = co_2e_lo1 + product_error(R_22, ci_2, co_2d)
+    co_2 = -co_2e
+    co_2_lo = -co_2e_lo
+    co_3a = R_00 * ci_3
+    co_3b = R_01 * ci_4
+    co_3c = co_3a + co_3b
+    co_3c_lo1 = sum_error(co_3a, co_3b, co_3c) + product_error(R_00, ci_3, co_3a)
+    co_3c_lo = co_3c_lo1 + product_error(R_01, ci_4, co_3b)
+    co_3d = R_02 * ci_5
+    co_3e = co_3c + co_3d
+    co_3e_lo1 = sum_error(co_3c, co_3d, co_3e) + co_3c_lo
+    co_3e_lo = co_3e_lo1 + product_error(R_02, ci_5, co_3d)
+    co_3 = -co_3e
+    co_3_lo = -co_3e_lo
+    co_4a = R_10 * ci_3
+    co_4b = R_11 * ci_4
+    co_4c = co_4a + co_4b
+    co_4c_lo1 = sum_error(co_4a, co_4b, co_4c) + product_error(R_10, ci_3, co_4a)
+    co_4c_lo = co_4c_lo1 + product_error(R_11, ci_4, co_4b)
+    co_4d = R_12 * ci_5
+    co_4e = co_4c + co_4d
+    co_4e_lo1 = sum_error(co_4c, co_4d, co_4e) + co_4c_lo
+    co_4e_lo = co_4e_lo1 + product_error(R_12, ci_5, co_4d)
+    co_4 = -co_4e
+    co_4_lo = -co_4e_lo
+    co_5a = R_20 * ci_3
+    co_5b = R_21 * ci_4
+    co_5c = co_5a + co_5b
+    co_5c_lo1 = sum_error(co_5a, co_5b, co_5c) + product_error(R_20, ci_3, co_5a)
+    co_5c_lo = co_5c_lo1 + product_error(R_21, ci_4, co_5b)
+    co_5d = R_22 * ci_5
+    co_5e = co_5c + co_5d
+    co_5e_lo1 = sum_error(co_5c, co_5d, co_5e) + co_5c_lo
+    co_5e_lo = co_5e_lo1 + product_error(R_22, ci_5, co_5d)
+    co_5 = -co_5e
+    co_5_lo = -co_5e_lo
+    co_0_rounded = co_0 + co_0_lo
+    co_1_rounded = co_1 + co_1_lo
+    co_2_rounded = co_2 + co_2_lo
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (co_0_rounded, co_1_rounded, co_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,4),(6)->(6)")
+def product_CoAdc(D, ci):
+    """co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.
+
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
+    N m).
+    30 mul, 66 add, 24 product error, 18 sum error.  Error <= u |result| + (lin: 10, ang: 39)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
+    w_0a = D_00 * ci_0
+    w_0b = D_01 * ci_1
+    w_0c = w_0a + w_0b
+    w_0c_lo1 = sum_error(w_0a, w_0b, w_0c) + product_error(D_00, ci_0, w_0a)
+    w_0c_lo = w_0c_lo1 + product_error(D_01, ci_1, w_0b)
+    w_0d = D_02 * ci_2
+    w_0 = w_0c + w_0d
+    w_0_lo1 = sum_error(w_0c, w_0d, w_0) + w_0c_lo
+    w_0_lo = w_0_lo1 + product_error(D_02, ci_2, w_0d)
+    w_1a = D_10 * ci_0
+    w_1b = D_11 * ci_1
+    w_1c = w_1a + w_1b
+    w_1c_lo1 = sum_error(w_1a, w_1b, w_1c) + product_error(D_10, ci_0, w_1a)
+    w_1c_lo = w_1c_lo1 + product_error(D_11, ci_1, w_1b)
+    w_1d = D_12 * ci_2
+    w_1 = w_1c + w_1d
+    w_1_lo1 = sum_error(w_1c, w_1d, w_1) + w_1c_lo
+    w_1_lo = w_1_lo1 + product_error(D_12, ci_2, w_1d)
+    w_2a = D_20 * ci_0
+    w_2b = D_21 * ci_1
+    w_2c = w_2a + w_2b
+    w_2c_lo1 = sum_error(w_2a, w_2b, w_2c) + product_error(D_20, ci_0, w_2a)
+    w_2c_lo = w_2c_lo1 + product_error(D_21, ci_1, w_2b)
+    w_2d = D_22 * ci_2
+    w_2 = w_2c + w_2d
+    w_2_lo1 = sum_error(w_2c, w_2d, w_2) + w_2c_lo
+    w_2_lo = w_2_lo1 + product_error(D_22, ci_2, w_2d)
+    w_3a = D_00 * ci_3
+    w_3b = D_01 * ci_4
+    w_3c = w_3a + w_3b
+    w_3c_lo1 = sum_error(w_3a, w_3b, w_3c) + product_error(D_00, ci_3, w_3a)
+    w_3c_lo = w_3c_lo1 + product_error(D_01, ci_4, w_3b)
+    w_3d = D_02 * ci_5
+    w_3 = w_3c + w_3d
+    w_3_lo1 = sum_error(w_3c, w_3d, w_3) + w_3c_lo
+    w_3_lo = w_3_lo1 + product_error(D_02, ci_5, w_3d)
+    w_4a = D_10 * ci_3
+    w_4b = D_11 * ci_4
+    w_4c = w_4a + w_4b
+    w_4c_lo1 = sum_error(w_4a, w_4b, w_4c) + product_error(D_10, ci_3, w_4a)
+    w_4c_lo = w_4c_lo1 + product_error(D_11, ci_4, w_4b)
+    w_4d = D_12 * ci_5
+    w_4 = w_4c + w_4d
+    w_4_lo1 = sum_error(w_4c, w_4d, w_4) + w_4c_lo
+    w_4_lo = w_4_lo1 + product_error(D_12, ci_5, w_4d)
+    w_5a = D_20 * ci_3
+    w_5b = D_21 * ci_4
+    w_5c = w_5a + w_5b
+    w_5c_lo1 = sum_error(w_5a, w_5b, w_5c) + product_error(D_20, ci_3, w_5a)
+    w_5c_lo = w_5c_lo1 + product_error(D_21, ci_4, w_5b)
+    w_5d = D_22 * ci_5
+    w_5 = w_5c + w_5d
+    w_5_lo1 = sum_error(w_5c, w_5d, w_5) + w_5c_lo
+    w_5_lo = w_5_lo1 + product_error(D_22, ci_5, w_5d)
+    co_3a = D_13 * w_2
+    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
+    co_3b = D_23 * w_1
+    co_3c = co_3a - co_3b
+    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + co_3a_lo
+    co_3c_lo = co_3c_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_3 = co_3c + w_3
+    co_3_lo1 = sum_error(co_3c, w_3, co_3) + co_3c_lo
+    co_3_lo = co_3_lo1 + w_3_lo
+    co_4a = D_23 * w_0
+    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
+    co_4b = D_03 * w_2
+    co_4c = co_4a - co_4b
+    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + co_4a_lo
+    co_4c_lo = co_4c_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_4 = co_4c + w_4
+    co_4_lo1 = sum_error(co_4c, w_4, co_4) + co_4c_lo
+    co_4_lo = co_4_lo1 + w_4_lo
+    co_5a = D_03 * w_1
+    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
+    co_5b = D_13 * w_0
+    co_5c = co_5a - co_5b
+    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + co_5a_lo
+    co_5c_lo = co_5c_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    co_5 = co_5c + w_5
+    co_5_lo1 = sum_error(co_5c, w_5, co_5) + co_5c_lo
+    co_5_lo = co_5_lo1 + w_5_lo
+    w_0_rounded = w_0 + w_0_lo
+    w_1_rounded = w_1 + w_1_lo
+    w_2_rounded = w_2 + w_2_lo
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,4),(6)->(6)")
+def product_CoAdinvc(D, ci):
+    """co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.
+
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
+    N m).
+    33 mul, 66 add, 24 product error, 18 sum error.  Error <= u |result| + (lin: 10, ang: 36)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
+    w_3a = D_23 * ci_1
+    w_3b = D_13 * ci_2
+    w_3c = w_3a - w_3b
+    w_3c_lo1 = difference_error(w_3a, w_3b, w_3c) + product_error(D_23, ci_1, w_3a)
+    w_3c_lo = w_3c_lo1 - product_error(D_13, ci_2, w_3b)
+    w_3 = w_3c + ci_3
+    w_3_lo = sum_error(w_3c, ci_3, w_3) + w_3c_lo
+    w_4a = D_03 * ci_2
+    w_4b = D_23 * ci_0
+    w_4c = w_4a - w_4b
+    w_4c_lo1 = difference_error(w_4a, w_4b, w_4c) + product_error(D_03, ci_2, w_4a)
+    w_4c_lo = w_4c_lo1 - product_error(D_23, ci_0, w_4b)
+    w_4 = w_4c + ci_4
+    w_4_lo = sum_error(w_4c, ci_4, w_4) + w_4c_lo
+    w_5a = D_13 * ci_0
+    w_5b = D_03 * ci_1
+    w_5c = w_5a - w_5b
+    w_5c_lo1 = difference_error(w_5a, w_5b, w_5c) + product_error(D_13, ci_0, w_5a)
+    w_5c_lo = w_5c_lo1 - product_error(D_03, ci_1, w_5b)
+    w_5 = w_5c + ci_5
+    w_5_lo = sum_error(w_5c, ci_5, w_5) + w_5c_lo
+    co_0a = D_00 * ci_0
+    co_0b = D_10 * ci_1
+    co_0c = co_0a + co_0b
+    co_0c_lo1 = sum_error(co_0a, co_0b, co_0c) + product_error(D_00, ci_0, co_0a)
+    co_0c_lo = co_0c_lo1 + product_error(D_10, ci_1, co_0b)
+    co_0d = D_20 * ci_2
+    co_0 = co_0c + co_0d
+    co_0_lo1 = sum_error(co_0c, co_0d, co_0) + co_0c_lo
+    co_0_lo = co_0_lo1 + product_error(D_20, ci_2, co_0d)
+    co_1a = D_01 * ci_0
+    co_1b = D_11 * ci_1
+    co_1c = co_1a + co_1b
+    co_1c_lo1 = sum_error(co_1a, co_1b, co_1c) + product_error(D_01, ci_0, co_1a)
+    co_1c_lo = co_1c_lo1 + product_error(D_11, ci_1, co_1b)
+    co_1d = D_21 * ci_2
+    co_1 = co_1c + co_1d
+    co_1_lo1 = sum_error(co_1c, co_1d, co_1) + co_1c_lo
+    co_1_lo = co_1_lo1 + product_error(D_21, ci_2, co_1d)
+    co_2a = D_02 * ci_0
+    co_2b = D_12 * ci_1
+    co_2c = co_2a + co_2b
+    co_2c_lo1 = sum_error(co_2a, co_2b, co_2c) + product_error(D_02, ci_0, co_2a)
+    co_2c_lo = co_2c_lo1 + product_error(D_12, ci_1, co_2b)
+    co_2d = D_22 * ci_2
+    co_2 = co_2c + co_2d
+    co_2_lo1 = sum_error(co_2c, co_2d, co_2) + co_2c_lo
+    co_2_lo = co_2_lo1 + product_error(D_22, ci_2, co_2d)
+    co_3a = D_00 * w_3
+    co_3b = D_10 * w_4
+    co_3c = co_3a + co_3b
+    co_3c_lo1 = sum_error(co_3a, co_3b, co_3c) + (product_error(D_00, w_3, co_3a) + D_00 * w_3_lo)
+    co_3c_lo = co_3c_lo1 + (product_error(D_10, w_4, co_3b) + D_10 * w_4_lo)
+    co_3d = D_20 * w_5
+    co_3 = co_3c + co_3d
+    co_3_lo1 = sum_error(co_3c, co_3d, co_3) + co_3c_lo
+    co_3_lo = co_3_lo1 + (product_error(D_20, w_5, co_3d) + D_20 * w_5_lo)
+    co_4a = D_01 * w_3
+    co_4b = D_11 * w_4
+    co_4c = co_4a + co_4b
+    co_4c_lo1 = sum_error(co_4a, co_4b, co_4c) + (product_error(D_01, w_3, co_4a) + D_01 * w_3_lo)
+    co_4c_lo = co_4c_lo1 + (product_error(D_11, w_4, co_4b) + D_11 * w_4_lo)
+    co_4d = D_21 * w_5
+    co_4 = co_4c + co_4d
+    co_4_lo1 = sum_error(co_4c, co_4d, co_4) + co_4c_lo
+    co_4_lo = co_4_lo1 + (product_error(D_21, w_5, co_4d) + D_21 * w_5_lo)
+    co_5a = D_02 * w_3
+    co_5b = D_12 * w_4
+    co_5c = co_5a + co_5b
+    co_5c_lo1 = sum_error(co_5a, co_5b, co_5c) + (product_error(D_02, w_3, co_5a) + D_02 * w_3_lo)
+    co_5c_lo = co_5c_lo1 + (product_error(D_12, w_4, co_5b) + D_12 * w_4_lo)
+    co_5d = D_22 * w_5
+    co_5 = co_5c + co_5d
+    co_5_lo1 = sum_error(co_5c, co_5d, co_5) + co_5c_lo
+    co_5_lo = co_5_lo1 + (product_error(D_22, w_5, co_5d) + D_22 * w_5_lo)
+    co_0_rounded = co_0 + co_0_lo
+    co_1_rounded = co_1 + co_1_lo
+    co_2_rounded = co_2 + co_2_lo
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (co_0_rounded, co_1_rounded, co_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,4),(6)->(6)")
+def product_CoAdcinv(D, ci):
+    """co = [Ad]*(D) (-ci).
+
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
+    N m).
+    30 mul, 66 add, 24 product error, 18 sum error, 12 neg.  Error <= u |result| + (lin: 10,
+    ang: 39) u^2 S, S the sum of the |terms| of the expanded formula; barring over- and
+    underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
+    w_0a = D_00 * ci_0
+    w_0b = D_01 * ci_1
+    w_0c = w_0a + w_0b
+    w_0c_lo1 = sum_error(w_0a, w_0b, w_0c) + product_error(D_00, ci_0, w_0a)
+    w_0c_lo = w_0c_lo1 + product_error(D_01, ci_1, w_0b)
+    w_0d = D_02 * ci_2
+    w_0e = w_0c + w_0d
+    w_0e_lo1 = sum_error(w_0c, w_0d, w_0e) + w_0c_lo
+    w_0e_lo = w_0e_lo1 + product_error(D_02, ci_2, w_0d)
+    w_0 = -w_0e
+    w_0_lo = -w_0e_lo
+    w_1a = D_10 * ci_0
+    w_1b = D_11 * ci_1
+    w_1c = w_1a + w_1b
+    w_1c_lo1 = sum_error(w_1a, w_1b, w_1c) + product_error(D_10, ci_0, w_1a)
+    w_1c_lo = w_1c_lo1 + product_error(D_11, ci_1, w_1b)
+    w_1d = D_12 * ci_2
+    w_1e = w_1c + w_1d
+    w_1e_lo1 = sum_error(w_1c, w_1d, w_1e) + w_1c_lo
+    w_1e_lo = w_1e_lo1 + product_error(D_12, ci_2, w_1d)
+    w_1 = -w_1e
+    w_1_lo = -w_1e_lo
+    w_2a = D_20 * ci_0
+    w_2b = D_21 * ci_1
+    w_2c = w_2a + w_2b
+    w_2c_lo1 = sum_error(w_2a, w_2b, w_2c) + product_error(D_20, ci_0, w_2a)
+    w_2c_lo = w_2c_lo1 + product_error(D_21, ci_1, w_2b)
+    w_2d = D_22 * ci_2
+    w_2e = w_2c + w_2d
+    w_2e_lo1 = sum_error(w_2c, w_2d, w_2e) + w_2c_lo
+    w_2e_lo = w_2e_lo1 + product_error(D_22, ci_2, w_2d)
+    w_2 = -w_2e
+    w_2_lo = -w_2e_lo
+    w_3a = D_00 * ci_3
+    w_3b = D_01 * ci_4
+    w_3c = w_3a + w_3b
+    w_3c_lo1 = sum_error(w_3a, w_3b, w_3c) + product_error(D_00, ci_3, w_3a)
+    w_3c_lo = w_3c_lo1 + product_error(D_01, ci_4, w_3b)
+    w_3d = D_02 * ci_5
+    w_3e = w_3c + w_3d
+    w_3e_lo1 = sum_error(w_3c, w_3d, w_3e) + w_3c_lo
+    w_3e_lo = w_3e_lo1 + product_error(D_02, ci_5, w_3d)
+    w_3 = -w_3e
+    w_3_lo = -w_3e_lo
+    w_4a = D_10 * ci_3
+    w_4b = D_11 * ci_4
+    w_4c = w_4a + w_4b
+    w_4c_lo1 = sum_error(w_4a, w_4b, w_4c) + product_error(D_10, ci_3, w_4a)
+    w_4c_lo = w_4c_lo1 + product_error(D_11, ci_4, w_4b)
+    w_4d = D_12 * ci_5
+    w_4e = w_4c + w_4d
+    w_4e_lo1 = sum_error(w_4c, w_4d, w_4e) + w_4c_lo
+    w_4e_lo = w_4e_lo1 + product_error(D_12, ci_5, w_4d)
+    w_4 = -w_4e
+    w_4_lo = -w_4e_lo
+    w_5a = D_20 * ci_3
+    w_5b = D_21 * ci_4
+    w_5c = w_5a + w_5b
+    w_5c_lo1 = sum_error(w_5a, w_5b, w_5c) + product_error(D_20, ci_3, w_5a)
+    w_5c_lo = w_5c_lo1 + product_error(D_21, ci_4, w_5b)
+    w_5d = D_22 * ci_5
+    w_5e = w_5c + w_5d
+    w_5e_lo1 = sum_error(w_5c, w_5d, w_5e) + w_5c_lo
+    w_5e_lo = w_5e_lo1 + product_error(D_22, ci_5, w_5d)
+    w_5 = -w_5e
+    w_5_lo = -w_5e_lo
+    co_3a = D_13 * w_2
+    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
+    co_3b = D_23 * w_1
+    co_3c = co_3a - co_3b
+    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + co_3a_lo
+    co_3c_lo = co_3c_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_3 = co_3c + w_3
+    co_3_lo1 = sum_error(co_3c, w_3, co_3) + co_3c_lo
+    co_3_lo = co_3_lo1 + w_3_lo
+    co_4a = D_23 * w_0
+    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
+    co_4b = D_03 * w_2
+    co_4c = co_4a - co_4b
+    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + co_4a_lo
+    co_4c_lo = co_4c_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_4 = co_4c + w_4
+    co_4_lo1 = sum_error(co_4c, w_4, co_4) + co_4c_lo
+    co_4_lo = co_4_lo1 + w_4_lo
+    co_5a = D_03 * w_1
+    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
+    co_5b = D_13 * w_0
+    co_5c = co_5a - co_5b
+    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + co_5a_lo
+    co_5c_lo = co_5c_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    co_5 = co_5c + w_5
+    co_5_lo1 = sum_error(co_5c, w_5, co_5) + co_5c_lo
+    co_5_lo = co_5_lo1 + w_5_lo
+    w_0_rounded = w_0 + w_0_lo
+    w_1_rounded = w_1 + w_1_lo
+    w_2_rounded = w_2 + w_2_lo
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,4)->(6)")
+def hctx(D):
+    """co = h_tx: column 0 of [Ad]*(D).
+
+    (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+    6 mul, 12 add, 6 product error, 3 sum error.  Error <= u |result| + (lin: 0, ang: 4) u^2 S,
+    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    co_3a = D_20 * D_13
+    co_3b = D_10 * D_23
+    co_3 = co_3a - co_3b
+    co_3_lo1 = difference_error(co_3a, co_3b, co_3) + product_error(D_20, D_13, co_3a)
+    co_3_lo = co_3_lo1 - product_error(D_10, D_23, co_3b)
+    co_4a = D_00 * D_23
+    co_4b = D_20 * D_03
+    co_4 = co_4a - co_4b
+    co_4_lo1 = difference_error(co_4a, co_4b, co_4) + product_error(D_00, D_23, co_4a)
+    co_4_lo = co_4_lo1 - product_error(D_20, D_03, co_4b)
+    co_5a = D_10 * D_03
+    co_5b = D_00 * D_13
+    co_5 = co_5a - co_5b
+    co_5_lo1 = difference_error(co_5a, co_5b, co_5) + product_error(D_10, D_03, co_5a)
+    co_5_lo = co_5_lo1 - product_error(D_00, D_13, co_5b)
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (D_00, D_10, D_20, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,4)->(6)")
+def hcty(D):
+    """co = h_ty: column 1 of [Ad]*(D).
+
+    (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+    6 mul, 12 add, 6 product error, 3 sum error.  Error <= u |result| + (lin: 0, ang: 4) u^2 S,
+    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    co_3a = D_21 * D_13
+    co_3b = D_11 * D_23
+    co_3 = co_3a - co_3b
+    co_3_lo1 = difference_error(co_3a, co_3b, co_3) + product_error(D_21, D_13, co_3a)
+    co_3_lo = co_3_lo1 - product_error(D_11, D_23, co_3b)
+    co_4a = D_01 * D_23
+    co_4b = D_21 * D_03
+    co_4 = co_4a - co_4b
+    co_4_lo1 = difference_error(co_4a, co_4b, co_4) + product_error(D_01, D_23, co_4a)
+    co_4_lo = co_4_lo1 - product_error(D_21, D_03, co_4b)
+    co_5a = D_11 * D_03
+    co_5b = D_01 * D_13
+    co_5 = co_5a - co_5b
+    co_5_lo1 = difference_error(co_5a, co_5b, co_5) + product_error(D_11, D_03, co_5a)
+    co_5_lo = co_5_lo1 - product_error(D_01, D_13, co_5b)
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (D_01, D_11, D_21, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,4)->(6)")
+def hctz(D):
+    """co = h_tz: column 2 of [Ad]*(D).
+
+    (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+    6 mul, 12 add, 6 product error, 3 sum error.  Error <= u |result| + (lin: 0, ang: 4) u^2 S,
+    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    co_3a = D_22 * D_13
+    co_3b = D_12 * D_23
+    co_3 = co_3a - co_3b
+    co_3_lo1 = difference_error(co_3a, co_3b, co_3) + product_error(D_22, D_13, co_3a)
+    co_3_lo = co_3_lo1 - product_error(D_12, D_23, co_3b)
+    co_4a = D_02 * D_23
+    co_4b = D_22 * D_03
+    co_4 = co_4a - co_4b
+    co_4_lo1 = difference_error(co_4a, co_4b, co_4) + product_error(D_02, D_23, co_4a)
+    co_4_lo = co_4_lo1 - product_error(D_22, D_03, co_4b)
+    co_5a = D_12 * D_03
+    co_5b = D_02 * D_13
+    co_5 = co_5a - co_5b
+    co_5_lo1 = difference_error(co_5a, co_5b, co_5) + product_error(D_12, D_03, co_5a)
+    co_5_lo = co_5_lo1 - product_error(D_02, D_13, co_5b)
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (D_02, D_12, D_22, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,4)->(6)")
+def hctxinv(D):
+    """co = -h_tx: -column 0 of [Ad]*(D).
+
+    (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+    6 mul, 12 add, 6 product error, 3 sum error, 3 neg.  Error <= u |result| + (lin: 0, ang: 4)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    co_0 = -D_00
+    co_1 = -D_10
+    co_2 = -D_20
+    co_3a = D_10 * D_23
+    co_3b = D_20 * D_13
+    co_3 = co_3a - co_3b
+    co_3_lo1 = difference_error(co_3a, co_3b, co_3) + product_error(D_10, D_23, co_3a)
+    co_3_lo = co_3_lo1 - product_error(D_20, D_13, co_3b)
+    co_4a = D_20 * D_03
+    co_4b = D_00 * D_23
+    co_4 = co_4a - co_4b
+    co_4_lo1 = difference_error(co_4a, co_4b, co_4) + product_error(D_20, D_03, co_4a)
+    co_4_lo = co_4_lo1 - product_error(D_00, D_23, co_4b)
+    co_5a = D_00 * D_13
+    co_5b = D_10 * D_03
+    co_5 = co_5a - co_5b
+    co_5_lo1 = difference_error(co_5a, co_5b, co_5) + product_error(D_00, D_13, co_5a)
+    co_5_lo = co_5_lo1 - product_error(D_10, D_03, co_5b)
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (co_0, co_1, co_2, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,4)->(6)")
+def hctyinv(D):
+    """co = -h_ty: -column 1 of [Ad]*(D).
+
+    (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+    6 mul, 12 add, 6 product error, 3 sum error, 3 neg.  Error <= u |result| + (lin: 0, ang: 4)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    co_0 = -D_01
+    co_1 = -D_11
+    co_2 = -D_21
+    co_3a = D_11 * D_23
+    co_3b = D_21 * D_13
+    co_3 = co_3a - co_3b
+    co_3_lo1 = difference_error(co_3a, co_3b, co_3) + product_error(D_11, D_23, co_3a)
+    co_3_lo = co_3_lo1 - product_error(D_21, D_13, co_3b)
+    co_4a = D_21 * D_03
+    co_4b = D_01 * D_23
+    co_4 = co_4a - co_4b
+    co_4_lo1 = difference_error(co_4a, co_4b, co_4) + product_error(D_21, D_03, co_4a)
+    co_4_lo = co_4_lo1 - product_error(D_01, D_23, co_4b)
+    co_5a = D_01 * D_13
+    co_5b = D_11 * D_03
+    co_5 = co_5a - co_5b
+    co_5_lo1 = difference_error(co_5a, co_5b, co_5) + product_error(D_01, D_13, co_5a)
+    co_5_lo = co_5_lo1 - product_error(D_11, D_03, co_5b)
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (co_0, co_1, co_2, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,4)->(6)")
+def hctzinv(D):
+    """co = -h_tz: -column 2 of [Ad]*(D).
+
+    (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
+    6 mul, 12 add, 6 product error, 3 sum error, 3 neg.  Error <= u |result| + (lin: 0, ang: 4)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    co_0 = -D_02
+    co_1 = -D_12
+    co_2 = -D_22
+    co_3a = D_12 * D_23
+    co_3b = D_22 * D_13
+    co_3 = co_3a - co_3b
+    co_3_lo1 = difference_error(co_3a, co_3b, co_3) + product_error(D_12, D_23, co_3a)
+    co_3_lo = co_3_lo1 - product_error(D_22, D_13, co_3b)
+    co_4a = D_22 * D_03
+    co_4b = D_02 * D_23
+    co_4 = co_4a - co_4b
+    co_4_lo1 = difference_error(co_4a, co_4b, co_4) + product_error(D_22, D_03, co_4a)
+    co_4_lo = co_4_lo1 - product_error(D_02, D_23, co_4b)
+    co_5a = D_02 * D_13
+    co_5b = D_12 * D_03
+    co_5 = co_5a - co_5b
+    co_5_lo1 = difference_error(co_5a, co_5b, co_5) + product_error(D_02, D_13, co_5a)
+    co_5_lo = co_5_lo1 - product_error(D_12, D_03, co_5b)
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (co_0, co_1, co_2, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,4)->(6,6)")
+def CoAd(D):
+    """M = [Ad]*(D).
+
+    (3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
+    18 mul, 36 add, 18 product error, 9 sum error.  Error <= u |result| + 4 u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    M_30a = D_20 * D_13
+    M_30b = D_10 * D_23
+    M_30 = M_30a - M_30b
+    M_30_lo1 = difference_error(M_30a, M_30b, M_30) + product_error(D_20, D_13, M_30a)
+    M_30_lo = M_30_lo1 - product_error(D_10, D_23, M_30b)
+    M_31a = D_21 * D_13
+    M_31b = D_11 * D_23
+    M_31 = M_31a - M_31b
+    M_31_lo1 = difference_error(M_31a, M_31b, M_31) + product_error(D_21, D_13, M_31a)
+    M_31_lo = M_31_lo1 - product_error(D_11, D_23, M_31b)
+    M_32a = D_22 * D_13
+    M_32b = D_12 * D_23
+    M_32 = M_32a - M_32b
+    M_32_lo1 = difference_error(M_32a, M_32b, M_32) + product_error(D_22, D_13, M_32a)
+    M_32_lo = M_32_lo1 - product_error(D_12, D_23, M_32b)
+    M_40a = D_00 * D_23
+    M_40b = D_20 * D_03
+    M_40 = M_40a - M_40b
+    M_40_lo1 = difference_error(M_40a, M_40b, M_40) + product_error(D_00, D_23, M_40a)
+    M_40_lo = M_40_lo1 - product_error(D_20, D_03, M_40b)
+    M_41a = D_01 * D_23
+    M_41b = D_21 * D_03
+    M_41 = M_41a - M_41b
+    M_41_lo1 = difference_error(M_41a, M_41b, M_41) + product_error(D_01, D_23, M_41a)
+    M_41_lo = M_41_lo1 - product_error(D_21, D_03, M_41b)
+    M_42a = D_02 * D_23
+    M_42b = D_22 * D_03
+    M_42 = M_42a - M_42b
+    M_42_lo1 = difference_error(M_42a, M_42b, M_42) + product_error(D_02, D_23, M_42a)
+    M_42_lo = M_42_lo1 - product_error(D_22, D_03, M_42b)
+    M_50a = D_10 * D_03
+    M_50b = D_00 * D_13
+    M_50 = M_50a - M_50b
+    M_50_lo1 = difference_error(M_50a, M_50b, M_50) + product_error(D_10, D_03, M_50a)
+    M_50_lo = M_50_lo1 - product_error(D_00, D_13, M_50b)
+    M_51a = D_11 * D_03
+    M_51b = D_01 * D_13
+    M_51 = M_51a - M_51b
+    M_51_lo1 = difference_error(M_51a, M_51b, M_51) + product_error(D_11, D_03, M_51a)
+    M_51_lo = M_51_lo1 - product_error(D_01, D_13, M_51b)
+    M_52a = D_12 * D_03
+    M_52b = D_02 * D_13
+    M_52 = M_52a - M_52b
+    M_52_lo1 = difference_error(M_52a, M_52b, M_52) + product_error(D_12, D_03, M_52a)
+    M_52_lo = M_52_lo1 - product_error(D_02, D_13, M_52b)
+    M_30_rounded = M_30 + M_30_lo
+    M_31_rounded = M_31 + M_31_lo
+    M_32_rounded = M_32 + M_32_lo
+    M_40_rounded = M_40 + M_40_lo
+    M_41_rounded = M_41 + M_41_lo
+    M_42_rounded = M_42 + M_42_lo
+    M_50_rounded = M_50 + M_50_lo
+    M_51_rounded = M_51 + M_51_lo
+    M_52_rounded = M_52 + M_52_lo
+    return (D_00, D_01, D_02, 0, 0, 0, D_10, D_11, D_12, 0, 0, 0, D_20, D_21, D_22, 0, 0, 0,
+        M_30_rounded, M_31_rounded, M_32_rounded, D_00, D_01, D_02, M_40_rounded, M_41_rounded,
+        M_42_rounded, D_10, D_11, D_12, M_50_rounded, M_51_rounded, M_52_rounded, D_20, D_21, D_22)
+
+
+@kernel("(6),(6)->()")
+def reciprocal_product(c, x):
+    """power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).
+
+    (6),(6)->().  c: coscrew (f in N; τ in N m); x: six components with the angular part on top;
+    power: number.
+    6 mul, 16 add, 6 product error, 5 sum error.  Error <= u |result| + 18 u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
+    """
+    c_0, c_1, c_2, c_3, c_4, c_5 = c
+    x_0, x_1, x_2, x_3, x_4, x_5 = x
+    power_a = c_0 * x_3
+    power_b = c_1 * x_4
+    power_c = power_a + power_b
+    power_c_lo1 = sum_error(power_a, power_b, power_c) + product_error(c_0, x_3, power_a)
+    power_c_lo = power_c_lo1 + product_error(c_1, x_4, power_b)
+    power_d = c_2 * x_5
+    power_e = power_c + power_d
+    power_e_lo1 = sum_error(power_c, power_d, power_e) + power_c_lo
+    power_e_lo = power_e_lo1 + product_error(c_2, x_5, power_d)
+    power_f = c_3 * x_0
+    power_g = c_4 * x_1
+    power_h = power_f + power_g
+    power_h_lo1 = sum_error(power_f, power_g, power_h) + product_error(c_3, x_0, power_f)
+    power_h_lo = power_h_lo1 + product_error(c_4, x_1, power_g)
+    power_i = c_5 * x_2
+    power_j = power_h + power_i
+    power_j_lo1 = sum_error(power_h, power_i, power_j) + power_h_lo
+    power_j_lo = power_j_lo1 + product_error(c_5, x_2, power_i)
+    power = power_e + power_j
+    power_lo1 = sum_error(power_e, power_j, power) + power_e_lo
+    power_lo = power_lo1 + power_j_lo
+    power_rounded = power + power_lo
+    return power_rounded
+
+
+@kernel("(6),(6)->(6)")
+def cross_sc(s, c):
+    """co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
+
+    (6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
+    18 mul, 42 add, 18 product error, 12 sum error.  Error <= u |result| + (lin: 4, ang: 10) u^2
+    S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    s_0, s_1, s_2, s_3, s_4, s_5 = s
+    c_0, c_1, c_2, c_3, c_4, c_5 = c
+    co_0a = s_4 * c_2
+    co_0b = s_5 * c_1
+    co_0 = co_0a - co_0b
+    co_0_lo1 = difference_error(co_0a, co_0b, co_0) + product_error(s_4, c_2, co_0a)
+    co_0_lo = co_0_lo1 - product_error(s_5, c_1, co_0b)
+    co_1a = s_5 * c_0
+    co_1b = s_3 * c_2
+    co_1 = co_1a - co_1b
+    co_1_lo1 = difference_error(co_1a, co_1b, co_1) + product_error(s_5, c_0, co_1a)
+    co_1_lo = co_1_lo1 - product_error(s_3, c_2, co_1b)
+    co_2a = s_3 * c_1
+    co_2b = s_4 * c_0
+    co_2 = co_2a - co_2b
+    co_2_lo1 = difference_error(co_2a, co_2b, co_2) + product_error(s_3, c_1, co_2a)
+    co_2_lo = co_2_lo1 - product_error(s_4, c_0, co_2b)
+    co_3a = s_1 * c_2
+    co_3b = s_2 * c_1
+    co_3c = co_3a - co_3b
+    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + product_error(s_1, c_2, co_3a)
+    co_3c_lo = co_3c_lo1 - product_error(s_2, c_1, co_3b)
+    co_3d = s_4 * c_5
+    co_3e = s_5 * c_4
+    co_3f = co_3d - co_3e
+    co_3f_lo1 = difference_error(co_3d, co_3e, co_3f) + product_error(s_4, c_5, co_3d)
+    co_3f_lo = co_3f_lo1 - product_error(s_5, c_4, co_3e)
+    co_3 = co_3c + co_3f
+    co_3_lo1 = sum_error(co_3c, co_3f, co_3) + co_3c_lo
+    co_3_lo = co_3_lo1 + co_3f_lo
+    co_4a = s_2 * c_0
+    co_4b = s_0 * c_2
+    co_4c = co_4a - co_4b
+    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + product_error(s_2, c_0, co_4a)
+    co_4c_lo = co_4c_lo1 - product_error(s_0, c_2, co_4b)
+    co_4d = s_5 * c_3
+    co_4e = s_3 * c_5
+    co_4f = co_4d - co_4e
+    co_4f_lo1 = difference_error(co_4d, co_4e, co_4f) + product_error(s_5, c_3, co_4d)
+    co_4f_lo = co_4f_lo1 - product_error(s_3, c_5, co_4e)
+    co_4 = co_4c + co_4f
+    co_4_lo1 = sum_error(co_4c, co_4f, co_4) + co_4c_lo
+    co_4_lo = co_4_lo1 + co_4f_lo
+    co_5a = s_0 * c_1
+    co_5b = s_1 * c_0
+    co_5c = co_5a - co_5b
+    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + product_error(s_0, c_1, co_5a)
+    co_5c_lo = co_5c_lo1 - product_error(s_1, c_0, co_5b)
+    co_5d = s_3 * c_4
+    co_5e = s_4 * c_3
+    co_5f = co_5d - co_5e
+    co_5f_lo1 = difference_error(co_5d, co_5e, co_5f) + product_error(s_3, c_4, co_5d)
+    co_5f_lo = co_5f_lo1 - product_error(s_4, c_3, co_5e)
+    co_5 = co_5c + co_5f
+    co_5_lo1 = sum_error(co_5c, co_5f, co_5) + co_5c_lo
+    co_5_lo = co_5_lo1 + co_5f_lo
+    co_0_rounded = co_0 + co_0_lo
+    co_1_rounded = co_1 + co_1_lo
+    co_2_rounded = co_2 + co_2_lo
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (co_0_rounded, co_1_rounded, co_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(6),(6)->(6)")
+def cross_sca(s, c):
+    """co = (0 ; ω×τ).
+
+    (6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
+    6 mul, 12 add, 6 product error, 3 sum error.  Error <= u |result| + (lin: 0, ang: 4) u^2 S,
+    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    s_0, s_1, s_2, s_3, s_4, s_5 = s
+    c_0, c_1, c_2, c_3, c_4, c_5 = c
+    co_3a = s_4 * c_5
+    co_3b = s_5 * c_4
+    co_3 = co_3a - co_3b
+    co_3_lo1 = difference_error(co_3a, co_3b, co_3) + product_error(s_4, c_5, co_3a)
+    co_3_lo = co_3_lo1 - product_error(s_5, c_4, co_3b)
+    co_4a = s_5 * c_3
+    co_4b = s_3 * c_5
+    co_4 = co_4a - co_4b
+    co_4_lo1 = difference_error(co_4a, co_4b, co_4) + product_error(s_5, c_3, co_4a)
+    co_4_lo = co_4_lo1 - product_error(s_3, c_5, co_4b)
+    co_5a = s_3 * c_4
+    co_5b = s_4 * c_3
+    co_5 = co_5a - co_5b
+    co_5_lo1 = difference_error(co_5a, co_5b, co_5) + product_error(s_3, c_4, co_5a)
+    co_5_lo = co_5_lo1 - product_error(s_4, c_3, co_5b)
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (0, 0, 0, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,4),(6)->(6)")
+def constraint_ctx(D, c):
+    """co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.
+
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    27 mul, 57 add, 21 product error, 15 sum error.  Error <= u |result| + (lin: 4, ang: 27) u^2
+    S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    c_0, c_1, c_2, c_3, c_4, c_5 = c
+    w_0a = D_01 * c_1
+    w_0b = D_02 * c_2
+    w_0 = w_0a + w_0b
+    w_0_lo1 = sum_error(w_0a, w_0b, w_0) + product_error(D_01, c_1, w_0a)
+    w_0_lo = w_0_lo1 + product_error(D_02, c_2, w_0b)
+    w_1a = D_11 * c_1
+    w_1b = D_12 * c_2
+    w_1 = w_1a + w_1b
+    w_1_lo1 = sum_error(w_1a, w_1b, w_1) + product_error(D_11, c_1, w_1a)
+    w_1_lo = w_1_lo1 + product_error(D_12, c_2, w_1b)
+    w_2a = D_21 * c_1
+    w_2b = D_22 * c_2
+    w_2 = w_2a + w_2b
+    w_2_lo1 = sum_error(w_2a, w_2b, w_2) + product_error(D_21, c_1, w_2a)
+    w_2_lo = w_2_lo1 + product_error(D_22, c_2, w_2b)
+    w_3a = D_00 * c_3
+    w_3b = D_01 * c_4
+    w_3c = w_3a + w_3b
+    w_3c_lo1 = sum_error(w_3a, w_3b, w_3c) + product_error(D_00, c_3, w_3a)
+    w_3c_lo = w_3c_lo1 + product_error(D_01, c_4, w_3b)
+    w_3d = D_02 * c_5
+    w_3 = w_3c + w_3d
+    w_3_lo1 = sum_error(w_3c, w_3d, w_3) + w_3c_lo
+    w_3_lo = w_3_lo1 + product_error(D_02, c_5, w_3d)
+    w_4a = D_10 * c_3
+    w_4b = D_11 * c_4
+    w_4c = w_4a + w_4b
+    w_4c_lo1 = sum_error(w_4a, w_4b, w_4c) + product_error(D_10, c_3, w_4a)
+    w_4c_lo = w_4c_lo1 + product_error(D_11, c_4, w_4b)
+    w_4d = D_12 * c_5
+    w_4 = w_4c + w_4d
+    w_4_lo1 = sum_error(w_4c, w_4d, w_4) + w_4c_lo
+    w_4_lo = w_4_lo1 + product_error(D_12, c_5, w_4d)
+    w_5a = D_20 * c_3
+    w_5b = D_21 * c_4
+    w_5c = w_5a + w_5b
+    w_5c_lo1 = sum_error(w_5a, w_5b, w_5c) + product_error(D_20, c_3, w_5a)
+    w_5c_lo = w_5c_lo1 + product_error(D_21, c_4, w_5b)
+    w_5d = D_22 * c_5
+    w_5 = w_5c + w_5d
+    w_5_lo1 = sum_error(w_5c, w_5d, w_5) + w_5c_lo
+    w_5_lo = w_5_lo1 + product_error(D_22, c_5, w_5d)
+    co_3a = D_13 * w_2
+    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
+    co_3b = D_23 * w_1
+    co_3c = co_3a - co_3b
+    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + co_3a_lo
+    co_3c_lo = co_3c_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_3 = co_3c + w_3
+    co_3_lo1 = sum_error(co_3c, w_3, co_3) + co_3c_lo
+    co_3_lo = co_3_lo1 + w_3_lo
+    co_4a = D_23 * w_0
+    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
+    co_4b = D_03 * w_2
+    co_4c = co_4a - co_4b
+    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + co_4a_lo
+    co_4c_lo = co_4c_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_4 = co_4c + w_4
+    co_4_lo1 = sum_error(co_4c, w_4, co_4) + co_4c_lo
+    co_4_lo = co_4_lo1 + w_4_lo
+    co_5a = D_03 * w_1
+    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
+    co_5b = D_13 * w_0
+    co_5c = co_5a - co_5b
+    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + co_5a_lo
+    co_5c_lo = co_5c_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    co_5 = co_5c + w_5
+    co_5_lo1 = sum_error(co_5c, w_5, co_5) + co_5c_lo
+    co_5_lo = co_5_lo1 + w_5_lo
+    w_0_rounded = w_0 + w_0_lo
+    w_1_rounded = w_1 + w_1_lo
+    w_2_rounded = w_2 + w_2_lo
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,4),(6)->(6)")
+def constraint_cty(D, c):
+    """co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.
+
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    27 mul, 57 add, 21 product error, 15 sum error.  Error <= u |result| + (lin: 4, ang: 27) u^2
+    S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    c_0, c_1, c_2, c_3, c_4, c_5 = c
+    w_0a = D_00 * c_0
+    w_0b = D_02 * c_2
+    w_0 = w_0a + w_0b
+    w_0_lo1 = sum_error(w_0a, w_0b, w_0) + product_error(D_00, c_0, w_0a)
+    w_0_lo = w_0_lo1 + product_error(D_02, c_2, w_0b)
+    w_1a = D_10 * c_0
+    w_1b = D_12 * c_2
+    w_1 = w_1a + w_1b
+    w_1_lo1 = sum_error(w_1a, w_1b, w_1) + product_error(D_10, c_0, w_1a)
+    w_1_lo = w_1_lo1 + product_error(D_12, c_2, w_1b)
+    w_2a = D_20 * c_0
+    w_2b = D_22 * c_2
+    w_2 = w_2a + w_2b
+    w_2_lo1 = sum_error(w_2a, w_2b, w_2) + product_error(D_20, c_0, w_2a)
+    w_2_lo = w_2_lo1 + product_error(D_22, c_2, w_2b)
+    w_3a = D_00 * c_3
+    w_3b = D_01 * c_4
+    w_3c = w_3a + w_3b
+    w_3c_lo1 = sum_error(w_3a, w_3b, w_3c) + product_error(D_00, c_3, w_3a)
+    w_3c_lo = w_3c_lo1 + product_error(D_01, c_4, w_3b)
+    w_3d = D_02 * c_5
+    w_3 = w_3c + w_3d
+    w_3_lo1 = sum_error(w_3c, w_3d, w_3) + w_3c_lo
+    w_3_lo = w_3_lo1 + product_error(D_02, c_5, w_3d)
+    w_4a = D_10 * c_3
+    w_4b = D_11 * c_4
+    w_4c = w_4a + w_4b
+    w_4c_lo1 = sum_error(w_4a, w_4b, w_4c) + product_error(D_10, c_3, w_4a)
+    w_4c_lo = w_4c_lo1 + product_error(D_11, c_4, w_4b)
+    w_4d = D_12 * c_5
+    w_4 = w_4c + w_4d
+    w_4_lo1 = sum_error(w_4c, w_4d, w_4) + w_4c_lo
+    w_4_lo = w_4_lo1 + product_error(D_12, c_5, w_4d)
+    w_5a = D_20 * c_3
+    w_5b = D_21 * c_4
+    w_5c = w_5a + w_5b
+    w_5c_lo1 = sum_error(w_5a, w_5b, w_5c) + product_error(D_20, c_3, w_5a)
+    w_5c_lo = w_5c_lo1 + product_error(D_21, c_4, w_5b)
+    w_5d = D_22 * c_5
+    w_5 = w_5c + w_5d
+    w_5_lo1 = sum_error(w_5c, w_5d, w_5) + w_5c_lo
+    w_5_lo = w_5_lo1 + product_error(D_22, c_5, w_5d)
+    co_3a = D_13 * w_2
+    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
+    co_3b = D_23 * w_1
+    co_3c = co_3a - co_3b
+    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + co_3a_lo
+    co_3c_lo = co_3c_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_3 = co_3c + w_3
+    co_3_lo1 = sum_error(co_3c, w_3, co_3) + co_3c_lo
+    co_3_lo = co_3_lo1 + w_3_lo
+    co_4a = D_23 * w_0
+    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
+    co_4b = D_03 * w_2
+    co_4c = co_4a - co_4b
+    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + co_4a_lo
+    co_4c_lo = co_4c_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_4 = co_4c + w_4
+    co_4_lo1 = sum_error(co_4c, w_4, co_4) + co_4c_lo
+    co_4_lo = co_4_lo1 + w_4_lo
+    co_5a = D_03 * w_1
+    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
+    co_5b = D_13 * w_0
+    co_5c = co_5a - co_5b
+    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + co_5a_lo
+    co_5c_lo = co_5c_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    co_5 = co_5c + w_5
+    co_5_lo1 = sum_error(co_5c, w_5, co_5) + co_5c_lo
+    co_5_lo = co_5_lo1 + w_5_lo
+    w_0_rounded = w_0 + w_0_lo
+    w_1_rounded = w_1 + w_1_lo
+    w_2_rounded = w_2 + w_2_lo
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,4),(6)->(6)")
+def constraint_ctz(D, c):
+    """co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.
+
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    27 mul, 57 add, 21 product error, 15 sum error.  Error <= u |result| + (lin: 4, ang: 27) u^2
+    S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    c_0, c_1, c_2, c_3, c_4, c_5 = c
+    w_0a = D_00 * c_0
+    w_0b = D_01 * c_1
+    w_0 = w_0a + w_0b
+    w_0_lo1 = sum_error(w_0a, w_0b, w_0) + product_error(D_00, c_0, w_0a)
+    w_0_lo = w_0_lo1 + product_error(D_01, c_1, w_0b)
+    w_1a = D_10 * c_0
+    w_1b = D_11 * c_1
+    w_1 = w_1a + w_1b
+    w_1_lo1 = sum_error(w_1a, w_1b, w_1) + product_error(D_10, c_0, w_1a)
+    w_1_lo = w_1_lo1 + product_error(D_11, c_1, w_1b)
+    w_2a = D_20 * c_0
+    w_2b = D_21 * c_1
+    w_2 = w_2a + w_2b
+    w_2_lo1 = sum_error(w_2a, w_2b, w_2) + product_error(D_20, c_0, w_2a)
+    w_2_lo = w_2_lo1 + product_error(D_21, c_1, w_2b)
+    w_3a = D_00 * c_3
+    w_3b = D_01 * c_4
+    w_3c = w_3a + w_3b
+    w_3c_lo1 = sum_error(w_3a, w_3b, w_3c) + product_error(D_00, c_3, w_3a)
+    w_3c_lo = w_3c_lo1 + product_error(D_01, c_4, w_3b)
+    w_3d = D_02 * c_5
+    w_3 = w_3c + w_3d
+    w_3_lo1 = sum_error(w_3c, w_3d, w_3) + w_3c_lo
+    w_3_lo = w_3_lo1 + product_error(D_02, c_5, w_3d)
+    w_4a = D_10 * c_3
+    w_4b = D_11 * c_4
+    w_4c = w_4a + w_4b
+    w_4c_lo1 = sum_error(w_4a, w_4b, w_4c) + product_error(D_10, c_3, w_4a)
+    w_4c_lo = w_4c_lo1 + product_error(D_11, c_4, w_4b)
+    w_4d = D_12 * c_5
+    w_4 = w_4c + w_4d
+    w_4_lo1 = sum_error(w_4c, w_4d, w_4) + w_4c_lo
+    w_4_lo = w_4_lo1 + product_error(D_12, c_5, w_4d)
+    w_5a = D_20 * c_3
+    w_5b = D_21 * c_4
+    w_5c = w_5a + w_5b
+    w_5c_lo1 = sum_error(w_5a, w_5b, w_5c) + product_error(D_20, c_3, w_5a)
+    w_5c_lo = w_5c_lo1 + product_error(D_21, c_4, w_5b)
+    w_5d = D_22 * c_5
+    w_5 = w_5c + w_5d
+    w_5_lo1 = sum_error(w_5c, w_5d, w_5) + w_5c_lo
+    w_5_lo = w_5_lo1 + product_error(D_22, c_5, w_5d)
+    co_3a = D_13 * w_2
+    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
+    co_3b = D_23 * w_1
+    co_3c = co_3a - co_3b
+    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + co_3a_lo
+    co_3c_lo = co_3c_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_3 = co_3c + w_3
+    co_3_lo1 = sum_error(co_3c, w_3, co_3) + co_3c_lo
+    co_3_lo = co_3_lo1 + w_3_lo
+    co_4a = D_23 * w_0
+    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
+    co_4b = D_03 * w_2
+    co_4c = co_4a - co_4b
+    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + co_4a_lo
+    co_4c_lo = co_4c_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_4 = co_4c + w_4
+    co_4_lo1 = sum_error(co_4c, w_4, co_4) + co_4c_lo
+    co_4_lo = co_4_lo1 + w_4_lo
+    co_5a = D_03 * w_1
+    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
+    co_5b = D_13 * w_0
+    co_5c = co_5a - co_5b
+    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + co_5a_lo
+    co_5c_lo = co_5c_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    co_5 = co_5c + w_5
+    co_5_lo1 = sum_error(co_5c, w_5, co_5) + co_5c_lo
+    co_5_lo = co_5_lo1 + w_5_lo
+    w_0_rounded = w_0 + w_0_lo
+    w_1_rounded = w_1 + w_1_lo
+    w_2_rounded = w_2 + w_2_lo
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,4),(6)->(6)")
+def constraint_crx(D, c):
+    """co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.
+
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    27 mul, 57 add, 21 product error, 15 sum error.  Error <= u |result| + (lin: 10, ang: 39)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    c_0, c_1, c_2, c_3, c_4, c_5 = c
+    w_0a = D_00 * c_0
+    w_0b = D_01 * c_1
+    w_0c = w_0a + w_0b
+    w_0c_lo1 = sum_error(w_0a, w_0b, w_0c) + product_error(D_00, c_0, w_0a)
+    w_0c_lo = w_0c_lo1 + product_error(D_01, c_1, w_0b)
+    w_0d = D_02 * c_2
+    w_0 = w_0c + w_0d
+    w_0_lo1 = sum_error(w_0c, w_0d, w_0) + w_0c_lo
+    w_0_lo = w_0_lo1 + product_error(D_02, c_2, w_0d)
+    w_1a = D_10 * c_0
+    w_1b = D_11 * c_1
+    w_1c = w_1a + w_1b
+    w_1c_lo1 = sum_error(w_1a, w_1b, w_1c) + product_error(D_10, c_0, w_1a)
+    w_1c_lo = w_1c_lo1 + product_error(D_11, c_1, w_1b)
+    w_1d = D_12 * c_2
+    w_1 = w_1c + w_1d
+    w_1_lo1 = sum_error(w_1c, w_1d, w_1) + w_1c_lo
+    w_1_lo = w_1_lo1 + product_error(D_12, c_2, w_1d)
+    w_2a = D_20 * c_0
+    w_2b = D_21 * c_1
+    w_2c = w_2a + w_2b
+    w_2c_lo1 = sum_error(w_2a, w_2b, w_2c) + product_error(D_20, c_0, w_2a)
+    w_2c_lo = w_2c_lo1 + product_error(D_21, c_1, w_2b)
+    w_2d = D_22 * c_2
+    w_2 = w_2c + w_2d
+    w_2_lo1 = sum_error(w_2c, w_2d, w_2) + w_2c_lo
+    w_2_lo = w_2_lo1 + product_error(D_22, c_2, w_2d)
+    w_3a = D_01 * c_4
+    w_3b = D_02 * c_5
+    w_3 = w_3a + w_3b
+    w_3_lo1 = sum_error(w_3a, w_3b, w_3) + product_error(D_01, c_4, w_3a)
+    w_3_lo = w_3_lo1 + product_error(D_02, c_5, w_3b)
+    w_4a = D_11 * c_4
+    w_4b = D_12 * c_5
+    w_4 = w_4a + w_4b
+    w_4_lo1 = sum_error(w_4a, w_4b, w_4) + product_error(D_11, c_4, w_4a)
+    w_4_lo = w_4_lo1 + product_error(D_12, c_5, w_4b)
+    w_5a = D_21 * c_4
+    w_5b = D_22 * c_5
+    w_5 = w_5a + w_5b
+    w_5_lo1 = sum_error(w_5a, w_5b, w_5) + product_error(D_21, c_4, w_5a)
+    w_5_lo = w_5_lo1 + product_error(D_22, c_5, w_5b)
+    co_3a = D_13 * w_2
+    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
+    co_3b = D_23 * w_1
+    co_3c = co_3a - co_3b
+    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + co_3a_lo
+    co_3c_lo = co_3c_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_3 = co_3c + w_3
+    co_3_lo1 = sum_error(co_3c, w_3, co_3) + co_3c_lo
+    co_3_lo = co_3_lo1 + w_3_lo
+    co_4a = D_23 * w_0
+    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
+    co_4b = D_03 * w_2
+    co_4c = co_4a - co_4b
+    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + co_4a_lo
+    co_4c_lo = co_4c_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_4 = co_4c + w_4
+    co_4_lo1 = sum_error(co_4c, w_4, co_4) + co_4c_lo
+    co_4_lo = co_4_lo1 + w_4_lo
+    co_5a = D_03 * w_1
+    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
+    co_5b = D_13 * w_0
+    co_5c = co_5a - co_5b
+    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + co_5a_lo
+    co_5c_lo = co_5c_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    co_5 = co_5c + w_5
+    co_5_lo1 = sum_error(co_5c, w_5, co_5) + co_5c_lo
+    co_5_lo = co_5_lo1 + w_5_lo
+    w_0_rounded = w_0 + w_0_lo
+    w_1_rounded = w_1 + w_1_lo
+    w_2_rounded = w_2 + w_2_lo
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,4),(6)->(6)")
+def constraint_cry(D, c):
+    """co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.
+
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    27 mul, 57 add, 21 product error, 15 sum error.  Error <= u |result| + (lin: 10, ang: 39)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    c_0, c_1, c_2, c_3, c_4, c_5 = c
+    w_0a = D_00 * c_0
+    w_0b = D_01 * c_1
+    w_0c = w_0a + w_0b
+    w_0c_lo1 = sum_error(w_0a, w_0b, w_0c) + product_error(D_00, c_0, w_0a)
+    w_0c_lo = w_0c_lo1 + product_error(D_01, c_1, w_0b)
+    w_0d = D_02 * c_2
+    w_0 = w_0c + w_0d
+    w_0_lo1 = sum_error(w_0c, w_0d, w_0) + w_0c_lo
+    w_0_lo = w_0_lo1 + product_error(D_02, c_2, w_0d)
+    w_1a = D_10 * c_0
+    w_1b = D_11 * c_1
+    w_1c = w_1a + w_1b
+    w_1c_lo1 = sum_error(w_1a, w_1b, w_1c) + product_error(D_10, c_0, w_1a)
+    w_1c_lo = w_1c_lo1 + product_error(D_11, c_1, w_1b)
+    w_1d = D_12 * c_2
+    w_1 = w_1c + w_1d
+    w_1_lo1 = sum_error(w_1c, w_1d, w_1) + w_1c_lo
+    w_1_lo = w_1_lo1 + product_error(D_12, c_2, w_1d)
+    w_2a = D_20 * c_0
+    w_2b = D_21 * c_1
+    w_2c = w_2a + w_2b
+    w_2c_lo1 = sum_error(w_2a, w_2b, w_2c) + product_error(D_20, c_0, w_2a)
+    w_2c_lo = w_2c_lo1 + product_error(D_21, c_1, w_2b)
+    w_2d = D_22 * c_2
+    w_2 = w_2c + w_2d
+    w_2_lo1 = sum_error(w_2c, w_2d, w_2) + w_2c_lo
+    w_2_lo = w_2_lo1 + product_error(D_22, c_2, w_2d)
+    w_3a = D_00 * c_3
+    w_3b = D_02 * c_5
+    w_3 = w_3a + w_3b
+    w_3_lo1 = sum_error(w_3a, w_3b, w_3) + product_error(D_00, c_3, w_3a)
+    w_3_lo = w_3_lo1 + product_error(D_02, c_5, w_3b)
+    w_4a = D_10 * c_3
+    w_4b = D_12 * c_5
+    w_4 = w_4a + w_4b
+    w_4_lo1 = sum_error(w_4a, w_4b, w_4) + product_error(D_10, c_3, w_4a)
+    w_4_lo = w_4_lo1 + product_error(D_12, c_5, w_4b)
+    w_5a = D_20 * c_3
+    w_5b = D_22 * c_5
+    w_5 = w_5a + w_5b
+    w_5_lo1 = sum_error(w_5a, w_5b, w_5) + product_error(D_20, c_3, w_5a)
+    w_5_lo = w_5_lo1 + product_error(D_22, c_5, w_5b)
+    co_3a = D_13 * w_2
+    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
+    co_3b = D_23 * w_1
+    co_3c = co_3a - co_3b
+    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + co_3a_lo
+    co_3c_lo = co_3c_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_3 = co_3c + w_3
+    co_3_lo1 = sum_error(co_3c, w_3, co_3) + co_3c_lo
+    co_3_lo = co_3_lo1 + w_3_lo
+    co_4a = D_23 * w_0
+    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
+    co_4b = D_03 * w_2
+    co_4c = co_4a - co_4b
+    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + co_4a_lo
+    co_4c_lo = co_4c_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_4 = co_4c + w_4
+    co_4_lo1 = sum_error(co_4c, w_4, co_4) + co_4c_lo
+    co_4_lo = co_4_lo1 + w_4_lo
+    co_5a = D_03 * w_1
+    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
+    co_5b = D_13 * w_0
+    co_5c = co_5a - co_5b
+    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + co_5a_lo
+    co_5c_lo = co_5c_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    co_5 = co_5c + w_5
+    co_5_lo1 = sum_error(co_5c, w_5, co_5) + co_5c_lo
+    co_5_lo = co_5_lo1 + w_5_lo
+    w_0_rounded = w_0 + w_0_lo
+    w_1_rounded = w_1 + w_1_lo
+    w_2_rounded = w_2 + w_2_lo
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,4),(6)->(6)")
+def constraint_crz(D, c):
+    """co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.
+
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    27 mul, 57 add, 21 product error, 15 sum error.  Error <= u |result| + (lin: 10, ang: 39)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    c_0, c_1, c_2, c_3, c_4, c_5 = c
+    w_0a = D_00 * c_0
+    w_0b = D_01 * c_1
+    w_0c = w_0a + w_0b
+    w_0c_lo1 = sum_error(w_0a, w_0b, w_0c) + product_error(D_00, c_0, w_0a)
+    w_0c_lo = w_0c_lo1 + product_error(D_01, c_1, w_0b)
+    w_0d = D_02 * c_2
+    w_0 = w_0c + w_0d
+    w_0_lo1 = sum_error(w_0c, w_0d, w_0) + w_0c_lo
+    w_0_lo = w_0_lo1 + product_error(D_02, c_2, w_0d)
+    w_1a = D_10 * c_0
+    w_1b = D_11 * c_1
+    w_1c = w_1a + w_1b
+    w_1c_lo1 = sum_error(w_1a, w_1b, w_1c) + product_error(D_10, c_0, w_1a)
+    w_1c_lo = w_1c_lo1 + product_error(D_11, c_1, w_1b)
+    w_1d = D_12 * c_2
+    w_1 = w_1c + w_1d
+    w_1_lo1 = sum_error(w_1c, w_1d, w_1) + w_1c_lo
+    w_1_lo = w_1_lo1 + product_error(D_12, c_2, w_1d)
+    w_2a = D_20 * c_0
+    w_2b = D_21 * c_1
+    w_2c = w_2a + w_2b
+    w_2c_lo1 = sum_error(w_2a, w_2b, w_2c) + product_error(D_20, c_0, w_2a)
+    w_2c_lo = w_2c_lo1 + product_error(D_21, c_1, w_2b)
+    w_2d = D_22 * c_2
+    w_2 = w_2c + w_2d
+    w_2_lo1 = sum_error(w_2c, w_2d, w_2) + w_2c_lo
+    w_2_lo = w_2_lo1 + product_error(D_22, c_2, w_2d)
+    w_3a = D_00 * c_3
+    w_3b = D_01 * c_4
+    w_3 = w_3a + w_3b
+    w_3_lo1 = sum_error(w_3a, w_3b, w_3) + product_error(D_00, c_3, w_3a)
+    w_3_lo = w_3_lo1 + product_error(D_01, c_4, w_3b)
+    w_4a = D_10 * c_3
+    w_4b = D_11 * c_4
+    w_4 = w_4a + w_4b
+    w_4_lo1 = sum_error(w_4a, w_4b, w_4) + product_error(D_10, c_3, w_4a)
+    w_4_lo = w_4_lo1 + product_error(D_11, c_4, w_4b)
+    w_5a = D_20 * c_3
+    w_5b = D_21 * c_4
+    w_5 = w_5a + w_5b
+    w_5_lo1 = sum_error(w_5a, w_5b, w_5) + product_error(D_20, c_3, w_5a)
+    w_5_lo = w_5_lo1 + product_error(D_21, c_4, w_5b)
+    co_3a = D_13 * w_2
+    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
+    co_3b = D_23 * w_1
+    co_3c = co_3a - co_3b
+    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + co_3a_lo
+    co_3c_lo = co_3c_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_3 = co_3c + w_3
+    co_3_lo1 = sum_error(co_3c, w_3, co_3) + co_3c_lo
+    co_3_lo = co_3_lo1 + w_3_lo
+    co_4a = D_23 * w_0
+    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
+    co_4b = D_03 * w_2
+    co_4c = co_4a - co_4b
+    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + co_4a_lo
+    co_4c_lo = co_4c_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_4 = co_4c + w_4
+    co_4_lo1 = sum_error(co_4c, w_4, co_4) + co_4c_lo
+    co_4_lo = co_4_lo1 + w_4_lo
+    co_5a = D_03 * w_1
+    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
+    co_5b = D_13 * w_0
+    co_5c = co_5a - co_5b
+    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + co_5a_lo
+    co_5c_lo = co_5c_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    co_5 = co_5c + w_5
+    co_5_lo1 = sum_error(co_5c, w_5, co_5) + co_5c_lo
+    co_5_lo = co_5_lo1 + w_5_lo
+    w_0_rounded = w_0 + w_0_lo
+    w_1_rounded = w_1 + w_1_lo
+    w_2_rounded = w_2 + w_2_lo
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,4),(6)->(6)")
+def working_ctx(D, c):
+    """co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.
+
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    15 mul, 21 add, 9 product error, 3 sum error.  Error <= u |result| + (lin: 0, ang: 9) u^2 S,
+    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    c_0, c_1, c_2, c_3, c_4, c_5 = c
+    w_0 = D_00 * c_0
+    w_0_lo = product_error(D_00, c_0, w_0)
+    w_1 = D_10 * c_0
+    w_1_lo = product_error(D_10, c_0, w_1)
+    w_2 = D_20 * c_0
+    w_2_lo = product_error(D_20, c_0, w_2)
+    co_3a = D_13 * w_2
+    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
+    co_3b = D_23 * w_1
+    co_3 = co_3a - co_3b
+    co_3_lo1 = difference_error(co_3a, co_3b, co_3) + co_3a_lo
+    co_3_lo = co_3_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_4a = D_23 * w_0
+    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
+    co_4b = D_03 * w_2
+    co_4 = co_4a - co_4b
+    co_4_lo1 = difference_error(co_4a, co_4b, co_4) + co_4a_lo
+    co_4_lo = co_4_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_5a = D_03 * w_1
+    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
+    co_5b = D_13 * w_0
+    co_5 = co_5a - co_5b
+    co_5_lo1 = difference_error(co_5a, co_5b, co_5) + co_5a_lo
+    co_5_lo = co_5_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    w_0_rounded = w_0 + w_0_lo
+    w_1_rounded = w_1 + w_1_lo
+    w_2_rounded = w_2 + w_2_lo
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,4),(6)->(6)")
+def working_cty(D, c):
+    """co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.
+
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    15 mul, 21 add, 9 product error, 3 sum error.  Error <= u |result| + (lin: 0, ang: 9) u^2 S,
+    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    c_0, c_1, c_2, c_3, c_4, c_5 = c
+    w_0 = D_01 * c_1
+    w_0_lo = product_error(D_01, c_1, w_0)
+    w_1 = D_11 * c_1
+    w_1_lo = product_error(D_11, c_1, w_1)
+    w_2 = D_21 * c_1
+    w_2_lo = product_error(D_21, c_1, w_2)
+    co_3a = D_13 * w_2
+    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
+    co_3b = D_23 * w_1
+    co_3 = co_3a - co_3b
+    co_3_lo1 = difference_error(co_3a, co_3b, co_3) + co_3a_lo
+    co_3_lo = co_3_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_4a = D_23 * w_0
+    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
+    co_4b = D_03 * w_2
+    co_4 = co_4a - co_4b
+    co_4_lo1 = difference_error(co_4a, co_4b, co_4) + co_4a_lo
+    co_4_lo = co_4_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_5a = D_03 * w_1
+    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
+    co_5b = D_13 * w_0
+    co_5 = co_5a - co_5b
+    co_5_lo1 = difference_error(co_5a, co_5b, co_5) + co_5a_lo
+    co_5_lo = co_5_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    w_0_rounded = w_0 + w_0_lo
+    w_1_rounded = w_1 + w_1_lo
+    w_2_rounded = w_2 + w_2_lo
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,4),(6)->(6)")
+def working_ctz(D, c):
+    """co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.
+
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    15 mul, 21 add, 9 product error, 3 sum error.  Error <= u |result| + (lin: 0, ang: 9) u^2 S,
+    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    c_0, c_1, c_2, c_3, c_4, c_5 = c
+    w_0 = D_02 * c_2
+    w_0_lo = product_error(D_02, c_2, w_0)
+    w_1 = D_12 * c_2
+    w_1_lo = product_error(D_12, c_2, w_1)
+    w_2 = D_22 * c_2
+    w_2_lo = product_error(D_22, c_2, w_2)
+    co_3a = D_13 * w_2
+    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
+    co_3b = D_23 * w_1
+    co_3 = co_3a - co_3b
+    co_3_lo1 = difference_error(co_3a, co_3b, co_3) + co_3a_lo
+    co_3_lo = co_3_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_4a = D_23 * w_0
+    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
+    co_4b = D_03 * w_2
+    co_4 = co_4a - co_4b
+    co_4_lo1 = difference_error(co_4a, co_4b, co_4) + co_4a_lo
+    co_4_lo = co_4_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_5a = D_03 * w_1
+    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
+    co_5b = D_13 * w_0
+    co_5 = co_5a - co_5b
+    co_5_lo1 = difference_error(co_5a, co_5b, co_5) + co_5a_lo
+    co_5_lo = co_5_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    w_0_rounded = w_0 + w_0_lo
+    w_1_rounded = w_1 + w_1_lo
+    w_2_rounded = w_2 + w_2_lo
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(3,4),(6)->(6)")
+def working_crx(D, c):
+    """co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D.
+
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    c_0, c_1, c_2, c_3, c_4, c_5 = c
+    w_3 = D_00 * c_3
+    w_4 = D_10 * c_3
+    w_5 = D_20 * c_3
+    w_3_rounded = w_3 + product_error(D_00, c_3, w_3)
+    w_4_rounded = w_4 + product_error(D_10, c_3, w_4)
+    w_5_rounded = w_5 + product_error(D_20, c_3, w_5)
+    return (0, 0, 0, w_3_rounded, w_4_rounded, w_5_rounded)
+
+
+@kernel("(3,4),(6)->(6)")
+def working_cry(D, c):
+    """co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D.
+
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    c_0, c_1, c_2, c_3, c_4, c_5 = c
+    w_3 = D_01 * c_4
+    w_4 = D_11 * c_4
+    w_5 = D_21 * c_4
+    w_3_rounded = w_3 + product_error(D_01, c_4, w_3)
+    w_4_rounded = w_4 + product_error(D_11, c_4, w_4)
+    w_5_rounded = w_5 + product_error(D_21, c_4, w_5)
+    return (0, 0, 0, w_3_rounded, w_4_rounded, w_5_rounded)
+
+
+@kernel("(3,4),(6)->(6)")
+def working_crz(D, c):
+    """co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D.
+
+    (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
+    m).
+    3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    c_0, c_1, c_2, c_3, c_4, c_5 = c
+    w_3 = D_02 * c_5
+    w_4 = D_12 * c_5
+    w_5 = D_22 * c_5
+    w_3_rounded = w_3 + product_error(D_02, c_5, w_3)
+    w_4_rounded = w_4 + product_error(D_12, c_5, w_4)
+    w_5_rounded = w_5 + product_error(D_22, c_5, w_5)
+    return (0, 0, 0, w_3_rounded, w_4_rounded, w_5_rounded)

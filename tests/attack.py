@@ -1,0 +1,199 @@
+"""Attacks the proven error bounds with exact rational arithmetic.
+
+`python -m tests.attack [--rows N] [--operation NAME …]` prints, for every operation, precision and
+tier, how close the worst error found comes to the bound; the tests run a small sample of the same.
+
+Truth is the operation's formula, expanded by SymPy and evaluated in exact rationals.  Attacked are
+the NumPy twins (whose bits the C kernels share) and, for the fused tier, compiled C.
+"""
+
+import functools
+import math
+import random
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import sympy as sp
+from gmpy2 import mpq
+
+from coscrew_codegen.bounds import Bound, bounds_of
+from coscrew_codegen.layout import program_of
+from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.program import Program
+from coscrew_codegen.targets.precision import Precision
+from coscrew_codegen.tiers.table import TIERS, has_tiers
+
+Arrays = tuple[np.ndarray, ...]
+Implementation = Callable[[Operation, Precision, Arrays], Arrays]
+
+UNIT = {"double": mpq(1, 2**53), "single": mpq(1, 2**24)}
+CONDITION = {"double": mpq(9 * 10**14), "single": mpq(16 * 10**6)}
+TIER_NAMES = ("plain", *(tier.name for tier in TIERS))
+
+
+@functools.cache
+def plain_program(operation: Operation) -> Program:
+    """The operation's plain program."""
+    return program_of(operation)
+
+
+TIERED = tuple(op for op in OPERATIONS if has_tiers(plain_program(op)))
+
+
+@functools.cache
+def bounds(operation: Operation, precision: Precision, tier: str) -> tuple[Bound, ...]:
+    """The emitted bounds of the operation's results."""
+    program = plain_program(operation)
+    if tier != "plain":
+        program = getattr(next(t for t in TIERS if t.name == tier), precision.name)(program)
+    return bounds_of(program)
+
+
+@functools.cache
+def exact_functions(operation: Operation) -> tuple[tuple[Callable, Callable], ...]:
+    """(x, S) of each result as functions of all input components, from the formula's terms."""
+    symbols = [symbol for a in operation.inputs for symbol in a.symbols]
+
+    def pair(expression: sp.Expr) -> tuple[Callable, Callable]:
+        expanded = sp.expand(expression)
+        terms = [term.as_coeff_Mul() for term in sp.Add.make_args(expanded)]
+        absolute = sp.Add(*(abs(coefficient) * rest for coefficient, rest in terms))
+        return (sp.lambdify(symbols, expanded, "math"), sp.lambdify(symbols, absolute, "math"))
+
+    return tuple(map(pair, operation.truth()))
+
+
+def rows(operation: Operation, precision: Precision, count: int, seed: int) -> Arrays:
+    """Inputs: ordinary, of very different sizes, and such that one result nearly cancels."""
+    numbers = np.random.default_rng([seed, len(operation.name), precision.bytes])
+    size = sum(a.quantity.size for a in operation.inputs)
+    real = np.dtype(precision.numpy_type).type
+    spread = 40 if precision.name == "double" else 8
+    flat = numbers.normal(size=(count, size))
+    flat[count // 3:] *= np.exp2(numbers.uniform(-spread, spread, size=(count - count // 3, size)))
+    flat = flat.astype(real)
+    chooser = random.Random(seed)
+    for row in flat[2 * count // 3:]:
+        _cancel(operation, row, chooser)
+    edges = np.cumsum([a.quantity.size for a in operation.inputs])[:-1]
+    return tuple(part.reshape(count, *a.quantity.shape) for part, a in
+                 zip(np.split(flat, edges, axis=1), operation.inputs, strict=True))
+
+
+def _cancel(operation: Operation, row: np.ndarray, chooser: random.Random) -> None:
+    """Change one input so that one result, linear in it, nearly vanishes: to the input's last bit
+    or so, or to any part of that."""
+    exact, _ = chooser.choice(exact_functions(operation))
+    values = [mpq(float(x)) for x in row]
+    for place in chooser.sample(range(len(values)), len(values)):
+        at = {t: exact(*values[:place], mpq(t), *values[place + 1:]) for t in (0, 1, 2)}
+        slope = at[1] - at[0]
+        if slope and at[2] - at[1] == slope:
+            root = -at[0] / slope
+            if root and abs(root) < 2**60 and abs(root) > mpq(1, 2**60):
+                row[place] = float(root * (1 + mpq(1, 2**chooser.randrange(1, 64))))
+                return
+
+
+@dataclass
+class Worst:
+    """The largest error found, as a multiple of its bound, with its input; and the largest in ulp
+    among results whose condition S / |x| is below the precision's CONDITION."""
+
+    ratio: float = 0.0
+    witness: tuple[str, ...] = ()
+    ulps: float = 0.0
+    ulps_witness: tuple[str, ...] = ()
+    outputs: int = 0
+
+
+def attack(operation: Operation, precision: Precision, tier: str, inputs: Arrays,
+           implementation: Implementation) -> Worst:
+    """Compare what the implementation returns with the truth, row by row."""
+    outputs = implementation(operation, precision, inputs)
+    flat_in, flat_out = (np.concatenate([a.reshape(len(inputs[0]), -1) for a in arrays], axis=1)
+                         for arrays in (inputs, outputs))
+    worst = Worst()
+    for given, got in zip(flat_in.tolist(), flat_out.tolist(), strict=True):
+        _compare(operation, precision, tier, given, got, worst)
+    return worst
+
+
+def _compare(operation: Operation, precision: Precision, tier: str, given: Sequence[float],
+             got: Sequence[float], worst: Worst) -> None:
+    u = UNIT[precision.name]
+    values = [mpq(x) for x in given]
+    magnitudes = [abs(x) for x in values]
+    for bound, (exact, absolute), result in zip(bounds(operation, precision, tier),
+                                                exact_functions(operation), got, strict=True):
+        truth = exact(*values)
+        error = abs(mpq(result) - truth)
+        worst.outputs += 1
+        if not error:
+            continue
+        terms = absolute(*magnitudes)
+        allowed = ((u * abs(mpq(result)) if bound.rounded else 0)
+                   + (mpq(bound.c1) * u + mpq(bound.c2) * u * u) * terms * (1 + 1024 * u))
+        ratio = float(error / allowed) if allowed else float("inf")
+        if ratio > worst.ratio:
+            worst.ratio, worst.witness = ratio, tuple(x.hex() for x in given)
+        if terms < CONDITION[precision.name] * abs(truth):
+            ulps = float(error / _ulp(truth, precision))
+            if ulps > worst.ulps:
+                worst.ulps, worst.ulps_witness = ulps, tuple(x.hex() for x in given)
+
+
+def _ulp(truth: mpq, precision: Precision) -> mpq:
+    """The spacing of the numbers around `truth`, of the binade it lies in."""
+    _, exponent = math.frexp(truth)
+    if abs(truth) < mpq(2)**(exponent - 1):  # the conversion to float rounded up to a power of two
+        exponent -= 1
+    return mpq(2)**exponent * UNIT[precision.name]
+
+
+def attacks(names: Sequence[str], count: int, seed: int,
+            implementations: dict[str, Implementation],
+            precisions: Sequence[Precision]) -> Iterator[tuple[Operation, Precision, str, Worst]]:
+    """The worst of `count` rows for every operation named, precision and tier."""
+    for operation in TIERED:
+        if names and operation.name not in names:
+            continue
+        for precision in precisions:
+            inputs = rows(operation, precision, count, seed)
+            for tier, implementation in implementations.items():
+                yield operation, precision, tier, attack(operation, precision, tier, inputs,
+                                                         implementation)
+
+
+def main() -> None:
+    """Print the table."""
+    import argparse
+    import tempfile
+    from pathlib import Path
+
+    from tabulate import tabulate
+    from tqdm import tqdm
+
+    from coscrew_codegen.targets.precision import PRECISIONS
+    from tests.implementations import implementations
+
+    parser = argparse.ArgumentParser(description="Attack the proven error bounds.")
+    parser.add_argument("--rows", type=int, default=20000, help="inputs per operation")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--operation", nargs="*", default=[], help="only these")
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        found = attacks(options.operation, options.rows, options.seed,
+                        implementations(Path(folder)), PRECISIONS)
+        lines = [(operation.name, precision.name, tier, worst.outputs, worst.ratio, worst.ulps)
+                 for operation, precision, tier, worst in
+                 tqdm(found, total=6 * len(options.operation or TIERED), disable=None)]
+    print(tabulate(lines, ("operation", "precision", "tier", "outputs", "error / bound",
+                           "ulps, well conditioned"), floatfmt=".3f"))
+    violations = sum(line[4] > 1 for line in lines)
+    print(f"{sum(line[3] for line in lines)} outputs, {violations} violations")
+
+
+if __name__ == "__main__":
+    main()
