@@ -50,12 +50,12 @@ class _Series:
 
 
 def bounds_of(program: Program) -> tuple[Bound, ...] | None:
-    """One bound per result component; None where the program is not polynomial."""
+    """One bound per result component; None where the program is not polynomial in exact constants."""
     values: dict[str, _Series] = {}
     for number, step in enumerate(program.instructions):
-        operands = [_value(x, values) for x in step.operands]
-        if step.op not in _RULES:
+        if step.op not in _RULES or any(map(_is_rounded_constant, step.operands)):
             return None
+        operands = [_value(x, values) for x in step.operands]
         values[step.name] = _RULES[step.op](operands, number)
     found = [(_value(result, values), _last_rounding(result, program))
              for result in program.results]
@@ -140,6 +140,12 @@ def _value(operand: Operand, values: Mapping[str, _Series]) -> _Series:
     if isinstance(operand, Constant):
         return _Series({(): {(): operand.double}} if operand.double else {})
     return values[operand.name]
+
+
+def _is_rounded_constant(operand: Operand) -> bool:
+    """Whether a constant is no binary fraction, so that it is itself rounded."""
+    denominator = operand.double.denominator if isinstance(operand, Constant) else 1
+    return bool(denominator & (denominator - 1))
 
 
 def _combined(*scaled: tuple[int, _Series]) -> _Series:

@@ -52,8 +52,11 @@ def kernel_of(operation: Operation) -> Kernel:
         values = operation.formula(*arguments)
     else:
         values = operation.derivation(let, *arguments)
-    return Kernel(operation.name, operation.inputs, tuple(bindings), operation.outputs,
-                  components(values))
+    found, wanted = components(values), sum(a.quantity.size for a in operation.outputs)
+    if len(found) != wanted:
+        raise ValueError(f"{operation.name}: its formula has {len(found)} components, its outputs "
+                         f"{wanted}")
+    return Kernel(operation.name, operation.inputs, tuple(bindings), operation.outputs, found)
 
 
 def expanded(kernel: Kernel) -> tuple[sp.Expr, ...]:

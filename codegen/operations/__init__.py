@@ -8,6 +8,10 @@ _MODULES = (vec3, mat3x3, SE3, mat6x6, matrix, trig, screw, coscrew)
 FAMILIES: tuple[str, ...] = tuple(module.FAMILY for module in _MODULES)
 OPERATIONS: tuple[Operation, ...] = tuple(op for module in _MODULES for op in module.OPERATIONS)
 
+_names = [op.name for op in OPERATIONS]
+if len(set(_names)) < len(_names):
+    raise ValueError(f"operations named twice: {sorted({n for n in _names if _names.count(n) > 1})}")
+
 
 def family_title(family: str) -> str:
     """The first line of the family's documentation."""

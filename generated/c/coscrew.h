@@ -21,7 +21,7 @@
 #include <math.h>
 #include <string.h>
 
-#if defined(__FAST_MATH__) && !defined(KSL_ALLOW_FAST_MATH)
+#if (defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)) && !defined(KSL_ALLOW_FAST_MATH)
 #error "-ffast-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
 #endif
 

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from coscrew import c, double, single
 
-_PROVENANCE = "8dbce7bdfbdcb5df"
+_PROVENANCE = "7f04977c22466d01"
 
 
 def _is_compiled() -> bool:

@@ -58,8 +58,8 @@ single_kernel = functools.partial(_kernel, dtype=np.float32)
 wide_kernel = functools.partial(_kernel, dtype=np.float32, working=np.float64)
 
 
-def dispatch(*kernels: Callable) -> Callable:
-    """The first kernel, except that arguments of float32 alone go to the second."""
+def dispatch(module: str, *kernels: Callable) -> Callable:
+    """The first kernel, except that arguments of float32 alone go to the second; for `module`."""
     wide, narrow = kernels[0], kernels[-1]
 
     @functools.wraps(wide)
@@ -67,4 +67,5 @@ def dispatch(*kernels: Callable) -> Callable:
         kinds = {np.asarray(v).dtype.type for v in values if type(v) not in (int, float)}
         return (narrow if kinds == {np.float32} else wide)(*values, out=out)
 
+    on_any.__module__ = module  # where pickle finds it
     return on_any
