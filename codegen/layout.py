@@ -127,7 +127,7 @@ def _tier_headers(selection: Selection, programs: Programs, tier: Tier) -> dict[
     headers = exact if tier.header == "ksl_exact" else {}
     for family in selection.families:
         functions = [
-            c.function(op, getattr(tier, precision.name)(programs[op.name]), precision, tier.name)
+            c.function(op, tier.program(programs[op.name], precision.name), precision, tier.name)
             for precision in selection.precisions for op in selection.operations
             if op.family == family and has_tiers(programs[op.name])]
         if functions:
@@ -254,8 +254,8 @@ def _twin_modules(selection: Selection, operations: tuple[Operation, ...], progr
 
 def _twins(selection: Selection, operations: list[Operation], programs: Programs,
            precision: Precision, tier: Tier | None) -> str:
-    transformed = getattr(tier, precision.name) if tier else lambda program: program
-    chosen = [transformed(programs[op.name]) for op in operations]
+    plain = [programs[op.name] for op in operations]
+    chosen = [tier.program(p, precision.name) for p in plain] if tier else plain
     functions = [numpy.function(op, program, precision)
                  for op, program in zip(operations, chosen, strict=True)]
     return render("python/family.py", banner=selection.banner,

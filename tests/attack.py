@@ -46,7 +46,7 @@ def bounds(operation: Operation, precision: Precision, tier: str) -> tuple[Bound
     """The emitted bounds of the operation's results."""
     program = plain_program(operation)
     if tier != "plain":
-        program = getattr(next(t for t in TIERS if t.name == tier), precision.name)(program)
+        program = next(t for t in TIERS if t.name == tier).program(program, precision.name)
     return bounds_of(program)
 
 

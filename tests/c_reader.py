@@ -218,7 +218,7 @@ class Header:
             case c_ast.Cast(expr=c_ast.ID()):
                 pass  # (void)unused;
             case _:
-                raise NotImplementedError(f"statement {node}")
+                raise TypeError(f"this reader knows no such C statement: {node}")
         return None
 
     def _value(self, node: c_ast.Node, scope: dict[str, Value]) -> Value:
@@ -264,7 +264,7 @@ class Header:
             case c_ast.ArrayRef():
                 index = self._value(node.subscript, scope)
                 return self._place(node.name, scope).element(index)
-        raise NotImplementedError(f"expression {node}")
+        raise TypeError(f"this reader knows no such C expression: {node}")
 
 
 def _layout(node: c_ast.Node, types: dict[str, Type]) -> Type:

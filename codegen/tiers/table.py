@@ -12,13 +12,17 @@ _POLYNOMIAL = {Op.ADD, Op.SUB, Op.MUL, Op.NEG}
 
 @dataclass(frozen=True)
 class Tier:
-    """A tier's name, and its program in double and in single precision."""
+    """A tier behind plain: its name, its words, and what it does in each precision."""
 
     name: str
     title: str
     header: str  # what its C functions need
     double: Callable[[Program], Program]
     single: Callable[[Program], Program]
+
+    def program(self, plain: Program, precision: str) -> Program:
+        """What the tier makes of a plain program, in "double" or "single" precision."""
+        return {"double": self.double, "single": self.single}[precision](plain)
 
 
 def widened(program: Program) -> Program:
