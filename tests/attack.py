@@ -29,7 +29,6 @@ Implementation = Callable[[Operation, Precision, Arrays], Arrays]
 
 UNIT = {"double": mpq(1, 2**53), "single": mpq(1, 2**24)}
 CONDITION = {"double": mpq(9 * 10**14), "single": mpq(16 * 10**6)}
-TIER_NAMES = ("plain", *(tier.name for tier in TIERS))
 
 
 @functools.cache

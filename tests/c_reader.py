@@ -24,7 +24,7 @@ _BINARY = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operato
            "<": operator.lt, ">=": operator.ge, "==": sp.Eq, "&&": sp.And}
 _FUNCTION = re.compile(r"^\w[^;{}]*?\b(ksl_\w+)\([^;{}]*\) \{\n.*?^\}\n",
                        re.MULTILINE | re.DOTALL)
-_SIGNS = re.compile(r"(?<=\s)[+-](?=\s)")
+_SIGNS = re.compile(r"(?<=\s)[+-](?=\s)|(?<=[=,(] )-(?=[\w(])|(?<=[(])-(?=[\w(])")
 
 
 @dataclass(frozen=True)
@@ -134,9 +134,10 @@ def _clean(text: str) -> str:
 
 
 def sign_flips(text: str) -> Iterator[str]:
-    """The text with one of its binary + and - turned into the other, for each of them."""
+    """The text with one binary + or - turned into the other, or one unary - gone; for each."""
     for match in _SIGNS.finditer(text):
-        flipped = "-" if match[0] == "+" else "+"
+        binary = text[match.end()].isspace()
+        flipped = {"+": "-", "-": "+"}[match[0]] if binary else ""
         yield text[:match.start()] + flipped + text[match.end():]
 
 

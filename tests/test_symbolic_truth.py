@@ -128,11 +128,12 @@ with_sums = pytest.mark.parametrize("operation", [
 
 
 @with_sums
-def test_c_comparison_notices_any_flipped_sign(operation):
-    name = c_name(operation.name, DOUBLE)
+@each_precision
+def test_c_comparison_notices_any_flipped_sign(operation, precision):
+    name = c_name(operation.name, precision)
     for text in sign_flips(header().texts[name]):
         wrong = header().with_text(name, text)
-        assert difference(run_c(wrong, operation, DOUBLE), operation) is not None
+        assert difference(run_c(wrong, operation, precision), operation) is not None
 
 
 @pytest.mark.parametrize("wrong", [("1e-06f", "1e-06"), ("fabsf(", "fabs("), ("float", "double")])
@@ -273,9 +274,11 @@ def test_python_kernel_is_its_truth(operation, precision):
 
 
 @with_sums
-def test_python_comparison_notices_any_flipped_sign(operation):
-    function = twin(operation, DOUBLE)
-    source = inspect.getsource(getattr(coscrew.double, operation.name).__wrapped__)
+@each_precision
+def test_python_comparison_notices_any_flipped_sign(operation, precision):
+    function = twin(operation, precision)
+    module = getattr(coscrew, precision.name)
+    source = inspect.getsource(getattr(module, operation.name).__wrapped__)
     tree = ast.parse(textwrap.dedent(source)).body[0]
     tree.decorator_list, tree.body = [], tree.body[1:]  # without its docstring
     flipped = list(sign_flips(ast.unparse(tree)))
@@ -283,7 +286,7 @@ def test_python_comparison_notices_any_flipped_sign(operation):
     for text in flipped:
         scope = dict(function.__globals__)
         exec(text, scope)
-        found = run_python(scope[operation.name], operation, DOUBLE)
+        found = run_python(scope[operation.name], operation, precision)
         assert difference(found, operation) is not None
 
 
