@@ -1,6 +1,7 @@
 """Run all benchmarks: `python -m tests.benchmarks`."""
 
-from tests.benchmarks import gufuncs, header_kernels
+from tests.benchmarks import gufuncs, header_kernels, tiers
 
 header_kernels.main()
 gufuncs.main()
+tiers.main()
