@@ -91,8 +91,11 @@ def _headers(selection: Selection, programs: Programs) -> dict[str, str]:
             guard=f"KSL_{family.upper()}_H", functions=functions,
             includes=("ksl_types", *_included(family, families)),
             allocations=[function for function in allocations if function])
+    headers["ksl_selfcheck"] = render(
+        "c/ksl_selfcheck.h", banner=selection.banner,
+        precisions=list(map(c_storage.selfcheck_numbers, selection.precisions)))
     headers["ksl"] = render(
-        "c/ksl.h", banner=selection.banner, includes=families, guard="KSL_H",
+        "c/ksl.h", banner=selection.banner, includes=(*families, "ksl_selfcheck"), guard="KSL_H",
         title="Everything: vectors, rotations, displacements, screws and coscrews.")
     return headers
 
@@ -197,10 +200,13 @@ def _package(selection: Selection, programs: Programs, extension: bool,
     aliases = [(alias, name) for alias, name in _ALIASES if name in names]
     shared = {"banner": selection.banner, "names": names, "aliases": aliases,
               "precisions": [precision.name for precision in selection.precisions],
-              "extension": extension, "provenance": provenance}
+              "extension": extension, "provenance": provenance,
+              "selfcheck": "coscrew" in selection.families}
 
     package = {name: render(f"python/{name}", **shared)
                for name in ("__init__.py", "_dispatch.py", "_arrays.py", "_kernel.py", "_exact.py")}
+    if "coscrew" in selection.families:
+        package["_selfcheck.py"] = render("python/_selfcheck.py", **shared)
     stubs = partial(_stubs, selection, selection.operations, programs, shared)
     package["__init__.pyi"] = stubs("np.floating", top=True)
     package["py.typed"] = ""

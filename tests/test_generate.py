@@ -87,7 +87,7 @@ def test_one_family_in_one_precision_and_language(tmp_path):
                  "--output", str(tmp_path)]) == 0
     made = contents(tmp_path)
     headers = ("coscrew", "coscrew_accurate", "coscrew_fused", "ksl", "ksl_accurate", "ksl_exact",
-               "ksl_fused", "ksl_types")
+               "ksl_fused", "ksl_selfcheck", "ksl_types")
     assert sorted(made) == ["c/coscrew.h", "c/coscrew_accurate.h", "c/coscrew_fused.h",
                             *(f"c/include/ksl/{name}.h" for name in headers)]
     for path, text in made.items():

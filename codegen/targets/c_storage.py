@@ -3,6 +3,9 @@
 They exist in C alone: Python has arrays.
 """
 
+from fractions import Fraction
+
+from coscrew_codegen.program import Constant
 from coscrew_codegen.quantity import (COSCREW, MAT3X3, MAT6X6, SCREW, SE3, VEC3, Quantity)
 from coscrew_codegen.targets.c import WIDTH, CFunction, comment_of, listed, member, type_name
 from coscrew_codegen.targets.precision import Precision
@@ -46,6 +49,21 @@ def views(quantity: Quantity, precision: Precision) -> list[list[str]]:
 def meaning(quantity: Quantity) -> str:
     """What the type holds, for the comment above it."""
     return _MEANING[quantity.name]
+
+
+def selfcheck_numbers(precision: Precision) -> dict[str, str]:
+    """What ksl_selfcheck reads: 1 + 2^-k and its square rounded, k half the digits; the smallest
+    normal number; the largest; one half; one; a little more than half an ulp of one."""
+    digits = {"double": 53, "single": 24}[precision.name]
+    exponent = {"double": 1022, "single": 126}[precision.name]
+    near_one = 1 + Fraction(1, 2**((digits + 1) // 2))
+    numbers = (near_one, 2 * near_one - 1, Fraction(1, 2**exponent),
+               (2 - Fraction(1, 2**(digits - 1))) * 2**(exponent + 1), Fraction(1, 2), Fraction(1),
+               Fraction(1, 2**digits) + Fraction(1, 2**(digits + digits // 2 - 1)))
+    literals = [precision.literal(Constant(n, n)) + precision.suffix for n in numbers]
+    given = listed(f"const volatile {precision.c_type} given[] = {{", literals, "};", WIDTH - 2)
+    return {"real": precision.c_type, "f": precision.suffix,
+            "given": given.replace("\n", "\n  ")}
 
 
 def storage_functions(family: str, precision: Precision) -> tuple[CFunction, ...]:

@@ -31,7 +31,8 @@ class Precision:
         """The number of this precision nearest to `value`; of two, the even one."""
         number = getattr(np, self.numpy_type)
         near = number(value.numerator / value.denominator)
-        around = [near, np.nextafter(near, number(-np.inf)), np.nextafter(near, number(np.inf))]
+        with np.errstate(over="ignore"):
+            around = [near, *(np.nextafter(near, number(x)) for x in (-np.inf, np.inf))]
         return min((x for x in around if np.isfinite(x)), key=lambda x: (
             abs(Fraction(float(x)) - value), int(x.view(f"u{self.bytes}")) & 1))
 

@@ -71,7 +71,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "7f04977c22466d01") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "2d0e0489963d60cb") < 0) {
     Py_DECREF(module);
     return NULL;
   }

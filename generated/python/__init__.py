@@ -4,18 +4,16 @@
 Operations are NumPy generalized ufuncs: they broadcast over leading axes, take `out=`, keep float32
 in float32 and compute anything else in float64.  Displacements are (…,3,4) arrays [R | t]; screws
 (v; ω) and coscrews (f; τ) are (…,6).  Without a compiled extension (`COMPILED` is False) the same
-names run in pure NumPy; `coscrew.double` and `coscrew.single` always do.
-
-Error bounds are to first order in u: 2^-53 in float64, 2^-24 in float32.
+names run in pure NumPy; `coscrew.double` and `coscrew.single` always do.  Error bounds are to
+first order in u: 2^-53 in float64, 2^-24 in float32.
 """
-
 import importlib
 import warnings
 from pathlib import Path
 
 from coscrew import c, double, single
 
-_PROVENANCE = "7f04977c22466d01"
+_PROVENANCE = "2d0e0489963d60cb"
 
 
 def _is_compiled() -> bool:
@@ -425,8 +423,9 @@ SE3 = SE3_fromRt
 screw = screw_from_lin_ang
 coscrew = coscrew_from_lin_ang
 
+from coscrew._selfcheck import selfcheck
 __all__ = [
-    "COMPILED", "get_include", "double", "single", "SE3", "screw", "coscrew",
+    "COMPILED", "get_include", "selfcheck", "double", "single", "SE3", "screw", "coscrew",
     "vec3_copy",
     "vec3_scale",
     "vec3_inverted",

@@ -6,6 +6,8 @@ from coscrew import double as double, single as single
 
 COMPILED: bool
 
+def selfcheck() -> list[str]: ...
+
 def get_include() -> str: ...
 
 def vec3_copy(vi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:

@@ -11,5 +11,6 @@
 #include "trig.h"
 #include "screw.h"
 #include "coscrew.h"
+#include "ksl_selfcheck.h"
 
 #endif
