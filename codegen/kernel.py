@@ -57,11 +57,3 @@ def kernel_of(operation: Operation) -> Kernel:
         raise ValueError(f"{operation.name}: its formula has {len(found)} components, its outputs "
                          f"{wanted}")
     return Kernel(operation.name, operation.inputs, tuple(bindings), operation.outputs, found)
-
-
-def expanded(kernel: Kernel) -> tuple[sp.Expr, ...]:
-    """The outputs as functions of the inputs alone: every let substituted."""
-    known: dict[sp.Symbol, sp.Expr] = {}
-    for binding in kernel.bindings:
-        known[binding.symbol] = binding.expression.xreplace(known)
-    return tuple(value.xreplace(known) for value in kernel.values)

@@ -207,7 +207,7 @@ def _package(selection: Selection, programs: Programs, extension: bool,
                for name in ("__init__.py", "_dispatch.py", "_arrays.py", "_kernel.py", "_exact.py")}
     if "coscrew" in selection.families:
         package["_selfcheck.py"] = render("python/_selfcheck.py", **shared)
-    stubs = partial(_stubs, selection, selection.operations, programs, shared)
+    stubs = partial(_stubs, selection.operations, programs, shared)
     package["__init__.pyi"] = stubs("np.floating", top=True)
     package["py.typed"] = ""
     for precision in selection.precisions:
@@ -222,16 +222,16 @@ def _accurate_package(selection: Selection, programs: Programs,
     operations = tuple(op for op in selection.operations if has_tiers(programs[op.name]))
     shared = {**shared, "names": [op.name for op in operations], "aliases": []}
     package = {"__init__.py": render("python/accurate.py", **shared),
-               "__init__.pyi": _stubs(selection, operations, programs, shared, "np.floating")}
+               "__init__.pyi": _stubs(operations, programs, shared, "np.floating")}
     for precision in selection.precisions:
         package[f"{precision.name}/__init__.pyi"] = _stubs(
-            selection, operations, programs, shared, f"np.{precision.numpy_type}")
+            operations, programs, shared, f"np.{precision.numpy_type}")
     package |= _twin_modules(selection, operations, programs, ACCURATE)
     return {f"accurate/{name}": text for name, text in package.items()}
 
 
-def _stubs(selection: Selection, operations: tuple[Operation, ...], programs: Programs,
-           shared: dict[str, object], scalar: str, top: bool = False) -> str:
+def _stubs(operations: tuple[Operation, ...], programs: Programs, shared: dict[str, object],
+           scalar: str, top: bool = False) -> str:
     stubs = [numpy.stub(op, programs[op.name], scalar) for op in operations]
     return render("python/operations.pyi", stubs=stubs, top=top, **shared)
 

@@ -8,7 +8,6 @@ import sympy as sp
 from coscrew_codegen.quantity import Argument
 
 Value = sp.Matrix | sp.Expr
-Let = Callable[[str, Value], Value]
 
 # Below it every component counts as zero when a norm chooses between linear and angular part;
 # 1e-9 in double, 1e-6 in single precision.

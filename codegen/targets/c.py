@@ -191,7 +191,7 @@ class _Writer:
         targets = [self._access(a, i) for a in self.operation.outputs
                    for i in range(a.quantity.size)]
         pairs = list(zip(targets, results, strict=True))
-        saved = self._saved({t for t, _ in pairs}, pairs)
+        saved = self._saved(pairs)
         stores = [f"{t} = {saved.get(r, r)};" for t, r in pairs if t != r]
         before = [f"const {self.precision.c_type} {name} = {source};"
                   for source, name in saved.items()]
@@ -200,7 +200,7 @@ class _Writer:
             return [f"{kind} {self.value.name};", *before, *stores, f"return {self.value.name};"]
         return [*before, *stores]
 
-    def _saved(self, targets: set[str], pairs: list[tuple[str, str]]) -> dict[str, str]:
+    def _saved(self, pairs: list[tuple[str, str]]) -> dict[str, str]:
         """Inputs that are stored elsewhere unchanged are read before anything is written, since
         the output may be the same object: source → the local that holds it."""
         moved = [r for t, r in pairs if t != r and ("->" in r or "[" in r)]

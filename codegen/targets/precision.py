@@ -17,11 +17,10 @@ class Precision:
     suffix: str  # of C types, functions and literals
     numpy_type: str
     bytes: int
-    pick: str  # the attribute of Constant that belongs to this precision
 
     def value(self, constant: Constant) -> Fraction:
         """The constant's exact value in this precision, before rounding."""
-        return getattr(constant, self.pick)
+        return {"double": constant.double, "single": constant.single}[self.name]
 
     def literal(self, constant: Constant) -> str:
         """The shortest decimal that rounds to the constant in this precision."""
@@ -37,6 +36,6 @@ class Precision:
             abs(Fraction(float(x)) - value), int(x.view(f"u{self.bytes}")) & 1))
 
 
-DOUBLE = Precision("double", "double", "", "float64", 8, "double")
-SINGLE = Precision("single", "float", "f", "float32", 4, "single")
+DOUBLE = Precision("double", "double", "", "float64", 8)
+SINGLE = Precision("single", "float", "f", "float32", 4)
 PRECISIONS = (DOUBLE, SINGLE)
