@@ -14,7 +14,7 @@ from coscrew_codegen.selection import Selection
 from coscrew_codegen.targets import c, c_storage, gufunc, numpy
 from coscrew_codegen.targets.precision import Precision
 from coscrew_codegen.tiers.plain import plain
-from coscrew_codegen.tiers.table import ACCURATE, TIERS, Tier, has_tiers
+from coscrew_codegen.tiers.table import ACCURATE, TIERS, Tier
 
 Files = dict[str, str]  # by path in the output folder, with forward slashes
 Programs = dict[str, Program]
@@ -132,7 +132,7 @@ def _tier_headers(selection: Selection, programs: Programs, tier: Tier) -> dict[
         functions = [
             c.function(op, tier.program(programs[op.name], precision.name), precision, tier.name)
             for precision in selection.precisions for op in selection.operations
-            if op.family == family and has_tiers(programs[op.name])]
+            if op.family == family and tier.has(programs[op.name])]
         if functions:
             headers[f"{family}_{tier.name}"] = render(
                 "c/family.h", banner=selection.banner,
@@ -219,7 +219,7 @@ def _package(selection: Selection, programs: Programs, extension: bool,
 def _accurate_package(selection: Selection, programs: Programs,
                       shared: dict[str, object]) -> dict[str, str]:
     """The files of coscrew.accurate: twins in both precisions, and the choice between them."""
-    operations = tuple(op for op in selection.operations if has_tiers(programs[op.name]))
+    operations = tuple(op for op in selection.operations if ACCURATE.has(programs[op.name]))
     shared = {**shared, "names": [op.name for op in operations], "aliases": []}
     package = {"__init__.py": render("python/accurate.py", **shared),
                "__init__.pyi": _stubs(operations, programs, shared, "np.floating")}
@@ -266,6 +266,6 @@ def _twins(selection: Selection, operations: list[Operation], programs: Programs
                  for op, program in zip(operations, chosen, strict=True)]
     return render("python/family.py", banner=selection.banner,
                   title=family_title(operations[0].family), precision=precision,
-                  functions=functions, imports=numpy.imports(tuple(chosen)),
+                  functions=functions, imports=numpy.imports(tuple(chosen), precision),
                   kernel="wide_kernel" if chosen[0].wide else f"{precision.name}_kernel",
                   tier=tier.name if tier else "plain")

@@ -26,6 +26,8 @@ class Op(Enum):
     SQRT = "sqrt"
     SIN = "sin"
     COS = "cos"
+    ATAN2 = "atan2"
+    SCALE = "scale"  # a b, b a power of two: exact unless the result over- or underflows
     FMA = "fma"  # a b + c, rounded once
     FMS = "fms"  # a b - c, rounded once
     FNMA = "fnma"  # c - a b, rounded once
@@ -105,10 +107,10 @@ def counts_in_words(program: Program) -> str:
     """'24 mul, 18 add': operations by kind, a subtraction counted as an addition."""
     counts = Counter(program.counts)
     counts[Op.ADD] += counts.pop(Op.SUB, 0)
+    counts[Op.MUL] += counts.pop(Op.SCALE, 0)
     counts[Op.FMA] += counts.pop(Op.FMS, 0) + counts.pop(Op.FNMA, 0)
     counts[Op.SUM_ERROR] += counts.pop(Op.DIFFERENCE_ERROR, 0)
     order = (Op.MUL, Op.ADD, Op.FMA, Op.PRODUCT_ERROR, Op.SUM_ERROR, Op.DIV, Op.SQRT, Op.SIN,
-             Op.COS, Op.NEG, Op.ABS, Op.LESS, Op.EQUAL,
-             Op.SELECT)
+             Op.COS, Op.ATAN2, Op.NEG, Op.ABS, Op.LESS, Op.EQUAL, Op.SELECT)
     words = [f"{counts[op]} {op.value}" for op in order if counts[op]]
     return ", ".join(words) if words else "no arithmetic"

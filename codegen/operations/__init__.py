@@ -1,7 +1,8 @@
 """The table of operations, family by family.  Everything else iterates over it."""
 
 from coscrew_codegen.operations import SE3, coscrew, mat3x3, mat6x6, matrix, screw, trig, vec3
-from coscrew_codegen.operations.operation import NORM_THRESHOLD, Operation, components
+from coscrew_codegen.operations.operation import (NORM_THRESHOLD, PER_PRECISION, Operation,
+                                                  components, scaled)
 
 _MODULES = (vec3, mat3x3, SE3, mat6x6, matrix, trig, screw, coscrew)
 
@@ -19,5 +20,5 @@ def family_title(family: str) -> str:
     return module.__doc__.splitlines()[0]
 
 
-__all__ = ["FAMILIES", "NORM_THRESHOLD", "OPERATIONS", "Operation", "components",
-           "family_title"]
+__all__ = ["FAMILIES", "NORM_THRESHOLD", "OPERATIONS", "PER_PRECISION", "Operation", "components",
+           "family_title", "scaled"]

@@ -1,11 +1,18 @@
-"""Norms and divisions by them, shared by vectors, screws and coscrews."""
+"""Norms and divisions by them, safe over the whole range of exponents.
+
+Numbers whose squares could over- or underflow are first multiplied by a power of two, which rounds
+nothing; so a norm overflows only where it is itself too large, and loses digits only where it is
+itself subnormal.
+"""
+
+from collections.abc import Callable, Sequence
 
 import sympy as sp
 
-from coscrew_codegen.operations.operation import NORM_THRESHOLD
+from coscrew_codegen.operations.operation import (ENLARGING, LARGE, NORM_THRESHOLD, REDUCING, SMALL,
+                                                  scaled)
 
-
-SQUARES = "squares must neither over- nor underflow"
+Let = Callable[[str, sp.Expr | sp.Matrix], sp.Expr | sp.Matrix]
 
 
 def l2(x: sp.Matrix) -> sp.Expr:
@@ -15,8 +22,18 @@ def l2(x: sp.Matrix) -> sp.Expr:
 
 def leading_part(first: sp.Matrix, second: sp.Matrix) -> sp.Piecewise:
     """second·second where every |component of first| < threshold, else first·first."""
-    small = sp.And(*(sp.Abs(x) < NORM_THRESHOLD for x in first))
-    return sp.Piecewise((second.dot(second), small), (first.dot(first), True))
+    return sp.Piecewise((second.dot(second), _small(first)), (first.dot(first), True))
+
+
+def chosen_part(let: Let, first: sp.Matrix, second: sp.Matrix) -> sp.Matrix:
+    """second where every |component of first| < threshold, else first."""
+    small = sp.Eq(let("small", sp.Piecewise((1, _small(first)), (0, True))), 1)
+    return let("p", sp.Matrix([sp.Piecewise((b, small), (a, True))
+                               for a, b in zip(first, second, strict=True)]))
+
+
+def _small(first: sp.Matrix) -> sp.Basic:
+    return sp.And(*(sp.Abs(x) < NORM_THRESHOLD for x in first))
 
 
 def nonzero(n: sp.Expr) -> sp.Piecewise:
@@ -27,3 +44,38 @@ def nonzero(n: sp.Expr) -> sp.Piecewise:
 def divided(x: sp.Matrix, n: sp.Expr) -> sp.Matrix:
     """x / n, component by component."""
     return x.applyfunc(lambda component: component / n)
+
+
+def power_of_two(let: Let, name: str, x: Sequence[sp.Expr]) -> sp.Expr:
+    """A power of two s such that the squares of s x, and their sum, neither over- nor underflow."""
+    largest, *sizes = let(f"{name}_size", sp.Matrix(x).applyfunc(sp.Abs))
+    for number, size in enumerate(sizes, start=1):
+        largest = let(f"{name}_largest{number}",
+                      sp.Piecewise((size, largest < size), (largest, True)))
+    return let(name, sp.Piecewise((ENLARGING, largest < SMALL), (REDUCING, LARGE < largest),
+                                  (sp.Integer(1), True)))
+
+
+def inverse_power(let: Let, name: str, s: sp.Expr) -> sp.Expr:
+    """1 / s of the power of two s."""
+    return let(name, sp.Piecewise((1 / ENLARGING, 1 < s), (1 / REDUCING, s < 1),
+                                  (sp.Integer(1), True)))
+
+
+def safe_norm(let: Let, x: sp.Matrix) -> sp.Expr:
+    """|x|, rounded as if nothing over- or underflowed on the way."""
+    s = power_of_two(let, "s", tuple(x))
+    y = let("y", x.applyfunc(lambda component: scaled(component, s)))
+    return scaled(let("n", l2(y)), inverse_power(let, "r", s))
+
+
+def safe_normalized(let: Let, x: sp.Matrix, part: sp.Matrix) -> sp.Matrix:
+    """x / |part|, the zero quantity unchanged.  Enlarged before the division or reduced after it,
+    so that no component loses digits the result has."""
+    s = power_of_two(let, "s", tuple(part))
+    y = let("y", part.applyfunc(lambda component: scaled(component, s)))
+    d = let("d", nonzero(let("n", l2(y))))
+    up = let("up", sp.Piecewise((s, 1 < s), (sp.Integer(1), True)))
+    down = let("down", sp.Piecewise((s, s < 1), (sp.Integer(1), True)))
+    q = divided(let("z", x.applyfunc(lambda component: scaled(component, up))), d)
+    return let("q", q).applyfunc(lambda component: scaled(component, down))

@@ -9,9 +9,27 @@ from coscrew_codegen.quantity import Argument
 
 Value = sp.Matrix | sp.Expr
 
-# Below it every component counts as zero when a norm chooses between linear and angular part;
-# 1e-9 in double, 1e-6 in single precision.
+# Below it every component counts as zero when a norm chooses between linear and angular part.
 NORM_THRESHOLD = sp.Symbol("norm_threshold", positive=True)
+
+# Between these, squares neither over- nor underflow; beyond them a power of two brings numbers back.
+SMALL, LARGE, ENLARGING, REDUCING = sp.symbols("small large enlarging reducing", positive=True)
+
+PER_PRECISION: dict[sp.Symbol, tuple[sp.Rational, sp.Rational]] = {
+    NORM_THRESHOLD: (sp.Rational(1, 10**9), sp.Rational(1, 10**6)),
+    SMALL: (sp.Rational(1, 2**450), sp.Rational(1, 2**50)),
+    LARGE: (sp.Integer(2**511), sp.Integer(2**62)),
+    ENLARGING: (sp.Integer(2**600), sp.Integer(2**100)),
+    REDUCING: (sp.Rational(1, 2**513), sp.Rational(1, 2**65)),
+}
+"""The constants that differ between double and single precision."""
+
+
+class scaled(sp.Function):
+    """scaled(x, s) = x s, where s is a power of two: a product that rounds nothing unless the
+    result over- or underflows."""
+
+    nargs = 2
 
 
 @dataclass(frozen=True)
@@ -37,6 +55,8 @@ class Operation:
     order: tuple[str, ...] = ()
     by_value: bool = False  # in C, arguments and result are passed by value
     remark: str = ""  # what unfused arithmetic makes true besides
+    normwise: tuple[tuple[str, int], ...] = ()  # (part or output, k): the error of each component
+    # is at most k u of that part's largest component; found by search, not proved
 
     @property
     def signature(self) -> str:

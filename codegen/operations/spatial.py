@@ -13,7 +13,8 @@ import sympy as sp
 from coscrew_codegen.algebra import (ang, inverse_operator, lin, rotation, shifted, stack,
                                      translation, turned)
 from coscrew_codegen.operations.linear import linear_space
-from coscrew_codegen.operations.norm import SQUARES, divided, leading_part, nonzero
+from coscrew_codegen.operations.norm import (chosen_part, divided, leading_part, nonzero, safe_norm,
+                                             safe_normalized)
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import (ANGULAR_FIRST, MAT3X3, MAT6X6, SCALAR, SE3, VEC3, Argument,
                                       Quantity)
@@ -59,17 +60,18 @@ def _norms(space: Space) -> tuple[Operation, ...]:
         return sp.sqrt(leading_part(space.norm_first(x), space.norm_second(x)))
 
     def bound_norm(let, x):
-        return sp.sqrt(let("q", leading_part(space.norm_first(x), space.norm_second(x))))
+        return safe_norm(let, chosen_part(let, space.norm_first(x), space.norm_second(x)))
 
     def normalized(x):
         return divided(x, nonzero(norm_of(x)))
 
     def bound_normalized(let, x):
-        return divided(x, let("d", nonzero(let("n", bound_norm(let, x)))))
+        part = chosen_part(let, space.norm_first(x), space.norm_second(x))
+        return safe_normalized(let, x, part)
 
-    zero = f"the zero {kind} stays zero; {SQUARES}"
+    zero = f"the zero {kind} stays zero"
     return (
-        space.op(f"{kind}_norm", f"|{xi.name}|: {space.norm_words}; {SQUARES}", (xi,), (norm,),
+        space.op(f"{kind}_norm", f"|{xi.name}|: {space.norm_words}", (xi,), (norm,),
                  norm_of, bound_norm),
         space.op(f"{kind}_normalize", f"self = self / |self|, with {kind}_norm; {zero}", (self,),
                  (self,), normalized, bound_normalized),

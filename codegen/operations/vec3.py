@@ -4,7 +4,7 @@ import sympy as sp
 
 from coscrew_codegen.algebra import unit
 from coscrew_codegen.operations.linear import linear_space
-from coscrew_codegen.operations.norm import SQUARES, divided, l2, nonzero
+from coscrew_codegen.operations.norm import divided, l2, nonzero, safe_norm, safe_normalized
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import SCALAR, VEC3, Argument
 
@@ -16,7 +16,7 @@ _k, _norm, _dot = (Argument(name, SCALAR) for name in ("k", "norm", "dot"))
 
 
 def _normalized(let, v):
-    return divided(v, let("d", nonzero(let("n", l2(v)))))
+    return safe_normalized(let, v, v)
 
 
 def _op(name, statement, inputs, outputs, formula, derivation=None, order=()):
@@ -26,10 +26,10 @@ def _op(name, statement, inputs, outputs, formula, derivation=None, order=()):
 _PRODUCTS = (
     _op("vec3_scaled", "vo = k v", (_v, _k), (_vo,), lambda v, k: k * v),
     _op("vec3_swap", "v1, v2 = v2, v1", (_v1, _v2), (_v1, _v2), lambda v1, v2: (v2, v1)),
-    _op("vec3_l2norm", f"|v| = sqrt(v·v); {SQUARES}", (_v,), (_norm,), l2),
-    _op("vec3_normalize", f"self = self / |self|; the zero vector stays zero; {SQUARES}", (_self,), (_self,),
+    _op("vec3_l2norm", "|v| = sqrt(v·v)", (_v,), (_norm,), l2, safe_norm),
+    _op("vec3_normalize", "self = self / |self|; the zero vector stays zero", (_self,), (_self,),
         lambda v: divided(v, nonzero(l2(v))), _normalized),
-    _op("vec3_normalized", f"vo = v / |v|; the zero vector stays zero; {SQUARES}", (_v,), (_vo,),
+    _op("vec3_normalized", "vo = v / |v|; the zero vector stays zero", (_v,), (_vo,),
         lambda v: divided(v, nonzero(l2(v))), _normalized),
     _op("dot_vv", "v1·v2", (_v1, _v2), (_dot,), lambda v1, v2: v1.dot(v2)),
     _op("product_avinv", "vo = k (-v)", (_k, _v), (_vo,), lambda k, v: -k * v),

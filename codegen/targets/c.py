@@ -18,7 +18,12 @@ from coscrew_codegen.targets.precision import DOUBLE, Precision
 
 WIDTH = 100
 
-STRUCTS = ("vec3", "mat3x3", "SE3", "screw", "coscrew", "mat6x6")
+STRUCTS = ("vec3", "mat3x3", "SE3", "screw", "coscrew", "mat6x6", "quaternion", "inertia")
+
+_MEMBERS = {
+    "vec3": tuple("xyz"), "quaternion": tuple("wxyz"),
+    "inertia": ("m", "h.x", "h.y", "h.z", "xx", "yy", "zz", "xy", "xz", "yz"),
+}
 
 _SPELLING = {
     Op.ADD: "{} + {}", Op.SUB: "{} - {}", Op.MUL: "{} * {}", Op.DIV: "{} / {}", Op.NEG: "-{}",
@@ -26,6 +31,7 @@ _SPELLING = {
     Op.SUM_ERROR: "ksl_sum_error({}, {}, {})", Op.PRODUCT_ERROR: "ksl_product_error({}, {}, {})",
     Op.DIFFERENCE_ERROR: "ksl_difference_error({}, {}, {})",
     Op.ABS: "fabs{f}({})", Op.SQRT: "sqrt{f}({})", Op.SIN: "sin{f}({})", Op.COS: "cos{f}({})",
+    Op.ATAN2: "atan2{f}({}, {})", Op.SCALE: "{} * {}",
     Op.LESS: "{} < {}", Op.EQUAL: "{} == {}", Op.SELECT: "{} ? {} : {}",
 }
 
@@ -62,8 +68,8 @@ def c_name(name: str, precision: Precision) -> str:
 def member(quantity: Quantity, index: int) -> str:
     """How C writes component `index` (row by row) behind a value's name."""
     row, column = quantity.indices[index]
-    if quantity.name == "vec3":
-        return "." + "xyz"[row]
+    if quantity.name in _MEMBERS:
+        return f".{_MEMBERS[quantity.name][row]}"
     if quantity.name in ("screw", "coscrew"):
         return f".m{row}"
     if quantity.name in ("mat3x3", "SE3"):

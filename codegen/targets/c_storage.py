@@ -6,7 +6,8 @@ They exist in C alone: Python has arrays.
 from fractions import Fraction
 
 from coscrew_codegen.program import Constant
-from coscrew_codegen.quantity import (COSCREW, MAT3X3, MAT6X6, SCREW, SE3, VEC3, Quantity)
+from coscrew_codegen.quantity import (COSCREW, INERTIA, MAT3X3, MAT6X6, QUATERNION, SCREW, SE3,
+                                      VEC3, Quantity)
 from coscrew_codegen.targets.c import WIDTH, CFunction, comment_of, listed, member, type_name
 from coscrew_codegen.targets.precision import Precision
 
@@ -25,6 +26,9 @@ _FIELDS = {
     "coscrew": (("{real} at[6];",), ("ksl_vec3{f}_t lin, ang;",),
                 ("{real} m0, m1, m2, m3, m4, m5;",)),
     "mat6x6": (("{real} as_array[36];",), ("{real} at[6][6];",)),
+    "quaternion": (("{real} at[4];",), ("{real} w, x, y, z;",)),
+    "inertia": (("{real} at[10];",),
+                ("{real} m;", "ksl_vec3{f}_t h;", "{real} xx, yy, zz, xy, xz, yz;")),
 }
 
 _MEANING = {
@@ -34,9 +38,11 @@ _MEANING = {
     "screw": "screw (lin; ang) = (v; ω)",
     "coscrew": "coscrew (lin; ang) = (f; τ)",
     "mat6x6": "6×6 operator, stored column by column: at[column][row]",
+    "quaternion": "quaternion (w; x, y, z), the scalar first; for rotations, of norm 1",
+    "inertia": "spatial inertia: mass m, first moment h = m c, second moments about the origin",
 }
 
-TYPES = (VEC3, MAT3X3, SE3, SCREW, COSCREW, MAT6X6)
+TYPES = (VEC3, MAT3X3, SE3, SCREW, COSCREW, MAT6X6, QUATERNION, INERTIA)
 """The struct types, each after those it is made of."""
 
 
@@ -101,10 +107,11 @@ def _constructor(quantity: Quantity, precision: Precision, name: str,
     if by_columns:
         order = sorted(order, key=lambda i: quantity.indices[i][::-1])
     fields = [member(quantity, i).lstrip(".") for i in order]
-    declared = [f"const {precision.c_type} {field}" for field in fields]
+    names = [field.replace(".", "") for field in fields]
+    declared = [f"const {precision.c_type} {name}" for name in names]
     words = "column by column" if by_columns else "row by row" if quantity.shape[1:] else "in order"
-    body = [f"  {kind} value;", *(f"  value.{field} = {field};" for field in fields),
-            "  return value;"]
+    stores = [f"  value.{field} = {name};" for field, name in zip(fields, names, strict=True)]
+    body = [f"  {kind} value;", *stores, "  return value;"]
     return CFunction(name, comment_of([f"The {quantity.name} of these entries, {words}."]),
                      listed(f"{kind} {name}(", declared, ")", WIDTH - 16), "\n".join(body))
 

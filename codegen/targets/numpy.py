@@ -22,12 +22,14 @@ _SPELLING = {
     Op.SUM_ERROR: ("sum_error({}, {}, {})", 4), Op.PRODUCT_ERROR: ("product_error({}, {}, {})", 4),
     Op.DIFFERENCE_ERROR: ("difference_error({}, {}, {})", 4), Op.NEG: ("-{}", 3),
     Op.ABS: ("absolute({})", 4), Op.SQRT: ("sqrt({})", 4),
-    Op.SIN: ("sin({})", 4), Op.COS: ("cos({})", 4), Op.LESS: ("{} < {}", 0),
-    Op.EQUAL: ("{} == {}", 0), Op.SELECT: ("where({}, {}, {})", 4),
+    Op.SIN: ("sin({})", 4), Op.COS: ("cos({})", 4), Op.ATAN2: ("arctan2({}, {})", 4),
+    Op.SCALE: ("{} * {}", 2), Op.LESS: ("{} < {}", 0), Op.EQUAL: ("{} == {}", 0),
+    Op.SELECT: ("where({}, {}, {})", 4),
 }
 _CALLS = 4
 
-_NUMPY = {Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SIN: "sin", Op.COS: "cos", Op.SELECT: "where"}
+_NUMPY = {Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SIN: "sin", Op.COS: "cos", Op.ATAN2: "arctan2",
+          Op.SELECT: "where"}
 _EXACT = {Op.SUM_ERROR: "sum_error", Op.DIFFERENCE_ERROR: "difference_error",
           Op.PRODUCT_ERROR: "product_error"}
 
@@ -79,12 +81,24 @@ def docstring_of(operation: Operation, program: Program) -> str:
                      for row in textwrap.wrap(paragraph, WIDTH - 8) or [""])
 
 
-def imports(programs: tuple[Program, ...]) -> list[tuple[str, str]]:
+def imports(programs: tuple[Program, ...], precision: Precision) -> list[tuple[str, str]]:
     """(module, names) of the functions these programs call."""
-    called = {op for program in programs for op in program.counts}
-    found = [("numpy", _NUMPY), ("coscrew._exact", _EXACT)]
+    called: set[Op | str] = {op for program in programs for op in program.counts}
+    called |= {kind for program in programs for kind in _types(program, precision)}
+    found = [("numpy", _NUMPY | {kind: kind for kind in ("float32", "float64")}),
+             ("coscrew._exact", _EXACT)]
     return [(module, ", ".join(sorted(names[op] for op in called & set(names))))
             for module, names in found if called & set(names)]
+
+
+def _types(program: Program, precision: Precision) -> set[str]:
+    """The NumPy type that choices between constants need."""
+    working = DOUBLE if program.wide else precision
+    return {working.numpy_type for step in program.instructions if _is_choice_of_constants(step)}
+
+
+def _is_choice_of_constants(step: Instruction) -> bool:
+    return step.op is Op.SELECT and all(isinstance(x, Constant) for x in step.operands[1:])
 
 
 def _indented(docstring: str) -> str:
@@ -150,10 +164,18 @@ class _Writer:
         return f"{step.name} = {self._expression(step)[0]}"
 
     def _expression(self, step: Instruction) -> tuple[str, int]:
+        if _is_choice_of_constants(step):
+            return self._choice_of_constants(step), _CALLS
         spelling, binding = _SPELLING[step.op]
         needed = [0] * 3 if binding == _CALLS else [binding, binding + 1]
         operands = [self._operand(x, n) for x, n in zip(step.operands, needed, strict=False)]
         return spelling.format(*operands), binding
+
+    def _choice_of_constants(self, step: Instruction) -> str:
+        """NumPy takes the type of `where` from its operands, and Python's numbers have none."""
+        test = self._operand(step.operands[0], 0)
+        values = [f"{self.working.numpy_type}({self._operand(x, 0)})" for x in step.operands[1:]]
+        return f"where({', '.join((test, *values))})"
 
     def _operand(self, operand: Operand, needed: int) -> str:
         """The operand's text, in parentheses where it binds less tightly than needed."""
@@ -161,7 +183,8 @@ class _Writer:
             return self.program.inputs[operand.argument].symbols[operand.index].name
         if isinstance(operand, Constant):
             value = self.working.value(operand)  # integers as such, so that objects stay exact
-            return str(value) if value.denominator == 1 else self.working.literal(operand)
+            is_integer = value.denominator == 1 and abs(value) < 2**53
+            return str(value) if is_integer else self.working.literal(operand)
         if operand.name not in self.nested:
             return operand.name
         text, binding = self._expression(self.nested[operand.name])

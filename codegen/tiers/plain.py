@@ -19,10 +19,11 @@ from functools import partial
 import sympy as sp
 
 from coscrew_codegen.kernel import Kernel
-from coscrew_codegen.operations import NORM_THRESHOLD
+from coscrew_codegen.operations import PER_PRECISION, scaled
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 
-_THRESHOLD = Constant(Fraction(1, 10**9), Fraction(1, 10**6))
+_NAMED = {symbol: Constant(*(Fraction(int(x.p), int(x.q)) for x in values))
+          for symbol, values in PER_PRECISION.items()}
 
 
 def plain(kernel: Kernel) -> Program:
@@ -107,7 +108,7 @@ class _Scheduler:
 
     def _lower(self, expression: sp.Expr, name: str = "") -> Operand:
         if expression.is_Symbol:
-            return _THRESHOLD if expression == NORM_THRESHOLD else self._operands[expression]
+            return _NAMED.get(expression) or self._operands[expression]
         if expression.is_Rational:
             return _constant(expression)
         if expression.is_Add:
@@ -194,6 +195,8 @@ class _Scheduler:
 
     def _power(self, expression: sp.Pow, name: str) -> Operand:
         base, exponent = expression.as_base_exp()
+        if base in _NAMED and exponent == -1:
+            return Constant(1 / _NAMED[base].double, 1 / _NAMED[base].single)
         if exponent == sp.Rational(1, 2):
             return self._issue(Op.SQRT, (self._lower(base),), name)
         if exponent.is_Integer and exponent > 1:
@@ -222,7 +225,8 @@ class _Scheduler:
         return result
 
 
-_FUNCTIONS = {sp.Abs: Op.ABS, sp.sin: Op.SIN, sp.cos: Op.COS, sp.Equality: Op.EQUAL}
+_FUNCTIONS = {sp.Abs: Op.ABS, sp.sin: Op.SIN, sp.cos: Op.COS, sp.atan2: Op.ATAN2,
+              sp.Equality: Op.EQUAL, scaled: Op.SCALE}
 
 
 def _constant(value: sp.Rational) -> Constant:

@@ -145,6 +145,38 @@ typedef union ksl_mat6x6f_t {
   KSL_VIEW { float at[6][6]; };
 } ksl_mat6x6f_t;
 
+/* quaternion (w; x, y, z), the scalar first; for rotations, of norm 1; double precision. */
+typedef union ksl_quaternion_t {
+  KSL_VIEW { double at[4]; };
+  KSL_VIEW { double w, x, y, z; };
+} ksl_quaternion_t;
+
+/* quaternion (w; x, y, z), the scalar first; for rotations, of norm 1; single precision. */
+typedef union ksl_quaternionf_t {
+  KSL_VIEW { float at[4]; };
+  KSL_VIEW { float w, x, y, z; };
+} ksl_quaternionf_t;
+
+/* spatial inertia: mass m, first moment h = m c, second moments about the origin; double precision. */
+typedef union ksl_inertia_t {
+  KSL_VIEW { double at[10]; };
+  KSL_VIEW {
+    double m;
+    ksl_vec3_t h;
+    double xx, yy, zz, xy, xz, yz;
+  };
+} ksl_inertia_t;
+
+/* spatial inertia: mass m, first moment h = m c, second moments about the origin; single precision. */
+typedef union ksl_inertiaf_t {
+  KSL_VIEW { float at[10]; };
+  KSL_VIEW {
+    float m;
+    ksl_vec3f_t h;
+    float xx, yy, zz, xy, xz, yz;
+  };
+} ksl_inertiaf_t;
+
 #endif
 
 /* Vectors of three components. */
@@ -324,40 +356,89 @@ static inline void ksl_vec3_swap(ksl_vec3_t *v1, ksl_vec3_t *v2) {
   v2->z = v1_z;
 }
 
-/* |v| = sqrt(v·v); squares must neither over- nor underflow.
+/* |v| = sqrt(v·v).
    v: vector.
-   3 mul, 2 add, 1 sqrt. */
+   7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select. */
 static inline double ksl_vec3_l2norm(const ksl_vec3_t *v) {
-  const double norm_a = v->x * v->x, norm_b = v->y * v->y, norm_c = norm_a + norm_b,
-      norm_d = v->z * v->z, norm_e = norm_c + norm_d, norm = sqrt(norm_e);
+  const double s_size_0 = fabs(v->x);
+  const double s_size_1 = fabs(v->y);
+  const double s_size_2 = fabs(v->z);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = v->x * s;
+  const double y_1 = v->y * s;
+  const double y_2 = v->z * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+  const double norm = n * r;
   return norm;
 }
 
-/* self = self / |self|; the zero vector stays zero; squares must neither over- nor underflow.
+/* self = self / |self|; the zero vector stays zero.
    self: vector.
-   3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select. */
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
 static inline void ksl_vec3_normalize(ksl_vec3_t *self) {
-  const double n_a = self->x * self->x, n_b = self->y * self->y, n_c = n_a + n_b,
-      n_d = self->z * self->z, n_e = n_c + n_d, n = sqrt(n_e);
+  const double s_size_0 = fabs(self->x);
+  const double s_size_1 = fabs(self->y);
+  const double s_size_2 = fabs(self->z);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = self->x * s;
+  const double y_1 = self->y * s;
+  const double y_2 = self->z * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
   const double d = n == 0.0 ? 1.0 : n;
-  const double self_0_new = self->x / d;
-  const double self_1_new = self->y / d;
-  const double self_2_new = self->z / d;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double z_0 = self->x * up;
+  const double z_1 = self->y * up;
+  const double z_2 = self->z * up;
+  const double q_0 = z_0 / d;
+  const double q_1 = z_1 / d;
+  const double q_2 = z_2 / d;
+  const double self_0_new = q_0 * down;
+  const double self_1_new = q_1 * down;
+  const double self_2_new = q_2 * down;
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
 }
 
-/* vo = v / |v|; the zero vector stays zero; squares must neither over- nor underflow.
+/* vo = v / |v|; the zero vector stays zero.
    v, vo: vector.
-   3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select. */
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
 static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double n_a = v->x * v->x, n_b = v->y * v->y, n_c = n_a + n_b, n_d = v->z * v->z,
-      n_e = n_c + n_d, n = sqrt(n_e);
+  const double s_size_0 = fabs(v->x);
+  const double s_size_1 = fabs(v->y);
+  const double s_size_2 = fabs(v->z);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = v->x * s;
+  const double y_1 = v->y * s;
+  const double y_2 = v->z * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
   const double d = n == 0.0 ? 1.0 : n;
-  const double vo_0 = v->x / d;
-  const double vo_1 = v->y / d;
-  const double vo_2 = v->z / d;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double z_0 = v->x * up;
+  const double z_1 = v->y * up;
+  const double z_2 = v->z * up;
+  const double q_0 = z_0 / d;
+  const double q_1 = z_1 / d;
+  const double q_2 = z_2 / d;
+  const double vo_0 = q_0 * down;
+  const double vo_1 = q_1 * down;
+  const double vo_2 = q_2 * down;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -677,40 +758,88 @@ static inline void ksl_vec3f_swap(ksl_vec3f_t *v1, ksl_vec3f_t *v2) {
   v2->z = v1_z;
 }
 
-/* |v| = sqrt(v·v); squares must neither over- nor underflow.
+/* |v| = sqrt(v·v).
    v: vector.
-   3 mul, 2 add, 1 sqrt. */
+   7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select. */
 static inline float ksl_vec3f_l2norm(const ksl_vec3f_t *v) {
-  const float norm_a = v->x * v->x, norm_b = v->y * v->y, norm_c = norm_a + norm_b,
-      norm_d = v->z * v->z, norm_e = norm_c + norm_d, norm = sqrtf(norm_e);
+  const float s_size_0 = fabsf(v->x);
+  const float s_size_1 = fabsf(v->y);
+  const float s_size_2 = fabsf(v->z);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
+      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+  const float y_0 = v->x * s;
+  const float y_1 = v->y * s;
+  const float y_2 = v->z * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
+  const float norm = n * r;
   return norm;
 }
 
-/* self = self / |self|; the zero vector stays zero; squares must neither over- nor underflow.
+/* self = self / |self|; the zero vector stays zero.
    self: vector.
-   3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select. */
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
 static inline void ksl_vec3f_normalize(ksl_vec3f_t *self) {
-  const float n_a = self->x * self->x, n_b = self->y * self->y, n_c = n_a + n_b,
-      n_d = self->z * self->z, n_e = n_c + n_d, n = sqrtf(n_e);
+  const float s_size_0 = fabsf(self->x);
+  const float s_size_1 = fabsf(self->y);
+  const float s_size_2 = fabsf(self->z);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
+      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+  const float y_0 = self->x * s;
+  const float y_1 = self->y * s;
+  const float y_2 = self->z * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
   const float d = n == 0.0f ? 1.0f : n;
-  const float self_0_new = self->x / d;
-  const float self_1_new = self->y / d;
-  const float self_2_new = self->z / d;
+  const float up = 1.0f < s ? s : 1.0f;
+  const float down = s < 1.0f ? s : 1.0f;
+  const float z_0 = self->x * up;
+  const float z_1 = self->y * up;
+  const float z_2 = self->z * up;
+  const float q_0 = z_0 / d;
+  const float q_1 = z_1 / d;
+  const float q_2 = z_2 / d;
+  const float self_0_new = q_0 * down;
+  const float self_1_new = q_1 * down;
+  const float self_2_new = q_2 * down;
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
 }
 
-/* vo = v / |v|; the zero vector stays zero; squares must neither over- nor underflow.
+/* vo = v / |v|; the zero vector stays zero.
    v, vo: vector.
-   3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select. */
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
 static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
-  const float n_a = v->x * v->x, n_b = v->y * v->y, n_c = n_a + n_b, n_d = v->z * v->z,
-      n_e = n_c + n_d, n = sqrtf(n_e);
+  const float s_size_0 = fabsf(v->x);
+  const float s_size_1 = fabsf(v->y);
+  const float s_size_2 = fabsf(v->z);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
+      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+  const float y_0 = v->x * s;
+  const float y_1 = v->y * s;
+  const float y_2 = v->z * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
   const float d = n == 0.0f ? 1.0f : n;
-  const float vo_0 = v->x / d;
-  const float vo_1 = v->y / d;
-  const float vo_2 = v->z / d;
+  const float up = 1.0f < s ? s : 1.0f;
+  const float down = s < 1.0f ? s : 1.0f;
+  const float z_0 = v->x * up;
+  const float z_1 = v->y * up;
+  const float z_2 = v->z * up;
+  const float q_0 = z_0 / d;
+  const float q_1 = z_1 / d;
+  const float q_2 = z_2 / d;
+  const float vo_0 = q_0 * down;
+  const float vo_1 = q_1 * down;
+  const float vo_2 = q_2 * down;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -4812,38 +4941,77 @@ static inline void ksl_subtract_ss(const ksl_screw_t *s1, const ksl_screw_t *s2,
   so->m5 = so_5;
 }
 
-/* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6); squares must neither over-
-     nor underflow.
+/* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
    si: screw (v in m/s; ω in rad/s).
-   6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select. */
+   7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select. */
 static inline double ksl_screw_norm(const ksl_screw_t *si) {
-  const double q_a = si->m3 * si->m3, q_b = si->m4 * si->m4, q_c = q_a + q_b, q_d = si->m5 * si->m5,
-      q_e = q_c + q_d, q_f = si->m0 * si->m0, q_g = si->m1 * si->m1, q_h = q_f + q_g,
-      q_i = si->m2 * si->m2, q_j = q_h + q_i, q_k = fabs(si->m5), q_m = q_k < 1e-09 ? q_j : q_e,
-      q_n = fabs(si->m4), q_p = q_n < 1e-09 ? q_m : q_e, q_q = fabs(si->m3),
-      q = q_q < 1e-09 ? q_p : q_e;
-  const double norm = sqrt(q);
+  const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
+      small_d = fabs(si->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(si->m3),
+      small = small_g < 1e-09 ? small_f : 0.0;
+  const double p_0 = small == 1.0 ? si->m0 : si->m3;
+  const double p_1 = small == 1.0 ? si->m1 : si->m4;
+  const double p_2 = small == 1.0 ? si->m2 : si->m5;
+  const double s_size_0 = fabs(p_0);
+  const double s_size_1 = fabs(p_1);
+  const double s_size_2 = fabs(p_2);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = p_0 * s;
+  const double y_1 = p_1 * s;
+  const double y_2 = p_2 * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+  const double norm = n * r;
   return norm;
 }
 
-/* self = self / |self|, with screw_norm; the zero screw stays zero; squares must neither over-
-     nor underflow.
+/* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
 static inline void ksl_screw_normalize(ksl_screw_t *self) {
-  const double q_a = self->m3 * self->m3, q_b = self->m4 * self->m4, q_c = q_a + q_b,
-      q_d = self->m5 * self->m5, q_e = q_c + q_d, q_f = self->m0 * self->m0,
-      q_g = self->m1 * self->m1, q_h = q_f + q_g, q_i = self->m2 * self->m2, q_j = q_h + q_i,
-      q_k = fabs(self->m5), q_m = q_k < 1e-09 ? q_j : q_e, q_n = fabs(self->m4),
-      q_p = q_n < 1e-09 ? q_m : q_e, q_q = fabs(self->m3), q = q_q < 1e-09 ? q_p : q_e;
-  const double n = sqrt(q);
+  const double small_a = fabs(self->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
+      small_d = fabs(self->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m3),
+      small = small_g < 1e-09 ? small_f : 0.0;
+  const double p_0 = small == 1.0 ? self->m0 : self->m3;
+  const double p_1 = small == 1.0 ? self->m1 : self->m4;
+  const double p_2 = small == 1.0 ? self->m2 : self->m5;
+  const double s_size_0 = fabs(p_0);
+  const double s_size_1 = fabs(p_1);
+  const double s_size_2 = fabs(p_2);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = p_0 * s;
+  const double y_1 = p_1 * s;
+  const double y_2 = p_2 * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
   const double d = n == 0.0 ? 1.0 : n;
-  const double self_0_new = self->m0 / d;
-  const double self_1_new = self->m1 / d;
-  const double self_2_new = self->m2 / d;
-  const double self_3_new = self->m3 / d;
-  const double self_4_new = self->m4 / d;
-  const double self_5_new = self->m5 / d;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double z_0 = self->m0 * up;
+  const double z_1 = self->m1 * up;
+  const double z_2 = self->m2 * up;
+  const double z_3 = self->m3 * up;
+  const double z_4 = self->m4 * up;
+  const double z_5 = self->m5 * up;
+  const double q_0 = z_0 / d;
+  const double q_1 = z_1 / d;
+  const double q_2 = z_2 / d;
+  const double q_3 = z_3 / d;
+  const double q_4 = z_4 / d;
+  const double q_5 = z_5 / d;
+  const double self_0_new = q_0 * down;
+  const double self_1_new = q_1 * down;
+  const double self_2_new = q_2 * down;
+  const double self_3_new = q_3 * down;
+  const double self_4_new = q_4 * down;
+  const double self_5_new = q_5 * down;
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -4852,24 +5020,49 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
   self->m5 = self_5_new;
 }
 
-/* so = si / |si|, with screw_norm; the zero screw stays zero; squares must neither over- nor
-     underflow.
+/* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
 static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) {
-  const double q_a = si->m3 * si->m3, q_b = si->m4 * si->m4, q_c = q_a + q_b, q_d = si->m5 * si->m5,
-      q_e = q_c + q_d, q_f = si->m0 * si->m0, q_g = si->m1 * si->m1, q_h = q_f + q_g,
-      q_i = si->m2 * si->m2, q_j = q_h + q_i, q_k = fabs(si->m5), q_m = q_k < 1e-09 ? q_j : q_e,
-      q_n = fabs(si->m4), q_p = q_n < 1e-09 ? q_m : q_e, q_q = fabs(si->m3),
-      q = q_q < 1e-09 ? q_p : q_e;
-  const double n = sqrt(q);
+  const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
+      small_d = fabs(si->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(si->m3),
+      small = small_g < 1e-09 ? small_f : 0.0;
+  const double p_0 = small == 1.0 ? si->m0 : si->m3;
+  const double p_1 = small == 1.0 ? si->m1 : si->m4;
+  const double p_2 = small == 1.0 ? si->m2 : si->m5;
+  const double s_size_0 = fabs(p_0);
+  const double s_size_1 = fabs(p_1);
+  const double s_size_2 = fabs(p_2);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = p_0 * s;
+  const double y_1 = p_1 * s;
+  const double y_2 = p_2 * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
   const double d = n == 0.0 ? 1.0 : n;
-  const double so_0 = si->m0 / d;
-  const double so_1 = si->m1 / d;
-  const double so_2 = si->m2 / d;
-  const double so_3 = si->m3 / d;
-  const double so_4 = si->m4 / d;
-  const double so_5 = si->m5 / d;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double z_0 = si->m0 * up;
+  const double z_1 = si->m1 * up;
+  const double z_2 = si->m2 * up;
+  const double z_3 = si->m3 * up;
+  const double z_4 = si->m4 * up;
+  const double z_5 = si->m5 * up;
+  const double q_0 = z_0 / d;
+  const double q_1 = z_1 / d;
+  const double q_2 = z_2 / d;
+  const double q_3 = z_3 / d;
+  const double q_4 = z_4 / d;
+  const double q_5 = z_5 / d;
+  const double so_0 = q_0 * down;
+  const double so_1 = q_1 * down;
+  const double so_2 = q_2 * down;
+  const double so_3 = q_3 * down;
+  const double so_4 = q_4 * down;
+  const double so_5 = q_5 * down;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -5837,38 +6030,76 @@ static inline void ksl_subtract_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *
   so->m5 = so_5;
 }
 
-/* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6); squares must neither over-
-     nor underflow.
+/* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
    si: screw (v in m/s; ω in rad/s).
-   6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select. */
+   7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select. */
 static inline float ksl_screwf_norm(const ksl_screwf_t *si) {
-  const float q_a = si->m3 * si->m3, q_b = si->m4 * si->m4, q_c = q_a + q_b, q_d = si->m5 * si->m5,
-      q_e = q_c + q_d, q_f = si->m0 * si->m0, q_g = si->m1 * si->m1, q_h = q_f + q_g,
-      q_i = si->m2 * si->m2, q_j = q_h + q_i, q_k = fabsf(si->m5), q_m = q_k < 1e-06f ? q_j : q_e,
-      q_n = fabsf(si->m4), q_p = q_n < 1e-06f ? q_m : q_e, q_q = fabsf(si->m3),
-      q = q_q < 1e-06f ? q_p : q_e;
-  const float norm = sqrtf(q);
+  const float small_a = fabsf(si->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
+      small_d = fabsf(si->m4), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(si->m3),
+      small = small_g < 1e-06f ? small_f : 0.0f;
+  const float p_0 = small == 1.0f ? si->m0 : si->m3;
+  const float p_1 = small == 1.0f ? si->m1 : si->m4;
+  const float p_2 = small == 1.0f ? si->m2 : si->m5;
+  const float s_size_0 = fabsf(p_0);
+  const float s_size_1 = fabsf(p_1);
+  const float s_size_2 = fabsf(p_2);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
+      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+  const float y_0 = p_0 * s;
+  const float y_1 = p_1 * s;
+  const float y_2 = p_2 * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
+  const float norm = n * r;
   return norm;
 }
 
-/* self = self / |self|, with screw_norm; the zero screw stays zero; squares must neither over-
-     nor underflow.
+/* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
 static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
-  const float q_a = self->m3 * self->m3, q_b = self->m4 * self->m4, q_c = q_a + q_b,
-      q_d = self->m5 * self->m5, q_e = q_c + q_d, q_f = self->m0 * self->m0,
-      q_g = self->m1 * self->m1, q_h = q_f + q_g, q_i = self->m2 * self->m2, q_j = q_h + q_i,
-      q_k = fabsf(self->m5), q_m = q_k < 1e-06f ? q_j : q_e, q_n = fabsf(self->m4),
-      q_p = q_n < 1e-06f ? q_m : q_e, q_q = fabsf(self->m3), q = q_q < 1e-06f ? q_p : q_e;
-  const float n = sqrtf(q);
+  const float small_a = fabsf(self->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
+      small_d = fabsf(self->m4), small_f = small_d < 1e-06f ? small_c : 0.0f,
+      small_g = fabsf(self->m3), small = small_g < 1e-06f ? small_f : 0.0f;
+  const float p_0 = small == 1.0f ? self->m0 : self->m3;
+  const float p_1 = small == 1.0f ? self->m1 : self->m4;
+  const float p_2 = small == 1.0f ? self->m2 : self->m5;
+  const float s_size_0 = fabsf(p_0);
+  const float s_size_1 = fabsf(p_1);
+  const float s_size_2 = fabsf(p_2);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
+      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+  const float y_0 = p_0 * s;
+  const float y_1 = p_1 * s;
+  const float y_2 = p_2 * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
   const float d = n == 0.0f ? 1.0f : n;
-  const float self_0_new = self->m0 / d;
-  const float self_1_new = self->m1 / d;
-  const float self_2_new = self->m2 / d;
-  const float self_3_new = self->m3 / d;
-  const float self_4_new = self->m4 / d;
-  const float self_5_new = self->m5 / d;
+  const float up = 1.0f < s ? s : 1.0f;
+  const float down = s < 1.0f ? s : 1.0f;
+  const float z_0 = self->m0 * up;
+  const float z_1 = self->m1 * up;
+  const float z_2 = self->m2 * up;
+  const float z_3 = self->m3 * up;
+  const float z_4 = self->m4 * up;
+  const float z_5 = self->m5 * up;
+  const float q_0 = z_0 / d;
+  const float q_1 = z_1 / d;
+  const float q_2 = z_2 / d;
+  const float q_3 = z_3 / d;
+  const float q_4 = z_4 / d;
+  const float q_5 = z_5 / d;
+  const float self_0_new = q_0 * down;
+  const float self_1_new = q_1 * down;
+  const float self_2_new = q_2 * down;
+  const float self_3_new = q_3 * down;
+  const float self_4_new = q_4 * down;
+  const float self_5_new = q_5 * down;
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -5877,24 +6108,49 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   self->m5 = self_5_new;
 }
 
-/* so = si / |si|, with screw_norm; the zero screw stays zero; squares must neither over- nor
-     underflow.
+/* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
 static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *so) {
-  const float q_a = si->m3 * si->m3, q_b = si->m4 * si->m4, q_c = q_a + q_b, q_d = si->m5 * si->m5,
-      q_e = q_c + q_d, q_f = si->m0 * si->m0, q_g = si->m1 * si->m1, q_h = q_f + q_g,
-      q_i = si->m2 * si->m2, q_j = q_h + q_i, q_k = fabsf(si->m5), q_m = q_k < 1e-06f ? q_j : q_e,
-      q_n = fabsf(si->m4), q_p = q_n < 1e-06f ? q_m : q_e, q_q = fabsf(si->m3),
-      q = q_q < 1e-06f ? q_p : q_e;
-  const float n = sqrtf(q);
+  const float small_a = fabsf(si->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
+      small_d = fabsf(si->m4), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(si->m3),
+      small = small_g < 1e-06f ? small_f : 0.0f;
+  const float p_0 = small == 1.0f ? si->m0 : si->m3;
+  const float p_1 = small == 1.0f ? si->m1 : si->m4;
+  const float p_2 = small == 1.0f ? si->m2 : si->m5;
+  const float s_size_0 = fabsf(p_0);
+  const float s_size_1 = fabsf(p_1);
+  const float s_size_2 = fabsf(p_2);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
+      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+  const float y_0 = p_0 * s;
+  const float y_1 = p_1 * s;
+  const float y_2 = p_2 * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
   const float d = n == 0.0f ? 1.0f : n;
-  const float so_0 = si->m0 / d;
-  const float so_1 = si->m1 / d;
-  const float so_2 = si->m2 / d;
-  const float so_3 = si->m3 / d;
-  const float so_4 = si->m4 / d;
-  const float so_5 = si->m5 / d;
+  const float up = 1.0f < s ? s : 1.0f;
+  const float down = s < 1.0f ? s : 1.0f;
+  const float z_0 = si->m0 * up;
+  const float z_1 = si->m1 * up;
+  const float z_2 = si->m2 * up;
+  const float z_3 = si->m3 * up;
+  const float z_4 = si->m4 * up;
+  const float z_5 = si->m5 * up;
+  const float q_0 = z_0 / d;
+  const float q_1 = z_1 / d;
+  const float q_2 = z_2 / d;
+  const float q_3 = z_3 / d;
+  const float q_4 = z_4 / d;
+  const float q_5 = z_5 / d;
+  const float so_0 = q_0 * down;
+  const float so_1 = q_1 * down;
+  const float so_2 = q_2 * down;
+  const float so_3 = q_3 * down;
+  const float so_4 = q_4 * down;
+  const float so_5 = q_5 * down;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6885,38 +7141,77 @@ static inline void ksl_subtract_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t 
   co->m5 = co_5;
 }
 
-/* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6); squares must neither over-
-     nor underflow.
+/* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
    ci: coscrew (f in N; τ in N m).
-   6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select. */
+   7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select. */
 static inline double ksl_coscrew_norm(const ksl_coscrew_t *ci) {
-  const double q_a = ci->m0 * ci->m0, q_b = ci->m1 * ci->m1, q_c = q_a + q_b, q_d = ci->m2 * ci->m2,
-      q_e = q_c + q_d, q_f = ci->m3 * ci->m3, q_g = ci->m4 * ci->m4, q_h = q_f + q_g,
-      q_i = ci->m5 * ci->m5, q_j = q_h + q_i, q_k = fabs(ci->m2), q_m = q_k < 1e-09 ? q_j : q_e,
-      q_n = fabs(ci->m1), q_p = q_n < 1e-09 ? q_m : q_e, q_q = fabs(ci->m0),
-      q = q_q < 1e-09 ? q_p : q_e;
-  const double norm = sqrt(q);
+  const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
+      small_d = fabs(ci->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(ci->m0),
+      small = small_g < 1e-09 ? small_f : 0.0;
+  const double p_0 = small == 1.0 ? ci->m3 : ci->m0;
+  const double p_1 = small == 1.0 ? ci->m4 : ci->m1;
+  const double p_2 = small == 1.0 ? ci->m5 : ci->m2;
+  const double s_size_0 = fabs(p_0);
+  const double s_size_1 = fabs(p_1);
+  const double s_size_2 = fabs(p_2);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = p_0 * s;
+  const double y_1 = p_1 * s;
+  const double y_2 = p_2 * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+  const double norm = n * r;
   return norm;
 }
 
-/* self = self / |self|, with coscrew_norm; the zero coscrew stays zero; squares must neither
-     over- nor underflow.
+/* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
 static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
-  const double q_a = self->m0 * self->m0, q_b = self->m1 * self->m1, q_c = q_a + q_b,
-      q_d = self->m2 * self->m2, q_e = q_c + q_d, q_f = self->m3 * self->m3,
-      q_g = self->m4 * self->m4, q_h = q_f + q_g, q_i = self->m5 * self->m5, q_j = q_h + q_i,
-      q_k = fabs(self->m2), q_m = q_k < 1e-09 ? q_j : q_e, q_n = fabs(self->m1),
-      q_p = q_n < 1e-09 ? q_m : q_e, q_q = fabs(self->m0), q = q_q < 1e-09 ? q_p : q_e;
-  const double n = sqrt(q);
+  const double small_a = fabs(self->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
+      small_d = fabs(self->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m0),
+      small = small_g < 1e-09 ? small_f : 0.0;
+  const double p_0 = small == 1.0 ? self->m3 : self->m0;
+  const double p_1 = small == 1.0 ? self->m4 : self->m1;
+  const double p_2 = small == 1.0 ? self->m5 : self->m2;
+  const double s_size_0 = fabs(p_0);
+  const double s_size_1 = fabs(p_1);
+  const double s_size_2 = fabs(p_2);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = p_0 * s;
+  const double y_1 = p_1 * s;
+  const double y_2 = p_2 * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
   const double d = n == 0.0 ? 1.0 : n;
-  const double self_0_new = self->m0 / d;
-  const double self_1_new = self->m1 / d;
-  const double self_2_new = self->m2 / d;
-  const double self_3_new = self->m3 / d;
-  const double self_4_new = self->m4 / d;
-  const double self_5_new = self->m5 / d;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double z_0 = self->m0 * up;
+  const double z_1 = self->m1 * up;
+  const double z_2 = self->m2 * up;
+  const double z_3 = self->m3 * up;
+  const double z_4 = self->m4 * up;
+  const double z_5 = self->m5 * up;
+  const double q_0 = z_0 / d;
+  const double q_1 = z_1 / d;
+  const double q_2 = z_2 / d;
+  const double q_3 = z_3 / d;
+  const double q_4 = z_4 / d;
+  const double q_5 = z_5 / d;
+  const double self_0_new = q_0 * down;
+  const double self_1_new = q_1 * down;
+  const double self_2_new = q_2 * down;
+  const double self_3_new = q_3 * down;
+  const double self_4_new = q_4 * down;
+  const double self_5_new = q_5 * down;
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -6925,24 +7220,49 @@ static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
   self->m5 = self_5_new;
 }
 
-/* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero; squares must neither over- nor
-     underflow.
+/* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
 static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
-  const double q_a = ci->m0 * ci->m0, q_b = ci->m1 * ci->m1, q_c = q_a + q_b, q_d = ci->m2 * ci->m2,
-      q_e = q_c + q_d, q_f = ci->m3 * ci->m3, q_g = ci->m4 * ci->m4, q_h = q_f + q_g,
-      q_i = ci->m5 * ci->m5, q_j = q_h + q_i, q_k = fabs(ci->m2), q_m = q_k < 1e-09 ? q_j : q_e,
-      q_n = fabs(ci->m1), q_p = q_n < 1e-09 ? q_m : q_e, q_q = fabs(ci->m0),
-      q = q_q < 1e-09 ? q_p : q_e;
-  const double n = sqrt(q);
+  const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
+      small_d = fabs(ci->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(ci->m0),
+      small = small_g < 1e-09 ? small_f : 0.0;
+  const double p_0 = small == 1.0 ? ci->m3 : ci->m0;
+  const double p_1 = small == 1.0 ? ci->m4 : ci->m1;
+  const double p_2 = small == 1.0 ? ci->m5 : ci->m2;
+  const double s_size_0 = fabs(p_0);
+  const double s_size_1 = fabs(p_1);
+  const double s_size_2 = fabs(p_2);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = p_0 * s;
+  const double y_1 = p_1 * s;
+  const double y_2 = p_2 * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
   const double d = n == 0.0 ? 1.0 : n;
-  const double co_0 = ci->m0 / d;
-  const double co_1 = ci->m1 / d;
-  const double co_2 = ci->m2 / d;
-  const double co_3 = ci->m3 / d;
-  const double co_4 = ci->m4 / d;
-  const double co_5 = ci->m5 / d;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double z_0 = ci->m0 * up;
+  const double z_1 = ci->m1 * up;
+  const double z_2 = ci->m2 * up;
+  const double z_3 = ci->m3 * up;
+  const double z_4 = ci->m4 * up;
+  const double z_5 = ci->m5 * up;
+  const double q_0 = z_0 / d;
+  const double q_1 = z_1 / d;
+  const double q_2 = z_2 / d;
+  const double q_3 = z_3 / d;
+  const double q_4 = z_4 / d;
+  const double q_5 = z_5 / d;
+  const double co_0 = q_0 * down;
+  const double co_1 = q_1 * down;
+  const double co_2 = q_2 * down;
+  const double co_3 = q_3 * down;
+  const double co_4 = q_4 * down;
+  const double co_5 = q_5 * down;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -8161,38 +8481,76 @@ static inline void ksl_subtract_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf
   co->m5 = co_5;
 }
 
-/* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6); squares must neither over-
-     nor underflow.
+/* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
    ci: coscrew (f in N; τ in N m).
-   6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select. */
+   7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select. */
 static inline float ksl_coscrewf_norm(const ksl_coscrewf_t *ci) {
-  const float q_a = ci->m0 * ci->m0, q_b = ci->m1 * ci->m1, q_c = q_a + q_b, q_d = ci->m2 * ci->m2,
-      q_e = q_c + q_d, q_f = ci->m3 * ci->m3, q_g = ci->m4 * ci->m4, q_h = q_f + q_g,
-      q_i = ci->m5 * ci->m5, q_j = q_h + q_i, q_k = fabsf(ci->m2), q_m = q_k < 1e-06f ? q_j : q_e,
-      q_n = fabsf(ci->m1), q_p = q_n < 1e-06f ? q_m : q_e, q_q = fabsf(ci->m0),
-      q = q_q < 1e-06f ? q_p : q_e;
-  const float norm = sqrtf(q);
+  const float small_a = fabsf(ci->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
+      small_d = fabsf(ci->m1), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(ci->m0),
+      small = small_g < 1e-06f ? small_f : 0.0f;
+  const float p_0 = small == 1.0f ? ci->m3 : ci->m0;
+  const float p_1 = small == 1.0f ? ci->m4 : ci->m1;
+  const float p_2 = small == 1.0f ? ci->m5 : ci->m2;
+  const float s_size_0 = fabsf(p_0);
+  const float s_size_1 = fabsf(p_1);
+  const float s_size_2 = fabsf(p_2);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
+      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+  const float y_0 = p_0 * s;
+  const float y_1 = p_1 * s;
+  const float y_2 = p_2 * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
+  const float norm = n * r;
   return norm;
 }
 
-/* self = self / |self|, with coscrew_norm; the zero coscrew stays zero; squares must neither
-     over- nor underflow.
+/* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
 static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
-  const float q_a = self->m0 * self->m0, q_b = self->m1 * self->m1, q_c = q_a + q_b,
-      q_d = self->m2 * self->m2, q_e = q_c + q_d, q_f = self->m3 * self->m3,
-      q_g = self->m4 * self->m4, q_h = q_f + q_g, q_i = self->m5 * self->m5, q_j = q_h + q_i,
-      q_k = fabsf(self->m2), q_m = q_k < 1e-06f ? q_j : q_e, q_n = fabsf(self->m1),
-      q_p = q_n < 1e-06f ? q_m : q_e, q_q = fabsf(self->m0), q = q_q < 1e-06f ? q_p : q_e;
-  const float n = sqrtf(q);
+  const float small_a = fabsf(self->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
+      small_d = fabsf(self->m1), small_f = small_d < 1e-06f ? small_c : 0.0f,
+      small_g = fabsf(self->m0), small = small_g < 1e-06f ? small_f : 0.0f;
+  const float p_0 = small == 1.0f ? self->m3 : self->m0;
+  const float p_1 = small == 1.0f ? self->m4 : self->m1;
+  const float p_2 = small == 1.0f ? self->m5 : self->m2;
+  const float s_size_0 = fabsf(p_0);
+  const float s_size_1 = fabsf(p_1);
+  const float s_size_2 = fabsf(p_2);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
+      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+  const float y_0 = p_0 * s;
+  const float y_1 = p_1 * s;
+  const float y_2 = p_2 * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
   const float d = n == 0.0f ? 1.0f : n;
-  const float self_0_new = self->m0 / d;
-  const float self_1_new = self->m1 / d;
-  const float self_2_new = self->m2 / d;
-  const float self_3_new = self->m3 / d;
-  const float self_4_new = self->m4 / d;
-  const float self_5_new = self->m5 / d;
+  const float up = 1.0f < s ? s : 1.0f;
+  const float down = s < 1.0f ? s : 1.0f;
+  const float z_0 = self->m0 * up;
+  const float z_1 = self->m1 * up;
+  const float z_2 = self->m2 * up;
+  const float z_3 = self->m3 * up;
+  const float z_4 = self->m4 * up;
+  const float z_5 = self->m5 * up;
+  const float q_0 = z_0 / d;
+  const float q_1 = z_1 / d;
+  const float q_2 = z_2 / d;
+  const float q_3 = z_3 / d;
+  const float q_4 = z_4 / d;
+  const float q_5 = z_5 / d;
+  const float self_0_new = q_0 * down;
+  const float self_1_new = q_1 * down;
+  const float self_2_new = q_2 * down;
+  const float self_3_new = q_3 * down;
+  const float self_4_new = q_4 * down;
+  const float self_5_new = q_5 * down;
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -8201,24 +8559,49 @@ static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
   self->m5 = self_5_new;
 }
 
-/* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero; squares must neither over- nor
-     underflow.
+/* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
 static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
-  const float q_a = ci->m0 * ci->m0, q_b = ci->m1 * ci->m1, q_c = q_a + q_b, q_d = ci->m2 * ci->m2,
-      q_e = q_c + q_d, q_f = ci->m3 * ci->m3, q_g = ci->m4 * ci->m4, q_h = q_f + q_g,
-      q_i = ci->m5 * ci->m5, q_j = q_h + q_i, q_k = fabsf(ci->m2), q_m = q_k < 1e-06f ? q_j : q_e,
-      q_n = fabsf(ci->m1), q_p = q_n < 1e-06f ? q_m : q_e, q_q = fabsf(ci->m0),
-      q = q_q < 1e-06f ? q_p : q_e;
-  const float n = sqrtf(q);
+  const float small_a = fabsf(ci->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
+      small_d = fabsf(ci->m1), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(ci->m0),
+      small = small_g < 1e-06f ? small_f : 0.0f;
+  const float p_0 = small == 1.0f ? ci->m3 : ci->m0;
+  const float p_1 = small == 1.0f ? ci->m4 : ci->m1;
+  const float p_2 = small == 1.0f ? ci->m5 : ci->m2;
+  const float s_size_0 = fabsf(p_0);
+  const float s_size_1 = fabsf(p_1);
+  const float s_size_2 = fabsf(p_2);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
+      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+  const float y_0 = p_0 * s;
+  const float y_1 = p_1 * s;
+  const float y_2 = p_2 * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
   const float d = n == 0.0f ? 1.0f : n;
-  const float co_0 = ci->m0 / d;
-  const float co_1 = ci->m1 / d;
-  const float co_2 = ci->m2 / d;
-  const float co_3 = ci->m3 / d;
-  const float co_4 = ci->m4 / d;
-  const float co_5 = ci->m5 / d;
+  const float up = 1.0f < s ? s : 1.0f;
+  const float down = s < 1.0f ? s : 1.0f;
+  const float z_0 = ci->m0 * up;
+  const float z_1 = ci->m1 * up;
+  const float z_2 = ci->m2 * up;
+  const float z_3 = ci->m3 * up;
+  const float z_4 = ci->m4 * up;
+  const float z_5 = ci->m5 * up;
+  const float q_0 = z_0 / d;
+  const float q_1 = z_1 / d;
+  const float q_2 = z_2 / d;
+  const float q_3 = z_3 / d;
+  const float q_4 = z_4 / d;
+  const float q_5 = z_5 / d;
+  const float co_0 = q_0 * down;
+  const float co_1 = q_1 * down;
+  const float co_2 = q_2 * down;
+  const float co_3 = q_3 * down;
+  const float co_4 = q_4 * down;
+  const float co_5 = q_5 * down;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;

@@ -145,6 +145,38 @@ typedef union ksl_mat6x6f_t {
   KSL_VIEW { float at[6][6]; };
 } ksl_mat6x6f_t;
 
+/* quaternion (w; x, y, z), the scalar first; for rotations, of norm 1; double precision. */
+typedef union ksl_quaternion_t {
+  KSL_VIEW { double at[4]; };
+  KSL_VIEW { double w, x, y, z; };
+} ksl_quaternion_t;
+
+/* quaternion (w; x, y, z), the scalar first; for rotations, of norm 1; single precision. */
+typedef union ksl_quaternionf_t {
+  KSL_VIEW { float at[4]; };
+  KSL_VIEW { float w, x, y, z; };
+} ksl_quaternionf_t;
+
+/* spatial inertia: mass m, first moment h = m c, second moments about the origin; double precision. */
+typedef union ksl_inertia_t {
+  KSL_VIEW { double at[10]; };
+  KSL_VIEW {
+    double m;
+    ksl_vec3_t h;
+    double xx, yy, zz, xy, xz, yz;
+  };
+} ksl_inertia_t;
+
+/* spatial inertia: mass m, first moment h = m c, second moments about the origin; single precision. */
+typedef union ksl_inertiaf_t {
+  KSL_VIEW { float at[10]; };
+  KSL_VIEW {
+    float m;
+    ksl_vec3f_t h;
+    float xx, yy, zz, xy, xz, yz;
+  };
+} ksl_inertiaf_t;
+
 #endif
 
 /* Vectors of three components.

@@ -571,4 +571,100 @@ INLINED void store_mat6x6_single(
   *(float *)(p + 5 * s[0] + 5 * s[1]) = x->at[5][5];
 }
 
+INLINED void load_quaternion_double(
+    ksl_quaternion_t *x, const char *p, const npy_intp *s) {
+  (void)s;
+  x->w = *(const double *)(p);
+  x->x = *(const double *)(p + 1 * s[0]);
+  x->y = *(const double *)(p + 2 * s[0]);
+  x->z = *(const double *)(p + 3 * s[0]);
+}
+
+INLINED void store_quaternion_double(
+    const ksl_quaternion_t *x, char *p, const npy_intp *s) {
+  (void)s;
+  *(double *)(p) = x->w;
+  *(double *)(p + 1 * s[0]) = x->x;
+  *(double *)(p + 2 * s[0]) = x->y;
+  *(double *)(p + 3 * s[0]) = x->z;
+}
+
+INLINED void load_quaternion_single(
+    ksl_quaternionf_t *x, const char *p, const npy_intp *s) {
+  (void)s;
+  x->w = *(const float *)(p);
+  x->x = *(const float *)(p + 1 * s[0]);
+  x->y = *(const float *)(p + 2 * s[0]);
+  x->z = *(const float *)(p + 3 * s[0]);
+}
+
+INLINED void store_quaternion_single(
+    const ksl_quaternionf_t *x, char *p, const npy_intp *s) {
+  (void)s;
+  *(float *)(p) = x->w;
+  *(float *)(p + 1 * s[0]) = x->x;
+  *(float *)(p + 2 * s[0]) = x->y;
+  *(float *)(p + 3 * s[0]) = x->z;
+}
+
+INLINED void load_inertia_double(
+    ksl_inertia_t *x, const char *p, const npy_intp *s) {
+  (void)s;
+  x->m = *(const double *)(p);
+  x->h.x = *(const double *)(p + 1 * s[0]);
+  x->h.y = *(const double *)(p + 2 * s[0]);
+  x->h.z = *(const double *)(p + 3 * s[0]);
+  x->xx = *(const double *)(p + 4 * s[0]);
+  x->yy = *(const double *)(p + 5 * s[0]);
+  x->zz = *(const double *)(p + 6 * s[0]);
+  x->xy = *(const double *)(p + 7 * s[0]);
+  x->xz = *(const double *)(p + 8 * s[0]);
+  x->yz = *(const double *)(p + 9 * s[0]);
+}
+
+INLINED void store_inertia_double(
+    const ksl_inertia_t *x, char *p, const npy_intp *s) {
+  (void)s;
+  *(double *)(p) = x->m;
+  *(double *)(p + 1 * s[0]) = x->h.x;
+  *(double *)(p + 2 * s[0]) = x->h.y;
+  *(double *)(p + 3 * s[0]) = x->h.z;
+  *(double *)(p + 4 * s[0]) = x->xx;
+  *(double *)(p + 5 * s[0]) = x->yy;
+  *(double *)(p + 6 * s[0]) = x->zz;
+  *(double *)(p + 7 * s[0]) = x->xy;
+  *(double *)(p + 8 * s[0]) = x->xz;
+  *(double *)(p + 9 * s[0]) = x->yz;
+}
+
+INLINED void load_inertia_single(
+    ksl_inertiaf_t *x, const char *p, const npy_intp *s) {
+  (void)s;
+  x->m = *(const float *)(p);
+  x->h.x = *(const float *)(p + 1 * s[0]);
+  x->h.y = *(const float *)(p + 2 * s[0]);
+  x->h.z = *(const float *)(p + 3 * s[0]);
+  x->xx = *(const float *)(p + 4 * s[0]);
+  x->yy = *(const float *)(p + 5 * s[0]);
+  x->zz = *(const float *)(p + 6 * s[0]);
+  x->xy = *(const float *)(p + 7 * s[0]);
+  x->xz = *(const float *)(p + 8 * s[0]);
+  x->yz = *(const float *)(p + 9 * s[0]);
+}
+
+INLINED void store_inertia_single(
+    const ksl_inertiaf_t *x, char *p, const npy_intp *s) {
+  (void)s;
+  *(float *)(p) = x->m;
+  *(float *)(p + 1 * s[0]) = x->h.x;
+  *(float *)(p + 2 * s[0]) = x->h.y;
+  *(float *)(p + 3 * s[0]) = x->h.z;
+  *(float *)(p + 4 * s[0]) = x->xx;
+  *(float *)(p + 5 * s[0]) = x->yy;
+  *(float *)(p + 6 * s[0]) = x->zz;
+  *(float *)(p + 7 * s[0]) = x->xy;
+  *(float *)(p + 8 * s[0]) = x->xz;
+  *(float *)(p + 9 * s[0]) = x->yz;
+}
+
 #endif

@@ -71,7 +71,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "2d0e0489963d60cb") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "e0f62c3385f33dae") < 0) {
     Py_DECREF(module);
     return NULL;
   }

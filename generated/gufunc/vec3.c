@@ -2206,22 +2206,22 @@ const coscrew_gufunc TABLE(vec3)[] = {
     "No arithmetic.  Exact.\n",
    2, 2, vec3_swap_loops},
   {"vec3_l2norm", "(3)->()",
-    "|v| = sqrt(v·v); squares must neither over- nor underflow.\n"
+    "|v| = sqrt(v·v).\n"
     "\n"
     "(3)->().  v: vector; norm: number.\n"
-    "3 mul, 2 add, 1 sqrt.\n",
+    "7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select.\n",
    1, 1, vec3_l2norm_loops},
   {"vec3_normalize", "(3)->(3)",
-    "self = self / |self|; the zero vector stays zero; squares must neither over- nor underflow.\n"
+    "self = self / |self|; the zero vector stays zero.\n"
     "\n"
     "(3)->(3).  self: vector.\n"
-    "3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select.\n",
+    "12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.\n",
    1, 1, vec3_normalize_loops},
   {"vec3_normalized", "(3)->(3)",
-    "vo = v / |v|; the zero vector stays zero; squares must neither over- nor underflow.\n"
+    "vo = v / |v|; the zero vector stays zero.\n"
     "\n"
     "(3)->(3).  v, vo: vector.\n"
-    "3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select.\n",
+    "12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.\n",
    1, 1, vec3_normalized_loops},
   {"dot_vv", "(3),(3)->()",
     "v1·v2.\n"

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from coscrew import c, double, single
 
-_PROVENANCE = "2d0e0489963d60cb"
+_PROVENANCE = "e0f62c3385f33dae"
 
 
 def _is_compiled() -> bool:

@@ -15,8 +15,12 @@ product_av = dispatch(__name__, double.product_av, single.product_av)
 add_vv = dispatch(__name__, double.add_vv, single.add_vv)
 subtract_vv = dispatch(__name__, double.subtract_vv, single.subtract_vv)
 vec3_scaled = dispatch(__name__, double.vec3_scaled, single.vec3_scaled)
+vec3_l2norm = dispatch(__name__, double.vec3_l2norm, single.vec3_l2norm)
+vec3_normalize = dispatch(__name__, double.vec3_normalize, single.vec3_normalize)
+vec3_normalized = dispatch(__name__, double.vec3_normalized, single.vec3_normalized)
 dot_vv = dispatch(__name__, double.dot_vv, single.dot_vv)
 product_avinv = dispatch(__name__, double.product_avinv, single.product_avinv)
+product_ainvv = dispatch(__name__, double.product_ainvv, single.product_ainvv)
 cross_vv = dispatch(__name__, double.cross_vv, single.cross_vv)
 cross_vvinv = dispatch(__name__, double.cross_vvinv, single.cross_vvinv)
 add_vvx = dispatch(__name__, double.add_vvx, single.add_vvx)
@@ -76,6 +80,9 @@ nxpy_ss = dispatch(__name__, double.nxpy_ss, single.nxpy_ss)
 product_as = dispatch(__name__, double.product_as, single.product_as)
 add_ss = dispatch(__name__, double.add_ss, single.add_ss)
 subtract_ss = dispatch(__name__, double.subtract_ss, single.subtract_ss)
+screw_norm = dispatch(__name__, double.screw_norm, single.screw_norm)
+screw_normalize = dispatch(__name__, double.screw_normalize, single.screw_normalize)
+screw_normalized = dispatch(__name__, double.screw_normalized, single.screw_normalized)
 add_sst = dispatch(__name__, double.add_sst, single.add_sst)
 product_Adts = dispatch(__name__, double.product_Adts, single.product_Adts)
 product_Adtinvs = dispatch(__name__, double.product_Adtinvs, single.product_Adtinvs)
@@ -105,6 +112,9 @@ nxpy_cc = dispatch(__name__, double.nxpy_cc, single.nxpy_cc)
 product_ac = dispatch(__name__, double.product_ac, single.product_ac)
 add_cc = dispatch(__name__, double.add_cc, single.add_cc)
 subtract_cc = dispatch(__name__, double.subtract_cc, single.subtract_cc)
+coscrew_norm = dispatch(__name__, double.coscrew_norm, single.coscrew_norm)
+coscrew_normalize = dispatch(__name__, double.coscrew_normalize, single.coscrew_normalize)
+coscrew_normalized = dispatch(__name__, double.coscrew_normalized, single.coscrew_normalized)
 add_cct = dispatch(__name__, double.add_cct, single.add_cct)
 product_CoAdtc = dispatch(__name__, double.product_CoAdtc, single.product_CoAdtc)
 product_CoAdtinvc = dispatch(__name__, double.product_CoAdtinvc, single.product_CoAdtinvc)
@@ -148,8 +158,12 @@ __all__ = [
     "add_vv",
     "subtract_vv",
     "vec3_scaled",
+    "vec3_l2norm",
+    "vec3_normalize",
+    "vec3_normalized",
     "dot_vv",
     "product_avinv",
+    "product_ainvv",
     "cross_vv",
     "cross_vvinv",
     "add_vvx",
@@ -209,6 +223,9 @@ __all__ = [
     "product_as",
     "add_ss",
     "subtract_ss",
+    "screw_norm",
+    "screw_normalize",
+    "screw_normalized",
     "add_sst",
     "product_Adts",
     "product_Adtinvs",
@@ -238,6 +255,9 @@ __all__ = [
     "product_ac",
     "add_cc",
     "subtract_cc",
+    "coscrew_norm",
+    "coscrew_normalize",
+    "coscrew_normalized",
     "add_cct",
     "product_CoAdtc",
     "product_CoAdtinvc",

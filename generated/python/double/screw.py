@@ -4,7 +4,7 @@
 In double precision, plain tier.
 """
 
-from numpy import absolute, sqrt, where
+from numpy import absolute, float64, sqrt, where
 from coscrew._kernel import double_kernel as kernel
 
 
@@ -180,66 +180,130 @@ def subtract_ss(s1, s2):
 
 @kernel("(6)->()")
 def screw_norm(si):
-    """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6); squares must neither over-
-    nor underflow.
+    """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  si: screw (v in m/s; ω in rad/s); norm: number.
-    6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select.
+    7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select.
     """
     si_0, si_1, si_2, si_3, si_4, si_5 = si
-    q_e = si_3 * si_3 + si_4 * si_4 + si_5 * si_5
-    q_m = where(absolute(si_5) < 1e-09, si_0 * si_0 + si_1 * si_1 + si_2 * si_2, q_e)
-    q_p = where(absolute(si_4) < 1e-09, q_m, q_e)
-    q = where(absolute(si_3) < 1e-09, q_p, q_e)
-    norm = sqrt(q)
+    small_c = where(absolute(si_5) < 1e-09, float64(1), float64(0))
+    small_f = where(absolute(si_4) < 1e-09, small_c, 0)
+    small = where(absolute(si_3) < 1e-09, small_f, 0)
+    p_0 = where(small == 1, si_0, si_3)
+    p_1 = where(small == 1, si_1, si_4)
+    p_2 = where(small == 1, si_2, si_5)
+    s_size_0 = absolute(p_0)
+    s_size_1 = absolute(p_1)
+    s_size_2 = absolute(p_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
+    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    y_0 = p_0 * s
+    y_1 = p_1 * s
+    y_2 = p_2 * s
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
+    r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
+    r = where(1 < s, 2.409919865102884e-181, r_b)
+    norm = n * r
     return norm
 
 
 @kernel("(6)->(6)")
 def screw_normalize(self):
-    """self = self / |self|, with screw_norm; the zero screw stays zero; squares must neither over-
-    nor underflow.
+    """self = self / |self|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
-    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
-    q_e = self_3 * self_3 + self_4 * self_4 + self_5 * self_5
-    q_m = where(absolute(self_5) < 1e-09, self_0 * self_0 + self_1 * self_1 + self_2 * self_2, q_e)
-    q_p = where(absolute(self_4) < 1e-09, q_m, q_e)
-    q = where(absolute(self_3) < 1e-09, q_p, q_e)
-    n = sqrt(q)
+    small_c = where(absolute(self_5) < 1e-09, float64(1), float64(0))
+    small_f = where(absolute(self_4) < 1e-09, small_c, 0)
+    small = where(absolute(self_3) < 1e-09, small_f, 0)
+    p_0 = where(small == 1, self_0, self_3)
+    p_1 = where(small == 1, self_1, self_4)
+    p_2 = where(small == 1, self_2, self_5)
+    s_size_0 = absolute(p_0)
+    s_size_1 = absolute(p_1)
+    s_size_2 = absolute(p_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
+    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    y_0 = p_0 * s
+    y_1 = p_1 * s
+    y_2 = p_2 * s
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
     d = where(n == 0, 1, n)
-    self_0_new = self_0 / d
-    self_1_new = self_1 / d
-    self_2_new = self_2 / d
-    self_3_new = self_3 / d
-    self_4_new = self_4 / d
-    self_5_new = self_5 / d
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
+    z_0 = self_0 * up
+    z_1 = self_1 * up
+    z_2 = self_2 * up
+    z_3 = self_3 * up
+    z_4 = self_4 * up
+    z_5 = self_5 * up
+    q_0 = z_0 / d
+    q_1 = z_1 / d
+    q_2 = z_2 / d
+    q_3 = z_3 / d
+    q_4 = z_4 / d
+    q_5 = z_5 / d
+    self_0_new = q_0 * down
+    self_1_new = q_1 * down
+    self_2_new = q_2 * down
+    self_3_new = q_3 * down
+    self_4_new = q_4 * down
+    self_5_new = q_5 * down
     return (self_0_new, self_1_new, self_2_new, self_3_new, self_4_new, self_5_new)
 
 
 @kernel("(6)->(6)")
 def screw_normalized(si):
-    """so = si / |si|, with screw_norm; the zero screw stays zero; squares must neither over- nor
-    underflow.
+    """so = si / |si|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
     """
     si_0, si_1, si_2, si_3, si_4, si_5 = si
-    q_e = si_3 * si_3 + si_4 * si_4 + si_5 * si_5
-    q_m = where(absolute(si_5) < 1e-09, si_0 * si_0 + si_1 * si_1 + si_2 * si_2, q_e)
-    q_p = where(absolute(si_4) < 1e-09, q_m, q_e)
-    q = where(absolute(si_3) < 1e-09, q_p, q_e)
-    n = sqrt(q)
+    small_c = where(absolute(si_5) < 1e-09, float64(1), float64(0))
+    small_f = where(absolute(si_4) < 1e-09, small_c, 0)
+    small = where(absolute(si_3) < 1e-09, small_f, 0)
+    p_0 = where(small == 1, si_0, si_3)
+    p_1 = where(small == 1, si_1, si_4)
+    p_2 = where(small == 1, si_2, si_5)
+    s_size_0 = absolute(p_0)
+    s_size_1 = absolute(p_1)
+    s_size_2 = absolute(p_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
+    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    y_0 = p_0 * s
+    y_1 = p_1 * s
+    y_2 = p_2 * s
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
     d = where(n == 0, 1, n)
-    so_0 = si_0 / d
-    so_1 = si_1 / d
-    so_2 = si_2 / d
-    so_3 = si_3 / d
-    so_4 = si_4 / d
-    so_5 = si_5 / d
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
+    z_0 = si_0 * up
+    z_1 = si_1 * up
+    z_2 = si_2 * up
+    z_3 = si_3 * up
+    z_4 = si_4 * up
+    z_5 = si_5 * up
+    q_0 = z_0 / d
+    q_1 = z_1 / d
+    q_2 = z_2 / d
+    q_3 = z_3 / d
+    q_4 = z_4 / d
+    q_5 = z_5 / d
+    so_0 = q_0 * down
+    so_1 = q_1 * down
+    so_2 = q_2 * down
+    so_3 = q_3 * down
+    so_4 = q_4 * down
+    so_5 = q_5 * down
     return (so_0, so_1, so_2, so_3, so_4, so_5)
 
 

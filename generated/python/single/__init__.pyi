@@ -88,24 +88,24 @@ def vec3_swap(v1: ArrayLike, v2: ArrayLike, out: tuple[NDArray[np.float32] | Non
     """
 
 def vec3_l2norm(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
-    """|v| = sqrt(v·v); squares must neither over- nor underflow.
+    """|v| = sqrt(v·v).
 
     (3)->().  v: vector; norm: number.
-    3 mul, 2 add, 1 sqrt.
+    7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select.
     """
 
 def vec3_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
-    """self = self / |self|; the zero vector stays zero; squares must neither over- nor underflow.
+    """self = self / |self|; the zero vector stays zero.
 
     (3)->(3).  self: vector.
-    3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select.
+    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.
     """
 
 def vec3_normalized(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
-    """vo = v / |v|; the zero vector stays zero; squares must neither over- nor underflow.
+    """vo = v / |v|; the zero vector stays zero.
 
     (3)->(3).  v, vo: vector.
-    3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select.
+    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.
     """
 
 def dot_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -714,27 +714,24 @@ def subtract_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float32] | None = 
     """
 
 def screw_norm(si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
-    """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6); squares must neither over-
-    nor underflow.
+    """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  si: screw (v in m/s; ω in rad/s); norm: number.
-    6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select.
+    7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select.
     """
 
 def screw_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
-    """self = self / |self|, with screw_norm; the zero screw stays zero; squares must neither over-
-    nor underflow.
+    """self = self / |self|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
-    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
     """
 
 def screw_normalized(si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
-    """so = si / |si|, with screw_norm; the zero screw stays zero; squares must neither over- nor
-    underflow.
+    """so = si / |si|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
     """
 
 def screw_from_lin_ang(lin: ArrayLike, ang: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1060,27 +1057,24 @@ def subtract_cc(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.float32] | None = 
     """
 
 def coscrew_norm(ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
-    """|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6); squares must neither over-
-    nor underflow.
+    """|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  ci: coscrew (f in N; τ in N m); norm: number.
-    6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select.
+    7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select.
     """
 
 def coscrew_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
-    """self = self / |self|, with coscrew_norm; the zero coscrew stays zero; squares must neither
-    over- nor underflow.
+    """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
-    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
     """
 
 def coscrew_normalized(ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
-    """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero; squares must neither over-
-    nor underflow.
+    """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
-    6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
     """
 
 def coscrew_from_lin_ang(lin: ArrayLike, ang: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:

@@ -4,7 +4,7 @@
 In single precision, plain tier.
 """
 
-from numpy import sqrt, where
+from numpy import absolute, float32, sqrt, where
 from coscrew._kernel import single_kernel as kernel
 
 
@@ -179,45 +179,93 @@ def vec3_swap(v1, v2):
 
 @kernel("(3)->()")
 def vec3_l2norm(v):
-    """|v| = sqrt(v·v); squares must neither over- nor underflow.
+    """|v| = sqrt(v·v).
 
     (3)->().  v: vector; norm: number.
-    3 mul, 2 add, 1 sqrt.
+    7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select.
     """
     v_0, v_1, v_2 = v
-    norm = sqrt(v_0 * v_0 + v_1 * v_1 + v_2 * v_2)
+    s_size_0 = absolute(v_0)
+    s_size_1 = absolute(v_1)
+    s_size_2 = absolute(v_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(4.611686e+18 < s_largest2, float32(2.7105054e-20), float32(1))
+    s = where(s_largest2 < 8.881784e-16, 1.2676506e+30, s_b)
+    y_0 = v_0 * s
+    y_1 = v_1 * s
+    y_2 = v_2 * s
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
+    r = where(1 < s, 7.888609e-31, where(s < 1, float32(3.689349e+19), float32(1)))
+    norm = n * r
     return norm
 
 
 @kernel("(3)->(3)")
 def vec3_normalize(self):
-    """self = self / |self|; the zero vector stays zero; squares must neither over- nor underflow.
+    """self = self / |self|; the zero vector stays zero.
 
     (3)->(3).  self: vector.
-    3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select.
+    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.
     """
     self_0, self_1, self_2 = self
-    n = sqrt(self_0 * self_0 + self_1 * self_1 + self_2 * self_2)
+    s_size_0 = absolute(self_0)
+    s_size_1 = absolute(self_1)
+    s_size_2 = absolute(self_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(4.611686e+18 < s_largest2, float32(2.7105054e-20), float32(1))
+    s = where(s_largest2 < 8.881784e-16, 1.2676506e+30, s_b)
+    y_0 = self_0 * s
+    y_1 = self_1 * s
+    y_2 = self_2 * s
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
     d = where(n == 0, 1, n)
-    self_0_new = self_0 / d
-    self_1_new = self_1 / d
-    self_2_new = self_2 / d
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
+    z_0 = self_0 * up
+    z_1 = self_1 * up
+    z_2 = self_2 * up
+    q_0 = z_0 / d
+    q_1 = z_1 / d
+    q_2 = z_2 / d
+    self_0_new = q_0 * down
+    self_1_new = q_1 * down
+    self_2_new = q_2 * down
     return (self_0_new, self_1_new, self_2_new)
 
 
 @kernel("(3)->(3)")
 def vec3_normalized(v):
-    """vo = v / |v|; the zero vector stays zero; squares must neither over- nor underflow.
+    """vo = v / |v|; the zero vector stays zero.
 
     (3)->(3).  v, vo: vector.
-    3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select.
+    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.
     """
     v_0, v_1, v_2 = v
-    n = sqrt(v_0 * v_0 + v_1 * v_1 + v_2 * v_2)
+    s_size_0 = absolute(v_0)
+    s_size_1 = absolute(v_1)
+    s_size_2 = absolute(v_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(4.611686e+18 < s_largest2, float32(2.7105054e-20), float32(1))
+    s = where(s_largest2 < 8.881784e-16, 1.2676506e+30, s_b)
+    y_0 = v_0 * s
+    y_1 = v_1 * s
+    y_2 = v_2 * s
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
     d = where(n == 0, 1, n)
-    vo_0 = v_0 / d
-    vo_1 = v_1 / d
-    vo_2 = v_2 / d
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
+    z_0 = v_0 * up
+    z_1 = v_1 * up
+    z_2 = v_2 * up
+    q_0 = z_0 / d
+    q_1 = z_1 / d
+    q_2 = z_2 / d
+    vo_0 = q_0 * down
+    vo_1 = q_1 * down
+    vo_2 = q_2 * down
     return (vo_0, vo_1, vo_2)
 
 

@@ -211,38 +211,77 @@ static inline void ksl_subtract_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t 
   co->m5 = co_5;
 }
 
-/* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6); squares must neither over-
-     nor underflow.
+/* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
    ci: coscrew (f in N; τ in N m).
-   6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select. */
+   7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select. */
 static inline double ksl_coscrew_norm(const ksl_coscrew_t *ci) {
-  const double q_a = ci->m0 * ci->m0, q_b = ci->m1 * ci->m1, q_c = q_a + q_b, q_d = ci->m2 * ci->m2,
-      q_e = q_c + q_d, q_f = ci->m3 * ci->m3, q_g = ci->m4 * ci->m4, q_h = q_f + q_g,
-      q_i = ci->m5 * ci->m5, q_j = q_h + q_i, q_k = fabs(ci->m2), q_m = q_k < 1e-09 ? q_j : q_e,
-      q_n = fabs(ci->m1), q_p = q_n < 1e-09 ? q_m : q_e, q_q = fabs(ci->m0),
-      q = q_q < 1e-09 ? q_p : q_e;
-  const double norm = sqrt(q);
+  const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
+      small_d = fabs(ci->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(ci->m0),
+      small = small_g < 1e-09 ? small_f : 0.0;
+  const double p_0 = small == 1.0 ? ci->m3 : ci->m0;
+  const double p_1 = small == 1.0 ? ci->m4 : ci->m1;
+  const double p_2 = small == 1.0 ? ci->m5 : ci->m2;
+  const double s_size_0 = fabs(p_0);
+  const double s_size_1 = fabs(p_1);
+  const double s_size_2 = fabs(p_2);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = p_0 * s;
+  const double y_1 = p_1 * s;
+  const double y_2 = p_2 * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+  const double norm = n * r;
   return norm;
 }
 
-/* self = self / |self|, with coscrew_norm; the zero coscrew stays zero; squares must neither
-     over- nor underflow.
+/* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
 static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
-  const double q_a = self->m0 * self->m0, q_b = self->m1 * self->m1, q_c = q_a + q_b,
-      q_d = self->m2 * self->m2, q_e = q_c + q_d, q_f = self->m3 * self->m3,
-      q_g = self->m4 * self->m4, q_h = q_f + q_g, q_i = self->m5 * self->m5, q_j = q_h + q_i,
-      q_k = fabs(self->m2), q_m = q_k < 1e-09 ? q_j : q_e, q_n = fabs(self->m1),
-      q_p = q_n < 1e-09 ? q_m : q_e, q_q = fabs(self->m0), q = q_q < 1e-09 ? q_p : q_e;
-  const double n = sqrt(q);
+  const double small_a = fabs(self->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
+      small_d = fabs(self->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m0),
+      small = small_g < 1e-09 ? small_f : 0.0;
+  const double p_0 = small == 1.0 ? self->m3 : self->m0;
+  const double p_1 = small == 1.0 ? self->m4 : self->m1;
+  const double p_2 = small == 1.0 ? self->m5 : self->m2;
+  const double s_size_0 = fabs(p_0);
+  const double s_size_1 = fabs(p_1);
+  const double s_size_2 = fabs(p_2);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = p_0 * s;
+  const double y_1 = p_1 * s;
+  const double y_2 = p_2 * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
   const double d = n == 0.0 ? 1.0 : n;
-  const double self_0_new = self->m0 / d;
-  const double self_1_new = self->m1 / d;
-  const double self_2_new = self->m2 / d;
-  const double self_3_new = self->m3 / d;
-  const double self_4_new = self->m4 / d;
-  const double self_5_new = self->m5 / d;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double z_0 = self->m0 * up;
+  const double z_1 = self->m1 * up;
+  const double z_2 = self->m2 * up;
+  const double z_3 = self->m3 * up;
+  const double z_4 = self->m4 * up;
+  const double z_5 = self->m5 * up;
+  const double q_0 = z_0 / d;
+  const double q_1 = z_1 / d;
+  const double q_2 = z_2 / d;
+  const double q_3 = z_3 / d;
+  const double q_4 = z_4 / d;
+  const double q_5 = z_5 / d;
+  const double self_0_new = q_0 * down;
+  const double self_1_new = q_1 * down;
+  const double self_2_new = q_2 * down;
+  const double self_3_new = q_3 * down;
+  const double self_4_new = q_4 * down;
+  const double self_5_new = q_5 * down;
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -251,24 +290,49 @@ static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
   self->m5 = self_5_new;
 }
 
-/* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero; squares must neither over- nor
-     underflow.
+/* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
 static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
-  const double q_a = ci->m0 * ci->m0, q_b = ci->m1 * ci->m1, q_c = q_a + q_b, q_d = ci->m2 * ci->m2,
-      q_e = q_c + q_d, q_f = ci->m3 * ci->m3, q_g = ci->m4 * ci->m4, q_h = q_f + q_g,
-      q_i = ci->m5 * ci->m5, q_j = q_h + q_i, q_k = fabs(ci->m2), q_m = q_k < 1e-09 ? q_j : q_e,
-      q_n = fabs(ci->m1), q_p = q_n < 1e-09 ? q_m : q_e, q_q = fabs(ci->m0),
-      q = q_q < 1e-09 ? q_p : q_e;
-  const double n = sqrt(q);
+  const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
+      small_d = fabs(ci->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(ci->m0),
+      small = small_g < 1e-09 ? small_f : 0.0;
+  const double p_0 = small == 1.0 ? ci->m3 : ci->m0;
+  const double p_1 = small == 1.0 ? ci->m4 : ci->m1;
+  const double p_2 = small == 1.0 ? ci->m5 : ci->m2;
+  const double s_size_0 = fabs(p_0);
+  const double s_size_1 = fabs(p_1);
+  const double s_size_2 = fabs(p_2);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = p_0 * s;
+  const double y_1 = p_1 * s;
+  const double y_2 = p_2 * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
   const double d = n == 0.0 ? 1.0 : n;
-  const double co_0 = ci->m0 / d;
-  const double co_1 = ci->m1 / d;
-  const double co_2 = ci->m2 / d;
-  const double co_3 = ci->m3 / d;
-  const double co_4 = ci->m4 / d;
-  const double co_5 = ci->m5 / d;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double z_0 = ci->m0 * up;
+  const double z_1 = ci->m1 * up;
+  const double z_2 = ci->m2 * up;
+  const double z_3 = ci->m3 * up;
+  const double z_4 = ci->m4 * up;
+  const double z_5 = ci->m5 * up;
+  const double q_0 = z_0 / d;
+  const double q_1 = z_1 / d;
+  const double q_2 = z_2 / d;
+  const double q_3 = z_3 / d;
+  const double q_4 = z_4 / d;
+  const double q_5 = z_5 / d;
+  const double co_0 = q_0 * down;
+  const double co_1 = q_1 * down;
+  const double co_2 = q_2 * down;
+  const double co_3 = q_3 * down;
+  const double co_4 = q_4 * down;
+  const double co_5 = q_5 * down;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1487,38 +1551,76 @@ static inline void ksl_subtract_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf
   co->m5 = co_5;
 }
 
-/* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6); squares must neither over-
-     nor underflow.
+/* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
    ci: coscrew (f in N; τ in N m).
-   6 mul, 4 add, 1 sqrt, 3 abs, 3 less, 3 select. */
+   7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select. */
 static inline float ksl_coscrewf_norm(const ksl_coscrewf_t *ci) {
-  const float q_a = ci->m0 * ci->m0, q_b = ci->m1 * ci->m1, q_c = q_a + q_b, q_d = ci->m2 * ci->m2,
-      q_e = q_c + q_d, q_f = ci->m3 * ci->m3, q_g = ci->m4 * ci->m4, q_h = q_f + q_g,
-      q_i = ci->m5 * ci->m5, q_j = q_h + q_i, q_k = fabsf(ci->m2), q_m = q_k < 1e-06f ? q_j : q_e,
-      q_n = fabsf(ci->m1), q_p = q_n < 1e-06f ? q_m : q_e, q_q = fabsf(ci->m0),
-      q = q_q < 1e-06f ? q_p : q_e;
-  const float norm = sqrtf(q);
+  const float small_a = fabsf(ci->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
+      small_d = fabsf(ci->m1), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(ci->m0),
+      small = small_g < 1e-06f ? small_f : 0.0f;
+  const float p_0 = small == 1.0f ? ci->m3 : ci->m0;
+  const float p_1 = small == 1.0f ? ci->m4 : ci->m1;
+  const float p_2 = small == 1.0f ? ci->m5 : ci->m2;
+  const float s_size_0 = fabsf(p_0);
+  const float s_size_1 = fabsf(p_1);
+  const float s_size_2 = fabsf(p_2);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
+      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+  const float y_0 = p_0 * s;
+  const float y_1 = p_1 * s;
+  const float y_2 = p_2 * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
+  const float norm = n * r;
   return norm;
 }
 
-/* self = self / |self|, with coscrew_norm; the zero coscrew stays zero; squares must neither
-     over- nor underflow.
+/* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
 static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
-  const float q_a = self->m0 * self->m0, q_b = self->m1 * self->m1, q_c = q_a + q_b,
-      q_d = self->m2 * self->m2, q_e = q_c + q_d, q_f = self->m3 * self->m3,
-      q_g = self->m4 * self->m4, q_h = q_f + q_g, q_i = self->m5 * self->m5, q_j = q_h + q_i,
-      q_k = fabsf(self->m2), q_m = q_k < 1e-06f ? q_j : q_e, q_n = fabsf(self->m1),
-      q_p = q_n < 1e-06f ? q_m : q_e, q_q = fabsf(self->m0), q = q_q < 1e-06f ? q_p : q_e;
-  const float n = sqrtf(q);
+  const float small_a = fabsf(self->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
+      small_d = fabsf(self->m1), small_f = small_d < 1e-06f ? small_c : 0.0f,
+      small_g = fabsf(self->m0), small = small_g < 1e-06f ? small_f : 0.0f;
+  const float p_0 = small == 1.0f ? self->m3 : self->m0;
+  const float p_1 = small == 1.0f ? self->m4 : self->m1;
+  const float p_2 = small == 1.0f ? self->m5 : self->m2;
+  const float s_size_0 = fabsf(p_0);
+  const float s_size_1 = fabsf(p_1);
+  const float s_size_2 = fabsf(p_2);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
+      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+  const float y_0 = p_0 * s;
+  const float y_1 = p_1 * s;
+  const float y_2 = p_2 * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
   const float d = n == 0.0f ? 1.0f : n;
-  const float self_0_new = self->m0 / d;
-  const float self_1_new = self->m1 / d;
-  const float self_2_new = self->m2 / d;
-  const float self_3_new = self->m3 / d;
-  const float self_4_new = self->m4 / d;
-  const float self_5_new = self->m5 / d;
+  const float up = 1.0f < s ? s : 1.0f;
+  const float down = s < 1.0f ? s : 1.0f;
+  const float z_0 = self->m0 * up;
+  const float z_1 = self->m1 * up;
+  const float z_2 = self->m2 * up;
+  const float z_3 = self->m3 * up;
+  const float z_4 = self->m4 * up;
+  const float z_5 = self->m5 * up;
+  const float q_0 = z_0 / d;
+  const float q_1 = z_1 / d;
+  const float q_2 = z_2 / d;
+  const float q_3 = z_3 / d;
+  const float q_4 = z_4 / d;
+  const float q_5 = z_5 / d;
+  const float self_0_new = q_0 * down;
+  const float self_1_new = q_1 * down;
+  const float self_2_new = q_2 * down;
+  const float self_3_new = q_3 * down;
+  const float self_4_new = q_4 * down;
+  const float self_5_new = q_5 * down;
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1527,24 +1629,49 @@ static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
   self->m5 = self_5_new;
 }
 
-/* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero; squares must neither over- nor
-     underflow.
+/* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   6 mul, 4 add, 6 div, 1 sqrt, 3 abs, 3 less, 1 equal, 4 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
 static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
-  const float q_a = ci->m0 * ci->m0, q_b = ci->m1 * ci->m1, q_c = q_a + q_b, q_d = ci->m2 * ci->m2,
-      q_e = q_c + q_d, q_f = ci->m3 * ci->m3, q_g = ci->m4 * ci->m4, q_h = q_f + q_g,
-      q_i = ci->m5 * ci->m5, q_j = q_h + q_i, q_k = fabsf(ci->m2), q_m = q_k < 1e-06f ? q_j : q_e,
-      q_n = fabsf(ci->m1), q_p = q_n < 1e-06f ? q_m : q_e, q_q = fabsf(ci->m0),
-      q = q_q < 1e-06f ? q_p : q_e;
-  const float n = sqrtf(q);
+  const float small_a = fabsf(ci->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
+      small_d = fabsf(ci->m1), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(ci->m0),
+      small = small_g < 1e-06f ? small_f : 0.0f;
+  const float p_0 = small == 1.0f ? ci->m3 : ci->m0;
+  const float p_1 = small == 1.0f ? ci->m4 : ci->m1;
+  const float p_2 = small == 1.0f ? ci->m5 : ci->m2;
+  const float s_size_0 = fabsf(p_0);
+  const float s_size_1 = fabsf(p_1);
+  const float s_size_2 = fabsf(p_2);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
+      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+  const float y_0 = p_0 * s;
+  const float y_1 = p_1 * s;
+  const float y_2 = p_2 * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
   const float d = n == 0.0f ? 1.0f : n;
-  const float co_0 = ci->m0 / d;
-  const float co_1 = ci->m1 / d;
-  const float co_2 = ci->m2 / d;
-  const float co_3 = ci->m3 / d;
-  const float co_4 = ci->m4 / d;
-  const float co_5 = ci->m5 / d;
+  const float up = 1.0f < s ? s : 1.0f;
+  const float down = s < 1.0f ? s : 1.0f;
+  const float z_0 = ci->m0 * up;
+  const float z_1 = ci->m1 * up;
+  const float z_2 = ci->m2 * up;
+  const float z_3 = ci->m3 * up;
+  const float z_4 = ci->m4 * up;
+  const float z_5 = ci->m5 * up;
+  const float q_0 = z_0 / d;
+  const float q_1 = z_1 / d;
+  const float q_2 = z_2 / d;
+  const float q_3 = z_3 / d;
+  const float q_4 = z_4 / d;
+  const float q_5 = z_5 / d;
+  const float co_0 = q_0 * down;
+  const float co_1 = q_1 * down;
+  const float co_2 = q_2 * down;
+  const float co_3 = q_3 * down;
+  const float co_4 = q_4 * down;
+  const float co_5 = q_5 * down;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;

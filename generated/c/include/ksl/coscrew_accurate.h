@@ -203,6 +203,286 @@ static inline void ksl_subtract_cc_accurate(const ksl_coscrew_t *c1, const ksl_c
   co->m5 = co_5_rounded;
 }
 
+/* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
+   ci: coscrew (f in N; τ in N m).
+   10 mul, 16 add, 4 product error, 2 sum error, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
+     select. */
+static inline double ksl_coscrew_norm_accurate(const ksl_coscrew_t *ci) {
+  const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
+      small_d = fabs(ci->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(ci->m0),
+      small = small_g < 1e-09 ? small_f : 0.0;
+  const double p_0 = small == 1.0 ? ci->m3 : ci->m0;
+  const double p_1 = small == 1.0 ? ci->m4 : ci->m1;
+  const double p_2 = small == 1.0 ? ci->m5 : ci->m2;
+  const double s_size_0 = fabs(p_0);
+  const double s_size_1 = fabs(p_1);
+  const double s_size_2 = fabs(p_2);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = p_0 * s;
+  const double y_1 = p_1 * s;
+  const double y_2 = p_2 * s;
+  const double n_a = y_0 * y_0, n_a_lo = ksl_product_error(y_0, y_0, n_a), n_b = y_1 * y_1,
+      n_b_lo = ksl_product_error(y_1, y_1, n_b), n_c = n_a + n_b,
+      n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
+      n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
+      n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
+      n_e_lo = n_e_lo1 + n_d_lo, n = sqrt(n_e), n_product = n * n,
+      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
+      n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
+      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+  const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+  const double norm_total = n + n_lo, norm_added = norm_total - n,
+      norm_remaining = n_lo - norm_added, norm = norm_total * r, norm_inverse = 1.0 / r,
+      norm_back = norm * norm_inverse, norm_lost = norm_total - norm_back,
+      norm_rest = norm_lost + norm_remaining, norm_small = norm_rest * r,
+      norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
+  const double norm_total = norm + norm_lo,
+      norm_rounded = norm_total == norm_total ? norm_total : norm;
+  return norm_rounded;
+}
+
+/* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
+   self: coscrew (f in N; τ in N m).
+   43 mul, 64 add, 10 product error, 2 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+     select. */
+static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
+  const double small_a = fabs(self->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
+      small_d = fabs(self->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m0),
+      small = small_g < 1e-09 ? small_f : 0.0;
+  const double p_0 = small == 1.0 ? self->m3 : self->m0;
+  const double p_1 = small == 1.0 ? self->m4 : self->m1;
+  const double p_2 = small == 1.0 ? self->m5 : self->m2;
+  const double s_size_0 = fabs(p_0);
+  const double s_size_1 = fabs(p_1);
+  const double s_size_2 = fabs(p_2);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = p_0 * s;
+  const double y_1 = p_1 * s;
+  const double y_2 = p_2 * s;
+  const double n_a = y_0 * y_0, n_a_lo = ksl_product_error(y_0, y_0, n_a), n_b = y_1 * y_1,
+      n_b_lo = ksl_product_error(y_1, y_1, n_b), n_c = n_a + n_b,
+      n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
+      n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
+      n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
+      n_e_lo = n_e_lo1 + n_d_lo, n = sqrt(n_e), n_product = n * n,
+      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
+      n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
+      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+  const double d = n == 0.0 ? 1.0 : n, d_lo = n == 0.0 ? 0.0 : n_lo;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double z_0 = self->m0 * up;
+  const double z_1 = self->m1 * up;
+  const double z_2 = self->m2 * up;
+  const double z_3 = self->m3 * up;
+  const double z_4 = self->m4 * up;
+  const double z_5 = self->m5 * up;
+  const double q_0 = z_0 / d, q_0_cross = q_0 * d_lo, q_0_product = q_0 * d,
+      q_0_product_error = ksl_product_error(q_0, d, q_0_product), q_0_rest = z_0 - q_0_product,
+      q_0_exact = q_0_rest - q_0_product_error, q_0_residual = q_0_exact - q_0_cross,
+      q_0_lo = q_0_residual / d;
+  const double q_1 = z_1 / d, q_1_cross = q_1 * d_lo, q_1_product = q_1 * d,
+      q_1_product_error = ksl_product_error(q_1, d, q_1_product), q_1_rest = z_1 - q_1_product,
+      q_1_exact = q_1_rest - q_1_product_error, q_1_residual = q_1_exact - q_1_cross,
+      q_1_lo = q_1_residual / d;
+  const double q_2 = z_2 / d, q_2_cross = q_2 * d_lo, q_2_product = q_2 * d,
+      q_2_product_error = ksl_product_error(q_2, d, q_2_product), q_2_rest = z_2 - q_2_product,
+      q_2_exact = q_2_rest - q_2_product_error, q_2_residual = q_2_exact - q_2_cross,
+      q_2_lo = q_2_residual / d;
+  const double q_3 = z_3 / d, q_3_cross = q_3 * d_lo, q_3_product = q_3 * d,
+      q_3_product_error = ksl_product_error(q_3, d, q_3_product), q_3_rest = z_3 - q_3_product,
+      q_3_exact = q_3_rest - q_3_product_error, q_3_residual = q_3_exact - q_3_cross,
+      q_3_lo = q_3_residual / d;
+  const double q_4 = z_4 / d, q_4_cross = q_4 * d_lo, q_4_product = q_4 * d,
+      q_4_product_error = ksl_product_error(q_4, d, q_4_product), q_4_rest = z_4 - q_4_product,
+      q_4_exact = q_4_rest - q_4_product_error, q_4_residual = q_4_exact - q_4_cross,
+      q_4_lo = q_4_residual / d;
+  const double q_5 = z_5 / d, q_5_cross = q_5 * d_lo, q_5_product = q_5 * d,
+      q_5_product_error = ksl_product_error(q_5, d, q_5_product), q_5_rest = z_5 - q_5_product,
+      q_5_exact = q_5_rest - q_5_product_error, q_5_residual = q_5_exact - q_5_cross,
+      q_5_lo = q_5_residual / d;
+  const double self_0_new_total = q_0 + q_0_lo, self_0_new_added = self_0_new_total - q_0,
+      self_0_new_remaining = q_0_lo - self_0_new_added, self_0_new = self_0_new_total * down,
+      self_0_new_inverse = 1.0 / down, self_0_new_back = self_0_new * self_0_new_inverse,
+      self_0_new_lost = self_0_new_total - self_0_new_back,
+      self_0_new_rest = self_0_new_lost + self_0_new_remaining,
+      self_0_new_small = self_0_new_rest * down,
+      self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
+  const double self_1_new_total = q_1 + q_1_lo, self_1_new_added = self_1_new_total - q_1,
+      self_1_new_remaining = q_1_lo - self_1_new_added, self_1_new = self_1_new_total * down,
+      self_1_new_back = self_1_new * self_0_new_inverse,
+      self_1_new_lost = self_1_new_total - self_1_new_back,
+      self_1_new_rest = self_1_new_lost + self_1_new_remaining,
+      self_1_new_small = self_1_new_rest * down,
+      self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
+  const double self_2_new_total = q_2 + q_2_lo, self_2_new_added = self_2_new_total - q_2,
+      self_2_new_remaining = q_2_lo - self_2_new_added, self_2_new = self_2_new_total * down,
+      self_2_new_back = self_2_new * self_0_new_inverse,
+      self_2_new_lost = self_2_new_total - self_2_new_back,
+      self_2_new_rest = self_2_new_lost + self_2_new_remaining,
+      self_2_new_small = self_2_new_rest * down,
+      self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
+  const double self_3_new_total = q_3 + q_3_lo, self_3_new_added = self_3_new_total - q_3,
+      self_3_new_remaining = q_3_lo - self_3_new_added, self_3_new = self_3_new_total * down,
+      self_3_new_back = self_3_new * self_0_new_inverse,
+      self_3_new_lost = self_3_new_total - self_3_new_back,
+      self_3_new_rest = self_3_new_lost + self_3_new_remaining,
+      self_3_new_small = self_3_new_rest * down,
+      self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
+  const double self_4_new_total = q_4 + q_4_lo, self_4_new_added = self_4_new_total - q_4,
+      self_4_new_remaining = q_4_lo - self_4_new_added, self_4_new = self_4_new_total * down,
+      self_4_new_back = self_4_new * self_0_new_inverse,
+      self_4_new_lost = self_4_new_total - self_4_new_back,
+      self_4_new_rest = self_4_new_lost + self_4_new_remaining,
+      self_4_new_small = self_4_new_rest * down,
+      self_4_new_lo = self_4_new_lost == 0.0 ? 0.0 : self_4_new_small;
+  const double self_5_new_total = q_5 + q_5_lo, self_5_new_added = self_5_new_total - q_5,
+      self_5_new_remaining = q_5_lo - self_5_new_added, self_5_new = self_5_new_total * down,
+      self_5_new_back = self_5_new * self_0_new_inverse,
+      self_5_new_lost = self_5_new_total - self_5_new_back,
+      self_5_new_rest = self_5_new_lost + self_5_new_remaining,
+      self_5_new_small = self_5_new_rest * down,
+      self_5_new_lo = self_5_new_lost == 0.0 ? 0.0 : self_5_new_small;
+  const double self_0_new_total = self_0_new + self_0_new_lo,
+      self_0_new_rounded = self_0_new_total == self_0_new_total ? self_0_new_total : self_0_new;
+  const double self_1_new_total = self_1_new + self_1_new_lo,
+      self_1_new_rounded = self_1_new_total == self_1_new_total ? self_1_new_total : self_1_new;
+  const double self_2_new_total = self_2_new + self_2_new_lo,
+      self_2_new_rounded = self_2_new_total == self_2_new_total ? self_2_new_total : self_2_new;
+  const double self_3_new_total = self_3_new + self_3_new_lo,
+      self_3_new_rounded = self_3_new_total == self_3_new_total ? self_3_new_total : self_3_new;
+  const double self_4_new_total = self_4_new + self_4_new_lo,
+      self_4_new_rounded = self_4_new_total == self_4_new_total ? self_4_new_total : self_4_new;
+  const double self_5_new_total = self_5_new + self_5_new_lo,
+      self_5_new_rounded = self_5_new_total == self_5_new_total ? self_5_new_total : self_5_new;
+  self->m0 = self_0_new_rounded;
+  self->m1 = self_1_new_rounded;
+  self->m2 = self_2_new_rounded;
+  self->m3 = self_3_new_rounded;
+  self->m4 = self_4_new_rounded;
+  self->m5 = self_5_new_rounded;
+}
+
+/* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
+   ci, co: coscrew (f in N; τ in N m).
+   43 mul, 64 add, 10 product error, 2 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+     select. */
+static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
+  const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
+      small_d = fabs(ci->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(ci->m0),
+      small = small_g < 1e-09 ? small_f : 0.0;
+  const double p_0 = small == 1.0 ? ci->m3 : ci->m0;
+  const double p_1 = small == 1.0 ? ci->m4 : ci->m1;
+  const double p_2 = small == 1.0 ? ci->m5 : ci->m2;
+  const double s_size_0 = fabs(p_0);
+  const double s_size_1 = fabs(p_1);
+  const double s_size_2 = fabs(p_2);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = p_0 * s;
+  const double y_1 = p_1 * s;
+  const double y_2 = p_2 * s;
+  const double n_a = y_0 * y_0, n_a_lo = ksl_product_error(y_0, y_0, n_a), n_b = y_1 * y_1,
+      n_b_lo = ksl_product_error(y_1, y_1, n_b), n_c = n_a + n_b,
+      n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
+      n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
+      n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
+      n_e_lo = n_e_lo1 + n_d_lo, n = sqrt(n_e), n_product = n * n,
+      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
+      n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
+      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+  const double d = n == 0.0 ? 1.0 : n, d_lo = n == 0.0 ? 0.0 : n_lo;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double z_0 = ci->m0 * up;
+  const double z_1 = ci->m1 * up;
+  const double z_2 = ci->m2 * up;
+  const double z_3 = ci->m3 * up;
+  const double z_4 = ci->m4 * up;
+  const double z_5 = ci->m5 * up;
+  const double q_0 = z_0 / d, q_0_cross = q_0 * d_lo, q_0_product = q_0 * d,
+      q_0_product_error = ksl_product_error(q_0, d, q_0_product), q_0_rest = z_0 - q_0_product,
+      q_0_exact = q_0_rest - q_0_product_error, q_0_residual = q_0_exact - q_0_cross,
+      q_0_lo = q_0_residual / d;
+  const double q_1 = z_1 / d, q_1_cross = q_1 * d_lo, q_1_product = q_1 * d,
+      q_1_product_error = ksl_product_error(q_1, d, q_1_product), q_1_rest = z_1 - q_1_product,
+      q_1_exact = q_1_rest - q_1_product_error, q_1_residual = q_1_exact - q_1_cross,
+      q_1_lo = q_1_residual / d;
+  const double q_2 = z_2 / d, q_2_cross = q_2 * d_lo, q_2_product = q_2 * d,
+      q_2_product_error = ksl_product_error(q_2, d, q_2_product), q_2_rest = z_2 - q_2_product,
+      q_2_exact = q_2_rest - q_2_product_error, q_2_residual = q_2_exact - q_2_cross,
+      q_2_lo = q_2_residual / d;
+  const double q_3 = z_3 / d, q_3_cross = q_3 * d_lo, q_3_product = q_3 * d,
+      q_3_product_error = ksl_product_error(q_3, d, q_3_product), q_3_rest = z_3 - q_3_product,
+      q_3_exact = q_3_rest - q_3_product_error, q_3_residual = q_3_exact - q_3_cross,
+      q_3_lo = q_3_residual / d;
+  const double q_4 = z_4 / d, q_4_cross = q_4 * d_lo, q_4_product = q_4 * d,
+      q_4_product_error = ksl_product_error(q_4, d, q_4_product), q_4_rest = z_4 - q_4_product,
+      q_4_exact = q_4_rest - q_4_product_error, q_4_residual = q_4_exact - q_4_cross,
+      q_4_lo = q_4_residual / d;
+  const double q_5 = z_5 / d, q_5_cross = q_5 * d_lo, q_5_product = q_5 * d,
+      q_5_product_error = ksl_product_error(q_5, d, q_5_product), q_5_rest = z_5 - q_5_product,
+      q_5_exact = q_5_rest - q_5_product_error, q_5_residual = q_5_exact - q_5_cross,
+      q_5_lo = q_5_residual / d;
+  const double co_0_total = q_0 + q_0_lo, co_0_added = co_0_total - q_0,
+      co_0_remaining = q_0_lo - co_0_added, co_0 = co_0_total * down, co_0_inverse = 1.0 / down,
+      co_0_back = co_0 * co_0_inverse, co_0_lost = co_0_total - co_0_back,
+      co_0_rest = co_0_lost + co_0_remaining, co_0_small = co_0_rest * down,
+      co_0_lo = co_0_lost == 0.0 ? 0.0 : co_0_small;
+  const double co_1_total = q_1 + q_1_lo, co_1_added = co_1_total - q_1,
+      co_1_remaining = q_1_lo - co_1_added, co_1 = co_1_total * down,
+      co_1_back = co_1 * co_0_inverse, co_1_lost = co_1_total - co_1_back,
+      co_1_rest = co_1_lost + co_1_remaining, co_1_small = co_1_rest * down,
+      co_1_lo = co_1_lost == 0.0 ? 0.0 : co_1_small;
+  const double co_2_total = q_2 + q_2_lo, co_2_added = co_2_total - q_2,
+      co_2_remaining = q_2_lo - co_2_added, co_2 = co_2_total * down,
+      co_2_back = co_2 * co_0_inverse, co_2_lost = co_2_total - co_2_back,
+      co_2_rest = co_2_lost + co_2_remaining, co_2_small = co_2_rest * down,
+      co_2_lo = co_2_lost == 0.0 ? 0.0 : co_2_small;
+  const double co_3_total = q_3 + q_3_lo, co_3_added = co_3_total - q_3,
+      co_3_remaining = q_3_lo - co_3_added, co_3 = co_3_total * down,
+      co_3_back = co_3 * co_0_inverse, co_3_lost = co_3_total - co_3_back,
+      co_3_rest = co_3_lost + co_3_remaining, co_3_small = co_3_rest * down,
+      co_3_lo = co_3_lost == 0.0 ? 0.0 : co_3_small;
+  const double co_4_total = q_4 + q_4_lo, co_4_added = co_4_total - q_4,
+      co_4_remaining = q_4_lo - co_4_added, co_4 = co_4_total * down,
+      co_4_back = co_4 * co_0_inverse, co_4_lost = co_4_total - co_4_back,
+      co_4_rest = co_4_lost + co_4_remaining, co_4_small = co_4_rest * down,
+      co_4_lo = co_4_lost == 0.0 ? 0.0 : co_4_small;
+  const double co_5_total = q_5 + q_5_lo, co_5_added = co_5_total - q_5,
+      co_5_remaining = q_5_lo - co_5_added, co_5 = co_5_total * down,
+      co_5_back = co_5 * co_0_inverse, co_5_lost = co_5_total - co_5_back,
+      co_5_rest = co_5_lost + co_5_remaining, co_5_small = co_5_rest * down,
+      co_5_lo = co_5_lost == 0.0 ? 0.0 : co_5_small;
+  const double co_0_total = co_0 + co_0_lo,
+      co_0_rounded = co_0_total == co_0_total ? co_0_total : co_0;
+  const double co_1_total = co_1 + co_1_lo,
+      co_1_rounded = co_1_total == co_1_total ? co_1_total : co_1;
+  const double co_2_total = co_2 + co_2_lo,
+      co_2_rounded = co_2_total == co_2_total ? co_2_total : co_2;
+  const double co_3_total = co_3 + co_3_lo,
+      co_3_rounded = co_3_total == co_3_total ? co_3_total : co_3;
+  const double co_4_total = co_4 + co_4_lo,
+      co_4_rounded = co_4_total == co_4_total ? co_4_total : co_4;
+  const double co_5_total = co_5 + co_5_lo,
+      co_5_rounded = co_5_total == co_5_total ? co_5_total : co_5;
+  co->m0 = co_0_rounded;
+  co->m1 = co_1_rounded;
+  co->m2 = co_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
 /* co = (c1.lin + c2.lin ; c1.ang).
    c1, c2, co: coscrew (f in N; τ in N m).
    6 add, 3 sum error.
@@ -1983,6 +2263,139 @@ static inline void ksl_subtract_ccf_accurate(const ksl_coscrewf_t *c1, const ksl
   const double co_3 = (double)c1->m3 - (double)c2->m3;
   const double co_4 = (double)c1->m4 - (double)c2->m4;
   const double co_5 = (double)c1->m5 - (double)c2->m5;
+  co->m0 = (float)co_0;
+  co->m1 = (float)co_1;
+  co->m2 = (float)co_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
+   ci: coscrew (f in N; τ in N m).
+   7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select. */
+static inline float ksl_coscrewf_norm_accurate(const ksl_coscrewf_t *ci) {
+  const double small_a = fabs((double)ci->m2),
+      small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)ci->m1),
+      small_f = small_d < 9.999999974752427e-07 ? small_c : 0.0, small_g = fabs((double)ci->m0),
+      small = small_g < 9.999999974752427e-07 ? small_f : 0.0;
+  const double p_0 = small == 1.0 ? (double)ci->m3 : (double)ci->m0;
+  const double p_1 = small == 1.0 ? (double)ci->m4 : (double)ci->m1;
+  const double p_2 = small == 1.0 ? (double)ci->m5 : (double)ci->m2;
+  const double s_size_0 = fabs(p_0);
+  const double s_size_1 = fabs(p_1);
+  const double s_size_2 = fabs(p_2);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
+      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+  const double y_0 = p_0 * s;
+  const double y_1 = p_1 * s;
+  const double y_2 = p_2 * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
+      r = 1.0 < s ? 7.888609052210118e-31 : r_b;
+  const double norm = n * r;
+  return (float)norm;
+}
+
+/* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
+   self: coscrew (f in N; τ in N m).
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+static inline void ksl_coscrewf_normalize_accurate(ksl_coscrewf_t *self) {
+  const double small_a = fabs((double)self->m2),
+      small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)self->m1),
+      small_f = small_d < 9.999999974752427e-07 ? small_c : 0.0, small_g = fabs((double)self->m0),
+      small = small_g < 9.999999974752427e-07 ? small_f : 0.0;
+  const double p_0 = small == 1.0 ? (double)self->m3 : (double)self->m0;
+  const double p_1 = small == 1.0 ? (double)self->m4 : (double)self->m1;
+  const double p_2 = small == 1.0 ? (double)self->m5 : (double)self->m2;
+  const double s_size_0 = fabs(p_0);
+  const double s_size_1 = fabs(p_1);
+  const double s_size_2 = fabs(p_2);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
+      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+  const double y_0 = p_0 * s;
+  const double y_1 = p_1 * s;
+  const double y_2 = p_2 * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double d = n == 0.0 ? 1.0 : n;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double z_0 = (double)self->m0 * up;
+  const double z_1 = (double)self->m1 * up;
+  const double z_2 = (double)self->m2 * up;
+  const double z_3 = (double)self->m3 * up;
+  const double z_4 = (double)self->m4 * up;
+  const double z_5 = (double)self->m5 * up;
+  const double q_0 = z_0 / d;
+  const double q_1 = z_1 / d;
+  const double q_2 = z_2 / d;
+  const double q_3 = z_3 / d;
+  const double q_4 = z_4 / d;
+  const double q_5 = z_5 / d;
+  const double self_0_new = q_0 * down;
+  const double self_1_new = q_1 * down;
+  const double self_2_new = q_2 * down;
+  const double self_3_new = q_3 * down;
+  const double self_4_new = q_4 * down;
+  const double self_5_new = q_5 * down;
+  self->m0 = (float)self_0_new;
+  self->m1 = (float)self_1_new;
+  self->m2 = (float)self_2_new;
+  self->m3 = (float)self_3_new;
+  self->m4 = (float)self_4_new;
+  self->m5 = (float)self_5_new;
+}
+
+/* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
+   ci, co: coscrew (f in N; τ in N m).
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+static inline void ksl_coscrewf_normalized_accurate(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
+  const double small_a = fabs((double)ci->m2),
+      small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)ci->m1),
+      small_f = small_d < 9.999999974752427e-07 ? small_c : 0.0, small_g = fabs((double)ci->m0),
+      small = small_g < 9.999999974752427e-07 ? small_f : 0.0;
+  const double p_0 = small == 1.0 ? (double)ci->m3 : (double)ci->m0;
+  const double p_1 = small == 1.0 ? (double)ci->m4 : (double)ci->m1;
+  const double p_2 = small == 1.0 ? (double)ci->m5 : (double)ci->m2;
+  const double s_size_0 = fabs(p_0);
+  const double s_size_1 = fabs(p_1);
+  const double s_size_2 = fabs(p_2);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
+      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+  const double y_0 = p_0 * s;
+  const double y_1 = p_1 * s;
+  const double y_2 = p_2 * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double d = n == 0.0 ? 1.0 : n;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double z_0 = (double)ci->m0 * up;
+  const double z_1 = (double)ci->m1 * up;
+  const double z_2 = (double)ci->m2 * up;
+  const double z_3 = (double)ci->m3 * up;
+  const double z_4 = (double)ci->m4 * up;
+  const double z_5 = (double)ci->m5 * up;
+  const double q_0 = z_0 / d;
+  const double q_1 = z_1 / d;
+  const double q_2 = z_2 / d;
+  const double q_3 = z_3 / d;
+  const double q_4 = z_4 / d;
+  const double q_5 = z_5 / d;
+  const double co_0 = q_0 * down;
+  const double co_1 = q_1 * down;
+  const double co_2 = q_2 * down;
+  const double co_3 = q_3 * down;
+  const double co_4 = q_4 * down;
+  const double co_5 = q_5 * down;
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;

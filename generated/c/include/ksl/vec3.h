@@ -177,40 +177,89 @@ static inline void ksl_vec3_swap(ksl_vec3_t *v1, ksl_vec3_t *v2) {
   v2->z = v1_z;
 }
 
-/* |v| = sqrt(v·v); squares must neither over- nor underflow.
+/* |v| = sqrt(v·v).
    v: vector.
-   3 mul, 2 add, 1 sqrt. */
+   7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select. */
 static inline double ksl_vec3_l2norm(const ksl_vec3_t *v) {
-  const double norm_a = v->x * v->x, norm_b = v->y * v->y, norm_c = norm_a + norm_b,
-      norm_d = v->z * v->z, norm_e = norm_c + norm_d, norm = sqrt(norm_e);
+  const double s_size_0 = fabs(v->x);
+  const double s_size_1 = fabs(v->y);
+  const double s_size_2 = fabs(v->z);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = v->x * s;
+  const double y_1 = v->y * s;
+  const double y_2 = v->z * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+  const double norm = n * r;
   return norm;
 }
 
-/* self = self / |self|; the zero vector stays zero; squares must neither over- nor underflow.
+/* self = self / |self|; the zero vector stays zero.
    self: vector.
-   3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select. */
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
 static inline void ksl_vec3_normalize(ksl_vec3_t *self) {
-  const double n_a = self->x * self->x, n_b = self->y * self->y, n_c = n_a + n_b,
-      n_d = self->z * self->z, n_e = n_c + n_d, n = sqrt(n_e);
+  const double s_size_0 = fabs(self->x);
+  const double s_size_1 = fabs(self->y);
+  const double s_size_2 = fabs(self->z);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = self->x * s;
+  const double y_1 = self->y * s;
+  const double y_2 = self->z * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
   const double d = n == 0.0 ? 1.0 : n;
-  const double self_0_new = self->x / d;
-  const double self_1_new = self->y / d;
-  const double self_2_new = self->z / d;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double z_0 = self->x * up;
+  const double z_1 = self->y * up;
+  const double z_2 = self->z * up;
+  const double q_0 = z_0 / d;
+  const double q_1 = z_1 / d;
+  const double q_2 = z_2 / d;
+  const double self_0_new = q_0 * down;
+  const double self_1_new = q_1 * down;
+  const double self_2_new = q_2 * down;
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
 }
 
-/* vo = v / |v|; the zero vector stays zero; squares must neither over- nor underflow.
+/* vo = v / |v|; the zero vector stays zero.
    v, vo: vector.
-   3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select. */
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
 static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double n_a = v->x * v->x, n_b = v->y * v->y, n_c = n_a + n_b, n_d = v->z * v->z,
-      n_e = n_c + n_d, n = sqrt(n_e);
+  const double s_size_0 = fabs(v->x);
+  const double s_size_1 = fabs(v->y);
+  const double s_size_2 = fabs(v->z);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = v->x * s;
+  const double y_1 = v->y * s;
+  const double y_2 = v->z * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
   const double d = n == 0.0 ? 1.0 : n;
-  const double vo_0 = v->x / d;
-  const double vo_1 = v->y / d;
-  const double vo_2 = v->z / d;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double z_0 = v->x * up;
+  const double z_1 = v->y * up;
+  const double z_2 = v->z * up;
+  const double q_0 = z_0 / d;
+  const double q_1 = z_1 / d;
+  const double q_2 = z_2 / d;
+  const double vo_0 = q_0 * down;
+  const double vo_1 = q_1 * down;
+  const double vo_2 = q_2 * down;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -530,40 +579,88 @@ static inline void ksl_vec3f_swap(ksl_vec3f_t *v1, ksl_vec3f_t *v2) {
   v2->z = v1_z;
 }
 
-/* |v| = sqrt(v·v); squares must neither over- nor underflow.
+/* |v| = sqrt(v·v).
    v: vector.
-   3 mul, 2 add, 1 sqrt. */
+   7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select. */
 static inline float ksl_vec3f_l2norm(const ksl_vec3f_t *v) {
-  const float norm_a = v->x * v->x, norm_b = v->y * v->y, norm_c = norm_a + norm_b,
-      norm_d = v->z * v->z, norm_e = norm_c + norm_d, norm = sqrtf(norm_e);
+  const float s_size_0 = fabsf(v->x);
+  const float s_size_1 = fabsf(v->y);
+  const float s_size_2 = fabsf(v->z);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
+      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+  const float y_0 = v->x * s;
+  const float y_1 = v->y * s;
+  const float y_2 = v->z * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
+  const float norm = n * r;
   return norm;
 }
 
-/* self = self / |self|; the zero vector stays zero; squares must neither over- nor underflow.
+/* self = self / |self|; the zero vector stays zero.
    self: vector.
-   3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select. */
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
 static inline void ksl_vec3f_normalize(ksl_vec3f_t *self) {
-  const float n_a = self->x * self->x, n_b = self->y * self->y, n_c = n_a + n_b,
-      n_d = self->z * self->z, n_e = n_c + n_d, n = sqrtf(n_e);
+  const float s_size_0 = fabsf(self->x);
+  const float s_size_1 = fabsf(self->y);
+  const float s_size_2 = fabsf(self->z);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
+      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+  const float y_0 = self->x * s;
+  const float y_1 = self->y * s;
+  const float y_2 = self->z * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
   const float d = n == 0.0f ? 1.0f : n;
-  const float self_0_new = self->x / d;
-  const float self_1_new = self->y / d;
-  const float self_2_new = self->z / d;
+  const float up = 1.0f < s ? s : 1.0f;
+  const float down = s < 1.0f ? s : 1.0f;
+  const float z_0 = self->x * up;
+  const float z_1 = self->y * up;
+  const float z_2 = self->z * up;
+  const float q_0 = z_0 / d;
+  const float q_1 = z_1 / d;
+  const float q_2 = z_2 / d;
+  const float self_0_new = q_0 * down;
+  const float self_1_new = q_1 * down;
+  const float self_2_new = q_2 * down;
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
 }
 
-/* vo = v / |v|; the zero vector stays zero; squares must neither over- nor underflow.
+/* vo = v / |v|; the zero vector stays zero.
    v, vo: vector.
-   3 mul, 2 add, 3 div, 1 sqrt, 1 equal, 1 select. */
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
 static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
-  const float n_a = v->x * v->x, n_b = v->y * v->y, n_c = n_a + n_b, n_d = v->z * v->z,
-      n_e = n_c + n_d, n = sqrtf(n_e);
+  const float s_size_0 = fabsf(v->x);
+  const float s_size_1 = fabsf(v->y);
+  const float s_size_2 = fabsf(v->z);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
+      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+  const float y_0 = v->x * s;
+  const float y_1 = v->y * s;
+  const float y_2 = v->z * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
   const float d = n == 0.0f ? 1.0f : n;
-  const float vo_0 = v->x / d;
-  const float vo_1 = v->y / d;
-  const float vo_2 = v->z / d;
+  const float up = 1.0f < s ? s : 1.0f;
+  const float down = s < 1.0f ? s : 1.0f;
+  const float z_0 = v->x * up;
+  const float z_1 = v->y * up;
+  const float z_2 = v->z * up;
+  const float q_0 = z_0 / d;
+  const float q_1 = z_1 / d;
+  const float q_2 = z_2 / d;
+  const float vo_0 = q_0 * down;
+  const float vo_1 = q_1 * down;
+  const float vo_2 = q_2 * down;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;

@@ -142,6 +142,183 @@ static inline void ksl_vec3_scaled_accurate(const ksl_vec3_t *v, const double k,
   vo->z = vo_2_rounded;
 }
 
+/* |v| = sqrt(v·v).
+   v: vector.
+   10 mul, 16 add, 4 product error, 2 sum error, 2 div, 1 sqrt, 3 abs, 6 less, 3 equal, 9 select. */
+static inline double ksl_vec3_l2norm_accurate(const ksl_vec3_t *v) {
+  const double s_size_0 = fabs(v->x);
+  const double s_size_1 = fabs(v->y);
+  const double s_size_2 = fabs(v->z);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = v->x * s;
+  const double y_1 = v->y * s;
+  const double y_2 = v->z * s;
+  const double n_a = y_0 * y_0, n_a_lo = ksl_product_error(y_0, y_0, n_a), n_b = y_1 * y_1,
+      n_b_lo = ksl_product_error(y_1, y_1, n_b), n_c = n_a + n_b,
+      n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
+      n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
+      n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
+      n_e_lo = n_e_lo1 + n_d_lo, n = sqrt(n_e), n_product = n * n,
+      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
+      n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
+      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+  const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+  const double norm_total = n + n_lo, norm_added = norm_total - n,
+      norm_remaining = n_lo - norm_added, norm = norm_total * r, norm_inverse = 1.0 / r,
+      norm_back = norm * norm_inverse, norm_lost = norm_total - norm_back,
+      norm_rest = norm_lost + norm_remaining, norm_small = norm_rest * r,
+      norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
+  const double norm_total = norm + norm_lo,
+      norm_rounded = norm_total == norm_total ? norm_total : norm;
+  return norm_rounded;
+}
+
+/* self = self / |self|; the zero vector stays zero.
+   self: vector.
+   25 mul, 37 add, 7 product error, 2 sum error, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+     select. */
+static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
+  const double s_size_0 = fabs(self->x);
+  const double s_size_1 = fabs(self->y);
+  const double s_size_2 = fabs(self->z);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = self->x * s;
+  const double y_1 = self->y * s;
+  const double y_2 = self->z * s;
+  const double n_a = y_0 * y_0, n_a_lo = ksl_product_error(y_0, y_0, n_a), n_b = y_1 * y_1,
+      n_b_lo = ksl_product_error(y_1, y_1, n_b), n_c = n_a + n_b,
+      n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
+      n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
+      n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
+      n_e_lo = n_e_lo1 + n_d_lo, n = sqrt(n_e), n_product = n * n,
+      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
+      n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
+      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+  const double d = n == 0.0 ? 1.0 : n, d_lo = n == 0.0 ? 0.0 : n_lo;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double z_0 = self->x * up;
+  const double z_1 = self->y * up;
+  const double z_2 = self->z * up;
+  const double q_0 = z_0 / d, q_0_cross = q_0 * d_lo, q_0_product = q_0 * d,
+      q_0_product_error = ksl_product_error(q_0, d, q_0_product), q_0_rest = z_0 - q_0_product,
+      q_0_exact = q_0_rest - q_0_product_error, q_0_residual = q_0_exact - q_0_cross,
+      q_0_lo = q_0_residual / d;
+  const double q_1 = z_1 / d, q_1_cross = q_1 * d_lo, q_1_product = q_1 * d,
+      q_1_product_error = ksl_product_error(q_1, d, q_1_product), q_1_rest = z_1 - q_1_product,
+      q_1_exact = q_1_rest - q_1_product_error, q_1_residual = q_1_exact - q_1_cross,
+      q_1_lo = q_1_residual / d;
+  const double q_2 = z_2 / d, q_2_cross = q_2 * d_lo, q_2_product = q_2 * d,
+      q_2_product_error = ksl_product_error(q_2, d, q_2_product), q_2_rest = z_2 - q_2_product,
+      q_2_exact = q_2_rest - q_2_product_error, q_2_residual = q_2_exact - q_2_cross,
+      q_2_lo = q_2_residual / d;
+  const double self_0_new_total = q_0 + q_0_lo, self_0_new_added = self_0_new_total - q_0,
+      self_0_new_remaining = q_0_lo - self_0_new_added, self_0_new = self_0_new_total * down,
+      self_0_new_inverse = 1.0 / down, self_0_new_back = self_0_new * self_0_new_inverse,
+      self_0_new_lost = self_0_new_total - self_0_new_back,
+      self_0_new_rest = self_0_new_lost + self_0_new_remaining,
+      self_0_new_small = self_0_new_rest * down,
+      self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
+  const double self_1_new_total = q_1 + q_1_lo, self_1_new_added = self_1_new_total - q_1,
+      self_1_new_remaining = q_1_lo - self_1_new_added, self_1_new = self_1_new_total * down,
+      self_1_new_back = self_1_new * self_0_new_inverse,
+      self_1_new_lost = self_1_new_total - self_1_new_back,
+      self_1_new_rest = self_1_new_lost + self_1_new_remaining,
+      self_1_new_small = self_1_new_rest * down,
+      self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
+  const double self_2_new_total = q_2 + q_2_lo, self_2_new_added = self_2_new_total - q_2,
+      self_2_new_remaining = q_2_lo - self_2_new_added, self_2_new = self_2_new_total * down,
+      self_2_new_back = self_2_new * self_0_new_inverse,
+      self_2_new_lost = self_2_new_total - self_2_new_back,
+      self_2_new_rest = self_2_new_lost + self_2_new_remaining,
+      self_2_new_small = self_2_new_rest * down,
+      self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
+  const double self_0_new_total = self_0_new + self_0_new_lo,
+      self_0_new_rounded = self_0_new_total == self_0_new_total ? self_0_new_total : self_0_new;
+  const double self_1_new_total = self_1_new + self_1_new_lo,
+      self_1_new_rounded = self_1_new_total == self_1_new_total ? self_1_new_total : self_1_new;
+  const double self_2_new_total = self_2_new + self_2_new_lo,
+      self_2_new_rounded = self_2_new_total == self_2_new_total ? self_2_new_total : self_2_new;
+  self->x = self_0_new_rounded;
+  self->y = self_1_new_rounded;
+  self->z = self_2_new_rounded;
+}
+
+/* vo = v / |v|; the zero vector stays zero.
+   v, vo: vector.
+   25 mul, 37 add, 7 product error, 2 sum error, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+     select. */
+static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t *vo) {
+  const double s_size_0 = fabs(v->x);
+  const double s_size_1 = fabs(v->y);
+  const double s_size_2 = fabs(v->z);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = v->x * s;
+  const double y_1 = v->y * s;
+  const double y_2 = v->z * s;
+  const double n_a = y_0 * y_0, n_a_lo = ksl_product_error(y_0, y_0, n_a), n_b = y_1 * y_1,
+      n_b_lo = ksl_product_error(y_1, y_1, n_b), n_c = n_a + n_b,
+      n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
+      n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
+      n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
+      n_e_lo = n_e_lo1 + n_d_lo, n = sqrt(n_e), n_product = n * n,
+      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
+      n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
+      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+  const double d = n == 0.0 ? 1.0 : n, d_lo = n == 0.0 ? 0.0 : n_lo;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double z_0 = v->x * up;
+  const double z_1 = v->y * up;
+  const double z_2 = v->z * up;
+  const double q_0 = z_0 / d, q_0_cross = q_0 * d_lo, q_0_product = q_0 * d,
+      q_0_product_error = ksl_product_error(q_0, d, q_0_product), q_0_rest = z_0 - q_0_product,
+      q_0_exact = q_0_rest - q_0_product_error, q_0_residual = q_0_exact - q_0_cross,
+      q_0_lo = q_0_residual / d;
+  const double q_1 = z_1 / d, q_1_cross = q_1 * d_lo, q_1_product = q_1 * d,
+      q_1_product_error = ksl_product_error(q_1, d, q_1_product), q_1_rest = z_1 - q_1_product,
+      q_1_exact = q_1_rest - q_1_product_error, q_1_residual = q_1_exact - q_1_cross,
+      q_1_lo = q_1_residual / d;
+  const double q_2 = z_2 / d, q_2_cross = q_2 * d_lo, q_2_product = q_2 * d,
+      q_2_product_error = ksl_product_error(q_2, d, q_2_product), q_2_rest = z_2 - q_2_product,
+      q_2_exact = q_2_rest - q_2_product_error, q_2_residual = q_2_exact - q_2_cross,
+      q_2_lo = q_2_residual / d;
+  const double vo_0_total = q_0 + q_0_lo, vo_0_added = vo_0_total - q_0,
+      vo_0_remaining = q_0_lo - vo_0_added, vo_0 = vo_0_total * down, vo_0_inverse = 1.0 / down,
+      vo_0_back = vo_0 * vo_0_inverse, vo_0_lost = vo_0_total - vo_0_back,
+      vo_0_rest = vo_0_lost + vo_0_remaining, vo_0_small = vo_0_rest * down,
+      vo_0_lo = vo_0_lost == 0.0 ? 0.0 : vo_0_small;
+  const double vo_1_total = q_1 + q_1_lo, vo_1_added = vo_1_total - q_1,
+      vo_1_remaining = q_1_lo - vo_1_added, vo_1 = vo_1_total * down,
+      vo_1_back = vo_1 * vo_0_inverse, vo_1_lost = vo_1_total - vo_1_back,
+      vo_1_rest = vo_1_lost + vo_1_remaining, vo_1_small = vo_1_rest * down,
+      vo_1_lo = vo_1_lost == 0.0 ? 0.0 : vo_1_small;
+  const double vo_2_total = q_2 + q_2_lo, vo_2_added = vo_2_total - q_2,
+      vo_2_remaining = q_2_lo - vo_2_added, vo_2 = vo_2_total * down,
+      vo_2_back = vo_2 * vo_0_inverse, vo_2_lost = vo_2_total - vo_2_back,
+      vo_2_rest = vo_2_lost + vo_2_remaining, vo_2_small = vo_2_rest * down,
+      vo_2_lo = vo_2_lost == 0.0 ? 0.0 : vo_2_small;
+  const double vo_0_total = vo_0 + vo_0_lo,
+      vo_0_rounded = vo_0_total == vo_0_total ? vo_0_total : vo_0;
+  const double vo_1_total = vo_1 + vo_1_lo,
+      vo_1_rounded = vo_1_total == vo_1_total ? vo_1_total : vo_1;
+  const double vo_2_total = vo_2 + vo_2_lo,
+      vo_2_rounded = vo_2_total == vo_2_total ? vo_2_total : vo_2;
+  vo->x = vo_0_rounded;
+  vo->y = vo_1_rounded;
+  vo->z = vo_2_rounded;
+}
+
 /* v1·v2.
    v1, v2: vector.
    3 mul, 7 add, 3 product error, 2 sum error.
@@ -173,6 +350,33 @@ static inline void ksl_product_avinv_accurate(const double k, const ksl_vec3_t *
   const double vo_0_rounded = vo_0 + vo_0_lo;
   const double vo_1_rounded = vo_1 + vo_1_lo;
   const double vo_2_rounded = vo_2 + vo_2_lo;
+  vo->x = vo_0_rounded;
+  vo->y = vo_1_rounded;
+  vo->z = vo_2_rounded;
+}
+
+/* vo = v / k.
+   k: number; v, vo: vector.
+   3 mul, 9 add, 3 product error, 6 div, 3 equal, 3 select. */
+static inline void ksl_product_ainvv_accurate(const double k, const ksl_vec3_t *v, ksl_vec3_t *vo) {
+  const double vo_0 = v->x / k, vo_0_product = vo_0 * k,
+      vo_0_product_error = ksl_product_error(vo_0, k, vo_0_product),
+      vo_0_rest = v->x - vo_0_product, vo_0_exact = vo_0_rest - vo_0_product_error,
+      vo_0_lo = vo_0_exact / k;
+  const double vo_1 = v->y / k, vo_1_product = vo_1 * k,
+      vo_1_product_error = ksl_product_error(vo_1, k, vo_1_product),
+      vo_1_rest = v->y - vo_1_product, vo_1_exact = vo_1_rest - vo_1_product_error,
+      vo_1_lo = vo_1_exact / k;
+  const double vo_2 = v->z / k, vo_2_product = vo_2 * k,
+      vo_2_product_error = ksl_product_error(vo_2, k, vo_2_product),
+      vo_2_rest = v->z - vo_2_product, vo_2_exact = vo_2_rest - vo_2_product_error,
+      vo_2_lo = vo_2_exact / k;
+  const double vo_0_total = vo_0 + vo_0_lo,
+      vo_0_rounded = vo_0_total == vo_0_total ? vo_0_total : vo_0;
+  const double vo_1_total = vo_1 + vo_1_lo,
+      vo_1_rounded = vo_1_total == vo_1_total ? vo_1_total : vo_1;
+  const double vo_2_total = vo_2 + vo_2_lo,
+      vo_2_rounded = vo_2_total == vo_2_total ? vo_2_total : vo_2;
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -430,6 +634,94 @@ static inline void ksl_vec3f_scaled_accurate(const ksl_vec3f_t *v, const float k
   vo->z = (float)vo_2;
 }
 
+/* |v| = sqrt(v·v).
+   v: vector.
+   7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select. */
+static inline float ksl_vec3f_l2norm_accurate(const ksl_vec3f_t *v) {
+  const double s_size_0 = fabs((double)v->x);
+  const double s_size_1 = fabs((double)v->y);
+  const double s_size_2 = fabs((double)v->z);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
+      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+  const double y_0 = (double)v->x * s;
+  const double y_1 = (double)v->y * s;
+  const double y_2 = (double)v->z * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
+      r = 1.0 < s ? 7.888609052210118e-31 : r_b;
+  const double norm = n * r;
+  return (float)norm;
+}
+
+/* self = self / |self|; the zero vector stays zero.
+   self: vector.
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
+static inline void ksl_vec3f_normalize_accurate(ksl_vec3f_t *self) {
+  const double s_size_0 = fabs((double)self->x);
+  const double s_size_1 = fabs((double)self->y);
+  const double s_size_2 = fabs((double)self->z);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
+      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+  const double y_0 = (double)self->x * s;
+  const double y_1 = (double)self->y * s;
+  const double y_2 = (double)self->z * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double d = n == 0.0 ? 1.0 : n;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double z_0 = (double)self->x * up;
+  const double z_1 = (double)self->y * up;
+  const double z_2 = (double)self->z * up;
+  const double q_0 = z_0 / d;
+  const double q_1 = z_1 / d;
+  const double q_2 = z_2 / d;
+  const double self_0_new = q_0 * down;
+  const double self_1_new = q_1 * down;
+  const double self_2_new = q_2 * down;
+  self->x = (float)self_0_new;
+  self->y = (float)self_1_new;
+  self->z = (float)self_2_new;
+}
+
+/* vo = v / |v|; the zero vector stays zero.
+   v, vo: vector.
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
+static inline void ksl_vec3f_normalized_accurate(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
+  const double s_size_0 = fabs((double)v->x);
+  const double s_size_1 = fabs((double)v->y);
+  const double s_size_2 = fabs((double)v->z);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
+      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+  const double y_0 = (double)v->x * s;
+  const double y_1 = (double)v->y * s;
+  const double y_2 = (double)v->z * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double d = n == 0.0 ? 1.0 : n;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double z_0 = (double)v->x * up;
+  const double z_1 = (double)v->y * up;
+  const double z_2 = (double)v->z * up;
+  const double q_0 = z_0 / d;
+  const double q_1 = z_1 / d;
+  const double q_2 = z_2 / d;
+  const double vo_0 = q_0 * down;
+  const double vo_1 = q_1 * down;
+  const double vo_2 = q_2 * down;
+  vo->x = (float)vo_0;
+  vo->y = (float)vo_1;
+  vo->z = (float)vo_2;
+}
+
 /* v1·v2.
    v1, v2: vector.
    3 mul, 2 add.
@@ -451,6 +743,19 @@ static inline void ksl_product_avinvf_accurate(const float k, const ksl_vec3f_t 
   const double vo_0a = (double)k * (double)v->x, vo_0 = -vo_0a;
   const double vo_1a = (double)k * (double)v->y, vo_1 = -vo_1a;
   const double vo_2a = (double)k * (double)v->z, vo_2 = -vo_2a;
+  vo->x = (float)vo_0;
+  vo->y = (float)vo_1;
+  vo->z = (float)vo_2;
+}
+
+/* vo = v / k.
+   k: number; v, vo: vector.
+   3 div. */
+static inline void ksl_product_ainvvf_accurate(const float k, const ksl_vec3f_t *v,
+    ksl_vec3f_t *vo) {
+  const double vo_0 = (double)v->x / (double)k;
+  const double vo_1 = (double)v->y / (double)k;
+  const double vo_2 = (double)v->z / (double)k;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;

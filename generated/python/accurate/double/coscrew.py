@@ -4,6 +4,7 @@
 In double precision, accurate tier.
 """
 
+from numpy import absolute, float64, sqrt, where
 from coscrew._exact import difference_error, product_error, sum_error
 from coscrew._kernel import double_kernel as kernel
 
@@ -188,6 +189,264 @@ def subtract_cc(c1, c2):
     co_3_rounded = co_3 + difference_error(c1_3, c2_3, co_3)
     co_4_rounded = co_4 + difference_error(c1_4, c2_4, co_4)
     co_5_rounded = co_5 + difference_error(c1_5, c2_5, co_5)
+    return (co_0_rounded, co_1_rounded, co_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(6)->()")
+def coscrew_norm(ci):
+    """|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
+
+    (6)->().  ci: coscrew (f in N; τ in N m); norm: number.
+    10 mul, 16 add, 4 product error, 2 sum error, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
+    select.
+    """
+    ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
+    small_c = where(absolute(ci_2) < 1e-09, float64(1), float64(0))
+    small_f = where(absolute(ci_1) < 1e-09, small_c, 0)
+    small = where(absolute(ci_0) < 1e-09, small_f, 0)
+    p_0 = where(small == 1, ci_3, ci_0)
+    p_1 = where(small == 1, ci_4, ci_1)
+    p_2 = where(small == 1, ci_5, ci_2)
+    s_size_0 = absolute(p_0)
+    s_size_1 = absolute(p_1)
+    s_size_2 = absolute(p_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
+    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    y_0 = p_0 * s
+    y_1 = p_1 * s
+    y_2 = p_2 * s
+    n_a = y_0 * y_0
+    n_b = y_1 * y_1
+    n_c = n_a + n_b
+    n_c_lo = sum_error(n_a, n_b, n_c) + product_error(y_0, y_0, n_a) + product_error(y_1, y_1, n_b)
+    n_d = y_2 * y_2
+    n_e = n_c + n_d
+    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
+    n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
+    n = sqrt(n_e)
+    n_product = n * n
+    n_residual = n_e - n_product - product_error(n, n, n_product) + n_e_lo
+    n_lo = n_residual / where(n == 0, 1, n + n)
+    r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
+    r = where(1 < s, 2.409919865102884e-181, r_b)
+    norm_total = n + n_lo
+    norm = norm_total * r
+    norm_lost = norm_total - norm * (1 / r)
+    norm_total = norm + where(norm_lost == 0, 0, (norm_lost + (n_lo - (norm_total - n))) * r)
+    norm_rounded = where(norm_total == norm_total, norm_total, norm)
+    return norm_rounded
+
+
+@kernel("(6)->(6)")
+def coscrew_normalize(self):
+    """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
+
+    (6)->(6).  self: coscrew (f in N; τ in N m).
+    43 mul, 64 add, 10 product error, 2 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+    select.
+    """
+    self_0, self_1, self_2, self_3, self_4, self_5 = self
+    small_c = where(absolute(self_2) < 1e-09, float64(1), float64(0))
+    small_f = where(absolute(self_1) < 1e-09, small_c, 0)
+    small = where(absolute(self_0) < 1e-09, small_f, 0)
+    p_0 = where(small == 1, self_3, self_0)
+    p_1 = where(small == 1, self_4, self_1)
+    p_2 = where(small == 1, self_5, self_2)
+    s_size_0 = absolute(p_0)
+    s_size_1 = absolute(p_1)
+    s_size_2 = absolute(p_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
+    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    y_0 = p_0 * s
+    y_1 = p_1 * s
+    y_2 = p_2 * s
+    n_a = y_0 * y_0
+    n_b = y_1 * y_1
+    n_c = n_a + n_b
+    n_c_lo = sum_error(n_a, n_b, n_c) + product_error(y_0, y_0, n_a) + product_error(y_1, y_1, n_b)
+    n_d = y_2 * y_2
+    n_e = n_c + n_d
+    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
+    n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
+    n = sqrt(n_e)
+    n_product = n * n
+    n_residual = n_e - n_product - product_error(n, n, n_product) + n_e_lo
+    n_lo = n_residual / where(n == 0, 1, n + n)
+    d = where(n == 0, 1, n)
+    d_lo = where(n == 0, 0, n_lo)
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
+    z_0 = self_0 * up
+    z_1 = self_1 * up
+    z_2 = self_2 * up
+    z_3 = self_3 * up
+    z_4 = self_4 * up
+    z_5 = self_5 * up
+    q_0 = z_0 / d
+    q_0_product = q_0 * d
+    q_0_lo = (z_0 - q_0_product - product_error(q_0, d, q_0_product) - q_0 * d_lo) / d
+    q_1 = z_1 / d
+    q_1_product = q_1 * d
+    q_1_lo = (z_1 - q_1_product - product_error(q_1, d, q_1_product) - q_1 * d_lo) / d
+    q_2 = z_2 / d
+    q_2_product = q_2 * d
+    q_2_lo = (z_2 - q_2_product - product_error(q_2, d, q_2_product) - q_2 * d_lo) / d
+    q_3 = z_3 / d
+    q_3_product = q_3 * d
+    q_3_lo = (z_3 - q_3_product - product_error(q_3, d, q_3_product) - q_3 * d_lo) / d
+    q_4 = z_4 / d
+    q_4_product = q_4 * d
+    q_4_lo = (z_4 - q_4_product - product_error(q_4, d, q_4_product) - q_4 * d_lo) / d
+    q_5 = z_5 / d
+    q_5_product = q_5 * d
+    q_5_lo = (z_5 - q_5_product - product_error(q_5, d, q_5_product) - q_5 * d_lo) / d
+    self_0_new_total = q_0 + q_0_lo
+    self_0_new = self_0_new_total * down
+    self_0_new_inverse = 1 / down
+    self_0_new_lost = self_0_new_total - self_0_new * self_0_new_inverse
+    self_0_new_small = (self_0_new_lost + (q_0_lo - (self_0_new_total - q_0))) * down
+    self_0_new_lo = where(self_0_new_lost == 0, 0, self_0_new_small)
+    self_1_new_total = q_1 + q_1_lo
+    self_1_new = self_1_new_total * down
+    self_1_new_lost = self_1_new_total - self_1_new * self_0_new_inverse
+    self_1_new_small = (self_1_new_lost + (q_1_lo - (self_1_new_total - q_1))) * down
+    self_1_new_lo = where(self_1_new_lost == 0, 0, self_1_new_small)
+    self_2_new_total = q_2 + q_2_lo
+    self_2_new = self_2_new_total * down
+    self_2_new_lost = self_2_new_total - self_2_new * self_0_new_inverse
+    self_2_new_small = (self_2_new_lost + (q_2_lo - (self_2_new_total - q_2))) * down
+    self_2_new_lo = where(self_2_new_lost == 0, 0, self_2_new_small)
+    self_3_new_total = q_3 + q_3_lo
+    self_3_new = self_3_new_total * down
+    self_3_new_lost = self_3_new_total - self_3_new * self_0_new_inverse
+    self_3_new_small = (self_3_new_lost + (q_3_lo - (self_3_new_total - q_3))) * down
+    self_3_new_lo = where(self_3_new_lost == 0, 0, self_3_new_small)
+    self_4_new_total = q_4 + q_4_lo
+    self_4_new = self_4_new_total * down
+    self_4_new_lost = self_4_new_total - self_4_new * self_0_new_inverse
+    self_4_new_small = (self_4_new_lost + (q_4_lo - (self_4_new_total - q_4))) * down
+    self_4_new_lo = where(self_4_new_lost == 0, 0, self_4_new_small)
+    self_5_new_total = q_5 + q_5_lo
+    self_5_new = self_5_new_total * down
+    self_5_new_lost = self_5_new_total - self_5_new * self_0_new_inverse
+    self_5_new_small = (self_5_new_lost + (q_5_lo - (self_5_new_total - q_5))) * down
+    self_5_new_lo = where(self_5_new_lost == 0, 0, self_5_new_small)
+    self_0_new_total = self_0_new + self_0_new_lo
+    self_0_new_rounded = where(self_0_new_total == self_0_new_total, self_0_new_total, self_0_new)
+    self_1_new_total = self_1_new + self_1_new_lo
+    self_1_new_rounded = where(self_1_new_total == self_1_new_total, self_1_new_total, self_1_new)
+    self_2_new_total = self_2_new + self_2_new_lo
+    self_2_new_rounded = where(self_2_new_total == self_2_new_total, self_2_new_total, self_2_new)
+    self_3_new_total = self_3_new + self_3_new_lo
+    self_3_new_rounded = where(self_3_new_total == self_3_new_total, self_3_new_total, self_3_new)
+    self_4_new_total = self_4_new + self_4_new_lo
+    self_4_new_rounded = where(self_4_new_total == self_4_new_total, self_4_new_total, self_4_new)
+    self_5_new_total = self_5_new + self_5_new_lo
+    self_5_new_rounded = where(self_5_new_total == self_5_new_total, self_5_new_total, self_5_new)
+    return (self_0_new_rounded, self_1_new_rounded, self_2_new_rounded, self_3_new_rounded,
+        self_4_new_rounded, self_5_new_rounded)
+
+
+@kernel("(6)->(6)")
+def coscrew_normalized(ci):
+    """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
+
+    (6)->(6).  ci, co: coscrew (f in N; τ in N m).
+    43 mul, 64 add, 10 product error, 2 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+    select.
+    """
+    ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
+    small_c = where(absolute(ci_2) < 1e-09, float64(1), float64(0))
+    small_f = where(absolute(ci_1) < 1e-09, small_c, 0)
+    small = where(absolute(ci_0) < 1e-09, small_f, 0)
+    p_0 = where(small == 1, ci_3, ci_0)
+    p_1 = where(small == 1, ci_4, ci_1)
+    p_2 = where(small == 1, ci_5, ci_2)
+    s_size_0 = absolute(p_0)
+    s_size_1 = absolute(p_1)
+    s_size_2 = absolute(p_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
+    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    y_0 = p_0 * s
+    y_1 = p_1 * s
+    y_2 = p_2 * s
+    n_a = y_0 * y_0
+    n_b = y_1 * y_1
+    n_c = n_a + n_b
+    n_c_lo = sum_error(n_a, n_b, n_c) + product_error(y_0, y_0, n_a) + product_error(y_1, y_1, n_b)
+    n_d = y_2 * y_2
+    n_e = n_c + n_d
+    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
+    n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
+    n = sqrt(n_e)
+    n_product = n * n
+    n_residual = n_e - n_product - product_error(n, n, n_product) + n_e_lo
+    n_lo = n_residual / where(n == 0, 1, n + n)
+    d = where(n == 0, 1, n)
+    d_lo = where(n == 0, 0, n_lo)
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
+    z_0 = ci_0 * up
+    z_1 = ci_1 * up
+    z_2 = ci_2 * up
+    z_3 = ci_3 * up
+    z_4 = ci_4 * up
+    z_5 = ci_5 * up
+    q_0 = z_0 / d
+    q_0_product = q_0 * d
+    q_0_lo = (z_0 - q_0_product - product_error(q_0, d, q_0_product) - q_0 * d_lo) / d
+    q_1 = z_1 / d
+    q_1_product = q_1 * d
+    q_1_lo = (z_1 - q_1_product - product_error(q_1, d, q_1_product) - q_1 * d_lo) / d
+    q_2 = z_2 / d
+    q_2_product = q_2 * d
+    q_2_lo = (z_2 - q_2_product - product_error(q_2, d, q_2_product) - q_2 * d_lo) / d
+    q_3 = z_3 / d
+    q_3_product = q_3 * d
+    q_3_lo = (z_3 - q_3_product - product_error(q_3, d, q_3_product) - q_3 * d_lo) / d
+    q_4 = z_4 / d
+    q_4_product = q_4 * d
+    q_4_lo = (z_4 - q_4_product - product_error(q_4, d, q_4_product) - q_4 * d_lo) / d
+    q_5 = z_5 / d
+    q_5_product = q_5 * d
+    q_5_lo = (z_5 - q_5_product - product_error(q_5, d, q_5_product) - q_5 * d_lo) / d
+    co_0_total = q_0 + q_0_lo
+    co_0 = co_0_total * down
+    co_0_inverse = 1 / down
+    co_0_lost = co_0_total - co_0 * co_0_inverse
+    co_1_total = q_1 + q_1_lo
+    co_1 = co_1_total * down
+    co_1_lost = co_1_total - co_1 * co_0_inverse
+    co_2_total = q_2 + q_2_lo
+    co_2 = co_2_total * down
+    co_2_lost = co_2_total - co_2 * co_0_inverse
+    co_3_total = q_3 + q_3_lo
+    co_3 = co_3_total * down
+    co_3_lost = co_3_total - co_3 * co_0_inverse
+    co_4_total = q_4 + q_4_lo
+    co_4 = co_4_total * down
+    co_4_lost = co_4_total - co_4 * co_0_inverse
+    co_5_total = q_5 + q_5_lo
+    co_5 = co_5_total * down
+    co_5_lost = co_5_total - co_5 * co_0_inverse
+    co_0_total = co_0 + where(co_0_lost == 0, 0, (co_0_lost + (q_0_lo - (co_0_total - q_0))) * down)
+    co_0_rounded = where(co_0_total == co_0_total, co_0_total, co_0)
+    co_1_total = co_1 + where(co_1_lost == 0, 0, (co_1_lost + (q_1_lo - (co_1_total - q_1))) * down)
+    co_1_rounded = where(co_1_total == co_1_total, co_1_total, co_1)
+    co_2_total = co_2 + where(co_2_lost == 0, 0, (co_2_lost + (q_2_lo - (co_2_total - q_2))) * down)
+    co_2_rounded = where(co_2_total == co_2_total, co_2_total, co_2)
+    co_3_total = co_3 + where(co_3_lost == 0, 0, (co_3_lost + (q_3_lo - (co_3_total - q_3))) * down)
+    co_3_rounded = where(co_3_total == co_3_total, co_3_total, co_3)
+    co_4_total = co_4 + where(co_4_lost == 0, 0, (co_4_lost + (q_4_lo - (co_4_total - q_4))) * down)
+    co_4_rounded = where(co_4_total == co_4_total, co_4_total, co_4)
+    co_5_total = co_5 + where(co_5_lost == 0, 0, (co_5_lost + (q_5_lo - (co_5_total - q_5))) * down)
+    co_5_rounded = where(co_5_total == co_5_total, co_5_total, co_5)
     return (co_0_rounded, co_1_rounded, co_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
 
 

@@ -4,6 +4,7 @@
 In double precision, accurate tier.
 """
 
+from numpy import absolute, float64, sqrt, where
 from coscrew._exact import difference_error, product_error, sum_error
 from coscrew._kernel import double_kernel as kernel
 
@@ -188,6 +189,264 @@ def subtract_ss(s1, s2):
     so_3_rounded = so_3 + difference_error(s1_3, s2_3, so_3)
     so_4_rounded = so_4 + difference_error(s1_4, s2_4, so_4)
     so_5_rounded = so_5 + difference_error(s1_5, s2_5, so_5)
+    return (so_0_rounded, so_1_rounded, so_2_rounded, so_3_rounded, so_4_rounded, so_5_rounded)
+
+
+@kernel("(6)->()")
+def screw_norm(si):
+    """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
+
+    (6)->().  si: screw (v in m/s; ω in rad/s); norm: number.
+    10 mul, 16 add, 4 product error, 2 sum error, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
+    select.
+    """
+    si_0, si_1, si_2, si_3, si_4, si_5 = si
+    small_c = where(absolute(si_5) < 1e-09, float64(1), float64(0))
+    small_f = where(absolute(si_4) < 1e-09, small_c, 0)
+    small = where(absolute(si_3) < 1e-09, small_f, 0)
+    p_0 = where(small == 1, si_0, si_3)
+    p_1 = where(small == 1, si_1, si_4)
+    p_2 = where(small == 1, si_2, si_5)
+    s_size_0 = absolute(p_0)
+    s_size_1 = absolute(p_1)
+    s_size_2 = absolute(p_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
+    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    y_0 = p_0 * s
+    y_1 = p_1 * s
+    y_2 = p_2 * s
+    n_a = y_0 * y_0
+    n_b = y_1 * y_1
+    n_c = n_a + n_b
+    n_c_lo = sum_error(n_a, n_b, n_c) + product_error(y_0, y_0, n_a) + product_error(y_1, y_1, n_b)
+    n_d = y_2 * y_2
+    n_e = n_c + n_d
+    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
+    n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
+    n = sqrt(n_e)
+    n_product = n * n
+    n_residual = n_e - n_product - product_error(n, n, n_product) + n_e_lo
+    n_lo = n_residual / where(n == 0, 1, n + n)
+    r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
+    r = where(1 < s, 2.409919865102884e-181, r_b)
+    norm_total = n + n_lo
+    norm = norm_total * r
+    norm_lost = norm_total - norm * (1 / r)
+    norm_total = norm + where(norm_lost == 0, 0, (norm_lost + (n_lo - (norm_total - n))) * r)
+    norm_rounded = where(norm_total == norm_total, norm_total, norm)
+    return norm_rounded
+
+
+@kernel("(6)->(6)")
+def screw_normalize(self):
+    """self = self / |self|, with screw_norm; the zero screw stays zero.
+
+    (6)->(6).  self: screw (v in m/s; ω in rad/s).
+    43 mul, 64 add, 10 product error, 2 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+    select.
+    """
+    self_0, self_1, self_2, self_3, self_4, self_5 = self
+    small_c = where(absolute(self_5) < 1e-09, float64(1), float64(0))
+    small_f = where(absolute(self_4) < 1e-09, small_c, 0)
+    small = where(absolute(self_3) < 1e-09, small_f, 0)
+    p_0 = where(small == 1, self_0, self_3)
+    p_1 = where(small == 1, self_1, self_4)
+    p_2 = where(small == 1, self_2, self_5)
+    s_size_0 = absolute(p_0)
+    s_size_1 = absolute(p_1)
+    s_size_2 = absolute(p_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
+    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    y_0 = p_0 * s
+    y_1 = p_1 * s
+    y_2 = p_2 * s
+    n_a = y_0 * y_0
+    n_b = y_1 * y_1
+    n_c = n_a + n_b
+    n_c_lo = sum_error(n_a, n_b, n_c) + product_error(y_0, y_0, n_a) + product_error(y_1, y_1, n_b)
+    n_d = y_2 * y_2
+    n_e = n_c + n_d
+    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
+    n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
+    n = sqrt(n_e)
+    n_product = n * n
+    n_residual = n_e - n_product - product_error(n, n, n_product) + n_e_lo
+    n_lo = n_residual / where(n == 0, 1, n + n)
+    d = where(n == 0, 1, n)
+    d_lo = where(n == 0, 0, n_lo)
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
+    z_0 = self_0 * up
+    z_1 = self_1 * up
+    z_2 = self_2 * up
+    z_3 = self_3 * up
+    z_4 = self_4 * up
+    z_5 = self_5 * up
+    q_0 = z_0 / d
+    q_0_product = q_0 * d
+    q_0_lo = (z_0 - q_0_product - product_error(q_0, d, q_0_product) - q_0 * d_lo) / d
+    q_1 = z_1 / d
+    q_1_product = q_1 * d
+    q_1_lo = (z_1 - q_1_product - product_error(q_1, d, q_1_product) - q_1 * d_lo) / d
+    q_2 = z_2 / d
+    q_2_product = q_2 * d
+    q_2_lo = (z_2 - q_2_product - product_error(q_2, d, q_2_product) - q_2 * d_lo) / d
+    q_3 = z_3 / d
+    q_3_product = q_3 * d
+    q_3_lo = (z_3 - q_3_product - product_error(q_3, d, q_3_product) - q_3 * d_lo) / d
+    q_4 = z_4 / d
+    q_4_product = q_4 * d
+    q_4_lo = (z_4 - q_4_product - product_error(q_4, d, q_4_product) - q_4 * d_lo) / d
+    q_5 = z_5 / d
+    q_5_product = q_5 * d
+    q_5_lo = (z_5 - q_5_product - product_error(q_5, d, q_5_product) - q_5 * d_lo) / d
+    self_0_new_total = q_0 + q_0_lo
+    self_0_new = self_0_new_total * down
+    self_0_new_inverse = 1 / down
+    self_0_new_lost = self_0_new_total - self_0_new * self_0_new_inverse
+    self_0_new_small = (self_0_new_lost + (q_0_lo - (self_0_new_total - q_0))) * down
+    self_0_new_lo = where(self_0_new_lost == 0, 0, self_0_new_small)
+    self_1_new_total = q_1 + q_1_lo
+    self_1_new = self_1_new_total * down
+    self_1_new_lost = self_1_new_total - self_1_new * self_0_new_inverse
+    self_1_new_small = (self_1_new_lost + (q_1_lo - (self_1_new_total - q_1))) * down
+    self_1_new_lo = where(self_1_new_lost == 0, 0, self_1_new_small)
+    self_2_new_total = q_2 + q_2_lo
+    self_2_new = self_2_new_total * down
+    self_2_new_lost = self_2_new_total - self_2_new * self_0_new_inverse
+    self_2_new_small = (self_2_new_lost + (q_2_lo - (self_2_new_total - q_2))) * down
+    self_2_new_lo = where(self_2_new_lost == 0, 0, self_2_new_small)
+    self_3_new_total = q_3 + q_3_lo
+    self_3_new = self_3_new_total * down
+    self_3_new_lost = self_3_new_total - self_3_new * self_0_new_inverse
+    self_3_new_small = (self_3_new_lost + (q_3_lo - (self_3_new_total - q_3))) * down
+    self_3_new_lo = where(self_3_new_lost == 0, 0, self_3_new_small)
+    self_4_new_total = q_4 + q_4_lo
+    self_4_new = self_4_new_total * down
+    self_4_new_lost = self_4_new_total - self_4_new * self_0_new_inverse
+    self_4_new_small = (self_4_new_lost + (q_4_lo - (self_4_new_total - q_4))) * down
+    self_4_new_lo = where(self_4_new_lost == 0, 0, self_4_new_small)
+    self_5_new_total = q_5 + q_5_lo
+    self_5_new = self_5_new_total * down
+    self_5_new_lost = self_5_new_total - self_5_new * self_0_new_inverse
+    self_5_new_small = (self_5_new_lost + (q_5_lo - (self_5_new_total - q_5))) * down
+    self_5_new_lo = where(self_5_new_lost == 0, 0, self_5_new_small)
+    self_0_new_total = self_0_new + self_0_new_lo
+    self_0_new_rounded = where(self_0_new_total == self_0_new_total, self_0_new_total, self_0_new)
+    self_1_new_total = self_1_new + self_1_new_lo
+    self_1_new_rounded = where(self_1_new_total == self_1_new_total, self_1_new_total, self_1_new)
+    self_2_new_total = self_2_new + self_2_new_lo
+    self_2_new_rounded = where(self_2_new_total == self_2_new_total, self_2_new_total, self_2_new)
+    self_3_new_total = self_3_new + self_3_new_lo
+    self_3_new_rounded = where(self_3_new_total == self_3_new_total, self_3_new_total, self_3_new)
+    self_4_new_total = self_4_new + self_4_new_lo
+    self_4_new_rounded = where(self_4_new_total == self_4_new_total, self_4_new_total, self_4_new)
+    self_5_new_total = self_5_new + self_5_new_lo
+    self_5_new_rounded = where(self_5_new_total == self_5_new_total, self_5_new_total, self_5_new)
+    return (self_0_new_rounded, self_1_new_rounded, self_2_new_rounded, self_3_new_rounded,
+        self_4_new_rounded, self_5_new_rounded)
+
+
+@kernel("(6)->(6)")
+def screw_normalized(si):
+    """so = si / |si|, with screw_norm; the zero screw stays zero.
+
+    (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
+    43 mul, 64 add, 10 product error, 2 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+    select.
+    """
+    si_0, si_1, si_2, si_3, si_4, si_5 = si
+    small_c = where(absolute(si_5) < 1e-09, float64(1), float64(0))
+    small_f = where(absolute(si_4) < 1e-09, small_c, 0)
+    small = where(absolute(si_3) < 1e-09, small_f, 0)
+    p_0 = where(small == 1, si_0, si_3)
+    p_1 = where(small == 1, si_1, si_4)
+    p_2 = where(small == 1, si_2, si_5)
+    s_size_0 = absolute(p_0)
+    s_size_1 = absolute(p_1)
+    s_size_2 = absolute(p_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
+    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    y_0 = p_0 * s
+    y_1 = p_1 * s
+    y_2 = p_2 * s
+    n_a = y_0 * y_0
+    n_b = y_1 * y_1
+    n_c = n_a + n_b
+    n_c_lo = sum_error(n_a, n_b, n_c) + product_error(y_0, y_0, n_a) + product_error(y_1, y_1, n_b)
+    n_d = y_2 * y_2
+    n_e = n_c + n_d
+    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
+    n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
+    n = sqrt(n_e)
+    n_product = n * n
+    n_residual = n_e - n_product - product_error(n, n, n_product) + n_e_lo
+    n_lo = n_residual / where(n == 0, 1, n + n)
+    d = where(n == 0, 1, n)
+    d_lo = where(n == 0, 0, n_lo)
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
+    z_0 = si_0 * up
+    z_1 = si_1 * up
+    z_2 = si_2 * up
+    z_3 = si_3 * up
+    z_4 = si_4 * up
+    z_5 = si_5 * up
+    q_0 = z_0 / d
+    q_0_product = q_0 * d
+    q_0_lo = (z_0 - q_0_product - product_error(q_0, d, q_0_product) - q_0 * d_lo) / d
+    q_1 = z_1 / d
+    q_1_product = q_1 * d
+    q_1_lo = (z_1 - q_1_product - product_error(q_1, d, q_1_product) - q_1 * d_lo) / d
+    q_2 = z_2 / d
+    q_2_product = q_2 * d
+    q_2_lo = (z_2 - q_2_product - product_error(q_2, d, q_2_product) - q_2 * d_lo) / d
+    q_3 = z_3 / d
+    q_3_product = q_3 * d
+    q_3_lo = (z_3 - q_3_product - product_error(q_3, d, q_3_product) - q_3 * d_lo) / d
+    q_4 = z_4 / d
+    q_4_product = q_4 * d
+    q_4_lo = (z_4 - q_4_product - product_error(q_4, d, q_4_product) - q_4 * d_lo) / d
+    q_5 = z_5 / d
+    q_5_product = q_5 * d
+    q_5_lo = (z_5 - q_5_product - product_error(q_5, d, q_5_product) - q_5 * d_lo) / d
+    so_0_total = q_0 + q_0_lo
+    so_0 = so_0_total * down
+    so_0_inverse = 1 / down
+    so_0_lost = so_0_total - so_0 * so_0_inverse
+    so_1_total = q_1 + q_1_lo
+    so_1 = so_1_total * down
+    so_1_lost = so_1_total - so_1 * so_0_inverse
+    so_2_total = q_2 + q_2_lo
+    so_2 = so_2_total * down
+    so_2_lost = so_2_total - so_2 * so_0_inverse
+    so_3_total = q_3 + q_3_lo
+    so_3 = so_3_total * down
+    so_3_lost = so_3_total - so_3 * so_0_inverse
+    so_4_total = q_4 + q_4_lo
+    so_4 = so_4_total * down
+    so_4_lost = so_4_total - so_4 * so_0_inverse
+    so_5_total = q_5 + q_5_lo
+    so_5 = so_5_total * down
+    so_5_lost = so_5_total - so_5 * so_0_inverse
+    so_0_total = so_0 + where(so_0_lost == 0, 0, (so_0_lost + (q_0_lo - (so_0_total - q_0))) * down)
+    so_0_rounded = where(so_0_total == so_0_total, so_0_total, so_0)
+    so_1_total = so_1 + where(so_1_lost == 0, 0, (so_1_lost + (q_1_lo - (so_1_total - q_1))) * down)
+    so_1_rounded = where(so_1_total == so_1_total, so_1_total, so_1)
+    so_2_total = so_2 + where(so_2_lost == 0, 0, (so_2_lost + (q_2_lo - (so_2_total - q_2))) * down)
+    so_2_rounded = where(so_2_total == so_2_total, so_2_total, so_2)
+    so_3_total = so_3 + where(so_3_lost == 0, 0, (so_3_lost + (q_3_lo - (so_3_total - q_3))) * down)
+    so_3_rounded = where(so_3_total == so_3_total, so_3_total, so_3)
+    so_4_total = so_4 + where(so_4_lost == 0, 0, (so_4_lost + (q_4_lo - (so_4_total - q_4))) * down)
+    so_4_rounded = where(so_4_total == so_4_total, so_4_total, so_4)
+    so_5_total = so_5 + where(so_5_lost == 0, 0, (so_5_lost + (q_5_lo - (so_5_total - q_5))) * down)
+    so_5_rounded = where(so_5_total == so_5_total, so_5_total, so_5)
     return (so_0_rounded, so_1_rounded, so_2_rounded, so_3_rounded, so_4_rounded, so_5_rounded)
 
 

@@ -4,6 +4,7 @@
 In double precision, accurate tier.
 """
 
+from numpy import absolute, float64, sqrt, where
 from coscrew._exact import difference_error, product_error, sum_error
 from coscrew._kernel import double_kernel as kernel
 
@@ -156,6 +157,185 @@ def vec3_scaled(v, k):
     return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
 
 
+@kernel("(3)->()")
+def vec3_l2norm(v):
+    """|v| = sqrt(v·v).
+
+    (3)->().  v: vector; norm: number.
+    10 mul, 16 add, 4 product error, 2 sum error, 2 div, 1 sqrt, 3 abs, 6 less, 3 equal, 9
+    select.
+    """
+    v_0, v_1, v_2 = v
+    s_size_0 = absolute(v_0)
+    s_size_1 = absolute(v_1)
+    s_size_2 = absolute(v_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
+    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    y_0 = v_0 * s
+    y_1 = v_1 * s
+    y_2 = v_2 * s
+    n_a = y_0 * y_0
+    n_b = y_1 * y_1
+    n_c = n_a + n_b
+    n_c_lo = sum_error(n_a, n_b, n_c) + product_error(y_0, y_0, n_a) + product_error(y_1, y_1, n_b)
+    n_d = y_2 * y_2
+    n_e = n_c + n_d
+    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
+    n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
+    n = sqrt(n_e)
+    n_product = n * n
+    n_residual = n_e - n_product - product_error(n, n, n_product) + n_e_lo
+    n_lo = n_residual / where(n == 0, 1, n + n)
+    r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
+    r = where(1 < s, 2.409919865102884e-181, r_b)
+    norm_total = n + n_lo
+    norm = norm_total * r
+    norm_lost = norm_total - norm * (1 / r)
+    norm_total = norm + where(norm_lost == 0, 0, (norm_lost + (n_lo - (norm_total - n))) * r)
+    norm_rounded = where(norm_total == norm_total, norm_total, norm)
+    return norm_rounded
+
+
+@kernel("(3)->(3)")
+def vec3_normalize(self):
+    """self = self / |self|; the zero vector stays zero.
+
+    (3)->(3).  self: vector.
+    25 mul, 37 add, 7 product error, 2 sum error, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+    select.
+    """
+    self_0, self_1, self_2 = self
+    s_size_0 = absolute(self_0)
+    s_size_1 = absolute(self_1)
+    s_size_2 = absolute(self_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
+    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    y_0 = self_0 * s
+    y_1 = self_1 * s
+    y_2 = self_2 * s
+    n_a = y_0 * y_0
+    n_b = y_1 * y_1
+    n_c = n_a + n_b
+    n_c_lo = sum_error(n_a, n_b, n_c) + product_error(y_0, y_0, n_a) + product_error(y_1, y_1, n_b)
+    n_d = y_2 * y_2
+    n_e = n_c + n_d
+    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
+    n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
+    n = sqrt(n_e)
+    n_product = n * n
+    n_residual = n_e - n_product - product_error(n, n, n_product) + n_e_lo
+    n_lo = n_residual / where(n == 0, 1, n + n)
+    d = where(n == 0, 1, n)
+    d_lo = where(n == 0, 0, n_lo)
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
+    z_0 = self_0 * up
+    z_1 = self_1 * up
+    z_2 = self_2 * up
+    q_0 = z_0 / d
+    q_0_product = q_0 * d
+    q_0_lo = (z_0 - q_0_product - product_error(q_0, d, q_0_product) - q_0 * d_lo) / d
+    q_1 = z_1 / d
+    q_1_product = q_1 * d
+    q_1_lo = (z_1 - q_1_product - product_error(q_1, d, q_1_product) - q_1 * d_lo) / d
+    q_2 = z_2 / d
+    q_2_product = q_2 * d
+    q_2_lo = (z_2 - q_2_product - product_error(q_2, d, q_2_product) - q_2 * d_lo) / d
+    self_0_new_total = q_0 + q_0_lo
+    self_0_new = self_0_new_total * down
+    self_0_new_inverse = 1 / down
+    self_0_new_lost = self_0_new_total - self_0_new * self_0_new_inverse
+    self_0_new_small = (self_0_new_lost + (q_0_lo - (self_0_new_total - q_0))) * down
+    self_0_new_lo = where(self_0_new_lost == 0, 0, self_0_new_small)
+    self_1_new_total = q_1 + q_1_lo
+    self_1_new = self_1_new_total * down
+    self_1_new_lost = self_1_new_total - self_1_new * self_0_new_inverse
+    self_1_new_small = (self_1_new_lost + (q_1_lo - (self_1_new_total - q_1))) * down
+    self_1_new_lo = where(self_1_new_lost == 0, 0, self_1_new_small)
+    self_2_new_total = q_2 + q_2_lo
+    self_2_new = self_2_new_total * down
+    self_2_new_lost = self_2_new_total - self_2_new * self_0_new_inverse
+    self_2_new_small = (self_2_new_lost + (q_2_lo - (self_2_new_total - q_2))) * down
+    self_2_new_lo = where(self_2_new_lost == 0, 0, self_2_new_small)
+    self_0_new_total = self_0_new + self_0_new_lo
+    self_0_new_rounded = where(self_0_new_total == self_0_new_total, self_0_new_total, self_0_new)
+    self_1_new_total = self_1_new + self_1_new_lo
+    self_1_new_rounded = where(self_1_new_total == self_1_new_total, self_1_new_total, self_1_new)
+    self_2_new_total = self_2_new + self_2_new_lo
+    self_2_new_rounded = where(self_2_new_total == self_2_new_total, self_2_new_total, self_2_new)
+    return (self_0_new_rounded, self_1_new_rounded, self_2_new_rounded)
+
+
+@kernel("(3)->(3)")
+def vec3_normalized(v):
+    """vo = v / |v|; the zero vector stays zero.
+
+    (3)->(3).  v, vo: vector.
+    25 mul, 37 add, 7 product error, 2 sum error, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+    select.
+    """
+    v_0, v_1, v_2 = v
+    s_size_0 = absolute(v_0)
+    s_size_1 = absolute(v_1)
+    s_size_2 = absolute(v_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
+    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    y_0 = v_0 * s
+    y_1 = v_1 * s
+    y_2 = v_2 * s
+    n_a = y_0 * y_0
+    n_b = y_1 * y_1
+    n_c = n_a + n_b
+    n_c_lo = sum_error(n_a, n_b, n_c) + product_error(y_0, y_0, n_a) + product_error(y_1, y_1, n_b)
+    n_d = y_2 * y_2
+    n_e = n_c + n_d
+    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
+    n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
+    n = sqrt(n_e)
+    n_product = n * n
+    n_residual = n_e - n_product - product_error(n, n, n_product) + n_e_lo
+    n_lo = n_residual / where(n == 0, 1, n + n)
+    d = where(n == 0, 1, n)
+    d_lo = where(n == 0, 0, n_lo)
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
+    z_0 = v_0 * up
+    z_1 = v_1 * up
+    z_2 = v_2 * up
+    q_0 = z_0 / d
+    q_0_product = q_0 * d
+    q_0_lo = (z_0 - q_0_product - product_error(q_0, d, q_0_product) - q_0 * d_lo) / d
+    q_1 = z_1 / d
+    q_1_product = q_1 * d
+    q_1_lo = (z_1 - q_1_product - product_error(q_1, d, q_1_product) - q_1 * d_lo) / d
+    q_2 = z_2 / d
+    q_2_product = q_2 * d
+    q_2_lo = (z_2 - q_2_product - product_error(q_2, d, q_2_product) - q_2 * d_lo) / d
+    vo_0_total = q_0 + q_0_lo
+    vo_0 = vo_0_total * down
+    vo_0_inverse = 1 / down
+    vo_0_lost = vo_0_total - vo_0 * vo_0_inverse
+    vo_1_total = q_1 + q_1_lo
+    vo_1 = vo_1_total * down
+    vo_1_lost = vo_1_total - vo_1 * vo_0_inverse
+    vo_2_total = q_2 + q_2_lo
+    vo_2 = vo_2_total * down
+    vo_2_lost = vo_2_total - vo_2 * vo_0_inverse
+    vo_0_total = vo_0 + where(vo_0_lost == 0, 0, (vo_0_lost + (q_0_lo - (vo_0_total - q_0))) * down)
+    vo_0_rounded = where(vo_0_total == vo_0_total, vo_0_total, vo_0)
+    vo_1_total = vo_1 + where(vo_1_lost == 0, 0, (vo_1_lost + (q_1_lo - (vo_1_total - q_1))) * down)
+    vo_1_rounded = where(vo_1_total == vo_1_total, vo_1_total, vo_1)
+    vo_2_total = vo_2 + where(vo_2_lost == 0, 0, (vo_2_lost + (q_2_lo - (vo_2_total - q_2))) * down)
+    vo_2_rounded = where(vo_2_total == vo_2_total, vo_2_total, vo_2)
+    return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
+
+
 @kernel("(3),(3)->()")
 def dot_vv(v1, v2):
     """v1·v2.
@@ -196,6 +376,29 @@ def product_avinv(k, v):
     vo_0_rounded = vo_0 + -product_error(k, v_0, vo_0a)
     vo_1_rounded = vo_1 + -product_error(k, v_1, vo_1a)
     vo_2_rounded = vo_2 + -product_error(k, v_2, vo_2a)
+    return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
+
+
+@kernel("(),(3)->(3)")
+def product_ainvv(k, v):
+    """vo = v / k.
+
+    (),(3)->(3).  k: number; v, vo: vector.
+    3 mul, 9 add, 3 product error, 6 div, 3 equal, 3 select.
+    """
+    v_0, v_1, v_2 = v
+    vo_0 = v_0 / k
+    vo_0_product = vo_0 * k
+    vo_1 = v_1 / k
+    vo_1_product = vo_1 * k
+    vo_2 = v_2 / k
+    vo_2_product = vo_2 * k
+    vo_0_total = vo_0 + (v_0 - vo_0_product - product_error(vo_0, k, vo_0_product)) / k
+    vo_0_rounded = where(vo_0_total == vo_0_total, vo_0_total, vo_0)
+    vo_1_total = vo_1 + (v_1 - vo_1_product - product_error(vo_1, k, vo_1_product)) / k
+    vo_1_rounded = where(vo_1_total == vo_1_total, vo_1_total, vo_1)
+    vo_2_total = vo_2 + (v_2 - vo_2_product - product_error(vo_2, k, vo_2_product)) / k
+    vo_2_rounded = where(vo_2_total == vo_2_total, vo_2_total, vo_2)
     return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
 
 

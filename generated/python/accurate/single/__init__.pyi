@@ -59,6 +59,27 @@ def vec3_scaled(v: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ..
     3 mul.  Error <= u |result|, barring over- and underflow.
     """
 
+def vec3_l2norm(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """|v| = sqrt(v·v).
+
+    (3)->().  v: vector; norm: number.
+    7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select.
+    """
+
+def vec3_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """self = self / |self|; the zero vector stays zero.
+
+    (3)->(3).  self: vector.
+    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.
+    """
+
+def vec3_normalized(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """vo = v / |v|; the zero vector stays zero.
+
+    (3)->(3).  v, vo: vector.
+    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.
+    """
+
 def dot_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """v1·v2.
 
@@ -72,6 +93,13 @@ def product_avinv(k: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = 
 
     (),(3)->(3).  k: number; v, vo: vector.
     3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
+    """
+
+def product_ainvv(k: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """vo = v / k.
+
+    (),(3)->(3).  k: number; v, vo: vector.
+    3 div.
     """
 
 def cross_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -530,6 +558,27 @@ def subtract_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float32] | None = 
     6 add.  Error <= u |result|, barring over- and underflow.
     """
 
+def screw_norm(si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
+
+    (6)->().  si: screw (v in m/s; ω in rad/s); norm: number.
+    7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select.
+    """
+
+def screw_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """self = self / |self|, with screw_norm; the zero screw stays zero.
+
+    (6)->(6).  self: screw (v in m/s; ω in rad/s).
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    """
+
+def screw_normalized(si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """so = si / |si|, with screw_norm; the zero screw stays zero.
+
+    (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    """
+
 def add_sst(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = (s1.lin + s2.lin ; s1.ang).
 
@@ -759,6 +808,27 @@ def subtract_cc(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.float32] | None = 
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
     6 add.  Error <= u |result|, barring over- and underflow.
+    """
+
+def coscrew_norm(ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
+
+    (6)->().  ci: coscrew (f in N; τ in N m); norm: number.
+    7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select.
+    """
+
+def coscrew_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
+
+    (6)->(6).  self: coscrew (f in N; τ in N m).
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    """
+
+def coscrew_normalized(ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
+
+    (6)->(6).  ci, co: coscrew (f in N; τ in N m).
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
     """
 
 def add_cct(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:

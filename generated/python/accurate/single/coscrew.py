@@ -4,6 +4,7 @@
 In single precision, accurate tier.
 """
 
+from numpy import absolute, float64, sqrt, where
 from coscrew._kernel import wide_kernel as kernel
 
 
@@ -135,6 +136,135 @@ def subtract_cc(c1, c2):
     co_3 = c1_3 - c2_3
     co_4 = c1_4 - c2_4
     co_5 = c1_5 - c2_5
+    return (co_0, co_1, co_2, co_3, co_4, co_5)
+
+
+@kernel("(6)->()")
+def coscrew_norm(ci):
+    """|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
+
+    (6)->().  ci: coscrew (f in N; τ in N m); norm: number.
+    7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select.
+    """
+    ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
+    small_c = where(absolute(ci_2) < 9.999999974752427e-07, float64(1), float64(0))
+    small_f = where(absolute(ci_1) < 9.999999974752427e-07, small_c, 0)
+    small = where(absolute(ci_0) < 9.999999974752427e-07, small_f, 0)
+    p_0 = where(small == 1, ci_3, ci_0)
+    p_1 = where(small == 1, ci_4, ci_1)
+    p_2 = where(small == 1, ci_5, ci_2)
+    s_size_0 = absolute(p_0)
+    s_size_1 = absolute(p_1)
+    s_size_2 = absolute(p_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(4.611686018427388e+18 < s_largest2, float64(2.710505431213761e-20), float64(1))
+    s = where(s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    y_0 = p_0 * s
+    y_1 = p_1 * s
+    y_2 = p_2 * s
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
+    r_b = where(s < 1, float64(3.6893488147419103e+19), float64(1))
+    r = where(1 < s, 7.888609052210118e-31, r_b)
+    norm = n * r
+    return norm
+
+
+@kernel("(6)->(6)")
+def coscrew_normalize(self):
+    """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
+
+    (6)->(6).  self: coscrew (f in N; τ in N m).
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    """
+    self_0, self_1, self_2, self_3, self_4, self_5 = self
+    small_c = where(absolute(self_2) < 9.999999974752427e-07, float64(1), float64(0))
+    small_f = where(absolute(self_1) < 9.999999974752427e-07, small_c, 0)
+    small = where(absolute(self_0) < 9.999999974752427e-07, small_f, 0)
+    p_0 = where(small == 1, self_3, self_0)
+    p_1 = where(small == 1, self_4, self_1)
+    p_2 = where(small == 1, self_5, self_2)
+    s_size_0 = absolute(p_0)
+    s_size_1 = absolute(p_1)
+    s_size_2 = absolute(p_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(4.611686018427388e+18 < s_largest2, float64(2.710505431213761e-20), float64(1))
+    s = where(s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    y_0 = p_0 * s
+    y_1 = p_1 * s
+    y_2 = p_2 * s
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
+    d = where(n == 0, 1, n)
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
+    z_0 = self_0 * up
+    z_1 = self_1 * up
+    z_2 = self_2 * up
+    z_3 = self_3 * up
+    z_4 = self_4 * up
+    z_5 = self_5 * up
+    q_0 = z_0 / d
+    q_1 = z_1 / d
+    q_2 = z_2 / d
+    q_3 = z_3 / d
+    q_4 = z_4 / d
+    q_5 = z_5 / d
+    self_0_new = q_0 * down
+    self_1_new = q_1 * down
+    self_2_new = q_2 * down
+    self_3_new = q_3 * down
+    self_4_new = q_4 * down
+    self_5_new = q_5 * down
+    return (self_0_new, self_1_new, self_2_new, self_3_new, self_4_new, self_5_new)
+
+
+@kernel("(6)->(6)")
+def coscrew_normalized(ci):
+    """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
+
+    (6)->(6).  ci, co: coscrew (f in N; τ in N m).
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    """
+    ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
+    small_c = where(absolute(ci_2) < 9.999999974752427e-07, float64(1), float64(0))
+    small_f = where(absolute(ci_1) < 9.999999974752427e-07, small_c, 0)
+    small = where(absolute(ci_0) < 9.999999974752427e-07, small_f, 0)
+    p_0 = where(small == 1, ci_3, ci_0)
+    p_1 = where(small == 1, ci_4, ci_1)
+    p_2 = where(small == 1, ci_5, ci_2)
+    s_size_0 = absolute(p_0)
+    s_size_1 = absolute(p_1)
+    s_size_2 = absolute(p_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(4.611686018427388e+18 < s_largest2, float64(2.710505431213761e-20), float64(1))
+    s = where(s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    y_0 = p_0 * s
+    y_1 = p_1 * s
+    y_2 = p_2 * s
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
+    d = where(n == 0, 1, n)
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
+    z_0 = ci_0 * up
+    z_1 = ci_1 * up
+    z_2 = ci_2 * up
+    z_3 = ci_3 * up
+    z_4 = ci_4 * up
+    z_5 = ci_5 * up
+    q_0 = z_0 / d
+    q_1 = z_1 / d
+    q_2 = z_2 / d
+    q_3 = z_3 / d
+    q_4 = z_4 / d
+    q_5 = z_5 / d
+    co_0 = q_0 * down
+    co_1 = q_1 * down
+    co_2 = q_2 * down
+    co_3 = q_3 * down
+    co_4 = q_4 * down
+    co_5 = q_5 * down
     return (co_0, co_1, co_2, co_3, co_4, co_5)
 
 

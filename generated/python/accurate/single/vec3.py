@@ -4,6 +4,7 @@
 In single precision, accurate tier.
 """
 
+from numpy import absolute, float64, sqrt, where
 from coscrew._kernel import wide_kernel as kernel
 
 
@@ -132,6 +133,99 @@ def vec3_scaled(v, k):
     return (vo_0, vo_1, vo_2)
 
 
+@kernel("(3)->()")
+def vec3_l2norm(v):
+    """|v| = sqrt(v·v).
+
+    (3)->().  v: vector; norm: number.
+    7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select.
+    """
+    v_0, v_1, v_2 = v
+    s_size_0 = absolute(v_0)
+    s_size_1 = absolute(v_1)
+    s_size_2 = absolute(v_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(4.611686018427388e+18 < s_largest2, float64(2.710505431213761e-20), float64(1))
+    s = where(s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    y_0 = v_0 * s
+    y_1 = v_1 * s
+    y_2 = v_2 * s
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
+    r_b = where(s < 1, float64(3.6893488147419103e+19), float64(1))
+    r = where(1 < s, 7.888609052210118e-31, r_b)
+    norm = n * r
+    return norm
+
+
+@kernel("(3)->(3)")
+def vec3_normalize(self):
+    """self = self / |self|; the zero vector stays zero.
+
+    (3)->(3).  self: vector.
+    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.
+    """
+    self_0, self_1, self_2 = self
+    s_size_0 = absolute(self_0)
+    s_size_1 = absolute(self_1)
+    s_size_2 = absolute(self_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(4.611686018427388e+18 < s_largest2, float64(2.710505431213761e-20), float64(1))
+    s = where(s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    y_0 = self_0 * s
+    y_1 = self_1 * s
+    y_2 = self_2 * s
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
+    d = where(n == 0, 1, n)
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
+    z_0 = self_0 * up
+    z_1 = self_1 * up
+    z_2 = self_2 * up
+    q_0 = z_0 / d
+    q_1 = z_1 / d
+    q_2 = z_2 / d
+    self_0_new = q_0 * down
+    self_1_new = q_1 * down
+    self_2_new = q_2 * down
+    return (self_0_new, self_1_new, self_2_new)
+
+
+@kernel("(3)->(3)")
+def vec3_normalized(v):
+    """vo = v / |v|; the zero vector stays zero.
+
+    (3)->(3).  v, vo: vector.
+    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.
+    """
+    v_0, v_1, v_2 = v
+    s_size_0 = absolute(v_0)
+    s_size_1 = absolute(v_1)
+    s_size_2 = absolute(v_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(4.611686018427388e+18 < s_largest2, float64(2.710505431213761e-20), float64(1))
+    s = where(s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    y_0 = v_0 * s
+    y_1 = v_1 * s
+    y_2 = v_2 * s
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
+    d = where(n == 0, 1, n)
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
+    z_0 = v_0 * up
+    z_1 = v_1 * up
+    z_2 = v_2 * up
+    q_0 = z_0 / d
+    q_1 = z_1 / d
+    q_2 = z_2 / d
+    vo_0 = q_0 * down
+    vo_1 = q_1 * down
+    vo_2 = q_2 * down
+    return (vo_0, vo_1, vo_2)
+
+
 @kernel("(3),(3)->()")
 def dot_vv(v1, v2):
     """v1·v2.
@@ -158,6 +252,20 @@ def product_avinv(k, v):
     vo_0 = -(k * v_0)
     vo_1 = -(k * v_1)
     vo_2 = -(k * v_2)
+    return (vo_0, vo_1, vo_2)
+
+
+@kernel("(),(3)->(3)")
+def product_ainvv(k, v):
+    """vo = v / k.
+
+    (),(3)->(3).  k: number; v, vo: vector.
+    3 div.
+    """
+    v_0, v_1, v_2 = v
+    vo_0 = v_0 / k
+    vo_1 = v_1 / k
+    vo_2 = v_2 / k
     return (vo_0, vo_1, vo_2)
 
 
