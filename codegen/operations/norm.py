@@ -74,8 +74,18 @@ def safe_normalized(let: Let, x: sp.Matrix, part: sp.Matrix) -> sp.Matrix:
     so that no component loses digits the result has."""
     s = power_of_two(let, "s", tuple(part))
     y = let("y", part.applyfunc(lambda component: scaled(component, s)))
-    d = let("d", nonzero(let("n", l2(y))))
+    divisor = let("divisor", nonzero(let("n", l2(y))))
     up = let("up", sp.Piecewise((s, 1 < s), (sp.Integer(1), True)))
     down = let("down", sp.Piecewise((s, s < 1), (sp.Integer(1), True)))
-    q = divided(let("z", x.applyfunc(lambda component: scaled(component, up))), d)
-    return let("q", q).applyfunc(lambda component: scaled(component, down))
+    q = divided(let("enlarged", x.applyfunc(lambda component: scaled(component, up))), divisor)
+    return let("quotient", q).applyfunc(lambda component: scaled(component, down))
+
+
+def prefixed(let: Let, prefix: str) -> Let:
+    """`let` with a prefix to every name, for formulas that occur twice in a kernel."""
+    return lambda name, value: let(f"{prefix}_{name}", value)
+
+
+def unnamed(name: str, value: sp.Expr | sp.Matrix) -> sp.Expr | sp.Matrix:
+    """A let that binds nothing: it turns a derivation into a formula."""
+    return value

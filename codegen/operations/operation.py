@@ -15,12 +15,16 @@ NORM_THRESHOLD = sp.Symbol("norm_threshold", positive=True)
 # Between these, squares neither over- nor underflow; beyond them a power of two brings numbers back.
 SMALL, LARGE, ENLARGING, REDUCING = sp.symbols("small large enlarging reducing", positive=True)
 
+# x + GRID - GRID is x rounded so that squares of such numbers below 8, and their sums, are exact.
+GRID = sp.Symbol("grid", positive=True)
+
 PER_PRECISION: dict[sp.Symbol, tuple[sp.Rational, sp.Rational]] = {
     NORM_THRESHOLD: (sp.Rational(1, 10**9), sp.Rational(1, 10**6)),
     SMALL: (sp.Rational(1, 2**450), sp.Rational(1, 2**50)),
     LARGE: (sp.Integer(2**511), sp.Integer(2**62)),
     ENLARGING: (sp.Integer(2**600), sp.Integer(2**100)),
     REDUCING: (sp.Rational(1, 2**513), sp.Rational(1, 2**65)),
+    GRID: (sp.Integer(3 * 2**29), sp.Integer(3 * 2**14)),
 }
 """The constants that differ between double and single precision."""
 

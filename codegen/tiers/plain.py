@@ -180,9 +180,11 @@ class _Scheduler:
         return self._lower(sp.Mul(term.coefficient, *term.factors), name)
 
     def _product(self, expression: sp.Expr, name: str) -> Operand:
-        numerator, denominator = expression.as_numer_denom()
-        if not denominator.is_Number:
-            return self._issue(Op.DIV, map(self._lower, (numerator, denominator)), name)
+        divisors = [x for x in sp.Mul.make_args(expression) if x.is_Pow and x.exp.is_negative]
+        if divisors:
+            denominator = sp.Mul(*(1 / x for x in divisors))
+            operands = (self._lower(expression * denominator), self._lower(denominator))
+            return self._issue(Op.DIV, operands, name)
         term = self._term(expression)
         factors = [self._lower(factor) for factor in term.factors]
         if term.coefficient != 1:

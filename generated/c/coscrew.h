@@ -394,18 +394,18 @@ static inline void ksl_vec3_normalize(ksl_vec3_t *self) {
   const double y_2 = self->z * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
-  const double d = n == 0.0 ? 1.0 : n;
+  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = self->x * up;
-  const double z_1 = self->y * up;
-  const double z_2 = self->z * up;
-  const double q_0 = z_0 / d;
-  const double q_1 = z_1 / d;
-  const double q_2 = z_2 / d;
-  const double self_0_new = q_0 * down;
-  const double self_1_new = q_1 * down;
-  const double self_2_new = q_2 * down;
+  const double enlarged_0 = self->x * up;
+  const double enlarged_1 = self->y * up;
+  const double enlarged_2 = self->z * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double self_0_new = quotient_0 * down;
+  const double self_1_new = quotient_1 * down;
+  const double self_2_new = quotient_2 * down;
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -427,18 +427,18 @@ static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double y_2 = v->z * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
-  const double d = n == 0.0 ? 1.0 : n;
+  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = v->x * up;
-  const double z_1 = v->y * up;
-  const double z_2 = v->z * up;
-  const double q_0 = z_0 / d;
-  const double q_1 = z_1 / d;
-  const double q_2 = z_2 / d;
-  const double vo_0 = q_0 * down;
-  const double vo_1 = q_1 * down;
-  const double vo_2 = q_2 * down;
+  const double enlarged_0 = v->x * up;
+  const double enlarged_1 = v->y * up;
+  const double enlarged_2 = v->z * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double vo_0 = quotient_0 * down;
+  const double vo_1 = quotient_1 * down;
+  const double vo_2 = quotient_2 * down;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -795,18 +795,18 @@ static inline void ksl_vec3f_normalize(ksl_vec3f_t *self) {
   const float y_2 = self->z * s;
   const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrtf(n_e);
-  const float d = n == 0.0f ? 1.0f : n;
+  const float divisor = n == 0.0f ? 1.0f : n;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float z_0 = self->x * up;
-  const float z_1 = self->y * up;
-  const float z_2 = self->z * up;
-  const float q_0 = z_0 / d;
-  const float q_1 = z_1 / d;
-  const float q_2 = z_2 / d;
-  const float self_0_new = q_0 * down;
-  const float self_1_new = q_1 * down;
-  const float self_2_new = q_2 * down;
+  const float enlarged_0 = self->x * up;
+  const float enlarged_1 = self->y * up;
+  const float enlarged_2 = self->z * up;
+  const float quotient_0 = enlarged_0 / divisor;
+  const float quotient_1 = enlarged_1 / divisor;
+  const float quotient_2 = enlarged_2 / divisor;
+  const float self_0_new = quotient_0 * down;
+  const float self_1_new = quotient_1 * down;
+  const float self_2_new = quotient_2 * down;
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -828,18 +828,18 @@ static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float y_2 = v->z * s;
   const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrtf(n_e);
-  const float d = n == 0.0f ? 1.0f : n;
+  const float divisor = n == 0.0f ? 1.0f : n;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float z_0 = v->x * up;
-  const float z_1 = v->y * up;
-  const float z_2 = v->z * up;
-  const float q_0 = z_0 / d;
-  const float q_1 = z_1 / d;
-  const float q_2 = z_2 / d;
-  const float vo_0 = q_0 * down;
-  const float vo_1 = q_1 * down;
-  const float vo_2 = q_2 * down;
+  const float enlarged_0 = v->x * up;
+  const float enlarged_1 = v->y * up;
+  const float enlarged_2 = v->z * up;
+  const float quotient_0 = enlarged_0 / divisor;
+  const float quotient_1 = enlarged_1 / divisor;
+  const float quotient_2 = enlarged_2 / divisor;
+  const float vo_0 = quotient_0 * down;
+  const float vo_1 = quotient_1 * down;
+  const float vo_2 = quotient_2 * down;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -4991,27 +4991,27 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
   const double y_2 = p_2 * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
-  const double d = n == 0.0 ? 1.0 : n;
+  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = self->m0 * up;
-  const double z_1 = self->m1 * up;
-  const double z_2 = self->m2 * up;
-  const double z_3 = self->m3 * up;
-  const double z_4 = self->m4 * up;
-  const double z_5 = self->m5 * up;
-  const double q_0 = z_0 / d;
-  const double q_1 = z_1 / d;
-  const double q_2 = z_2 / d;
-  const double q_3 = z_3 / d;
-  const double q_4 = z_4 / d;
-  const double q_5 = z_5 / d;
-  const double self_0_new = q_0 * down;
-  const double self_1_new = q_1 * down;
-  const double self_2_new = q_2 * down;
-  const double self_3_new = q_3 * down;
-  const double self_4_new = q_4 * down;
-  const double self_5_new = q_5 * down;
+  const double enlarged_0 = self->m0 * up;
+  const double enlarged_1 = self->m1 * up;
+  const double enlarged_2 = self->m2 * up;
+  const double enlarged_3 = self->m3 * up;
+  const double enlarged_4 = self->m4 * up;
+  const double enlarged_5 = self->m5 * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double quotient_3 = enlarged_3 / divisor;
+  const double quotient_4 = enlarged_4 / divisor;
+  const double quotient_5 = enlarged_5 / divisor;
+  const double self_0_new = quotient_0 * down;
+  const double self_1_new = quotient_1 * down;
+  const double self_2_new = quotient_2 * down;
+  const double self_3_new = quotient_3 * down;
+  const double self_4_new = quotient_4 * down;
+  const double self_5_new = quotient_5 * down;
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -5042,27 +5042,27 @@ static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) 
   const double y_2 = p_2 * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
-  const double d = n == 0.0 ? 1.0 : n;
+  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = si->m0 * up;
-  const double z_1 = si->m1 * up;
-  const double z_2 = si->m2 * up;
-  const double z_3 = si->m3 * up;
-  const double z_4 = si->m4 * up;
-  const double z_5 = si->m5 * up;
-  const double q_0 = z_0 / d;
-  const double q_1 = z_1 / d;
-  const double q_2 = z_2 / d;
-  const double q_3 = z_3 / d;
-  const double q_4 = z_4 / d;
-  const double q_5 = z_5 / d;
-  const double so_0 = q_0 * down;
-  const double so_1 = q_1 * down;
-  const double so_2 = q_2 * down;
-  const double so_3 = q_3 * down;
-  const double so_4 = q_4 * down;
-  const double so_5 = q_5 * down;
+  const double enlarged_0 = si->m0 * up;
+  const double enlarged_1 = si->m1 * up;
+  const double enlarged_2 = si->m2 * up;
+  const double enlarged_3 = si->m3 * up;
+  const double enlarged_4 = si->m4 * up;
+  const double enlarged_5 = si->m5 * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double quotient_3 = enlarged_3 / divisor;
+  const double quotient_4 = enlarged_4 / divisor;
+  const double quotient_5 = enlarged_5 / divisor;
+  const double so_0 = quotient_0 * down;
+  const double so_1 = quotient_1 * down;
+  const double so_2 = quotient_2 * down;
+  const double so_3 = quotient_3 * down;
+  const double so_4 = quotient_4 * down;
+  const double so_5 = quotient_5 * down;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6079,27 +6079,27 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   const float y_2 = p_2 * s;
   const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrtf(n_e);
-  const float d = n == 0.0f ? 1.0f : n;
+  const float divisor = n == 0.0f ? 1.0f : n;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float z_0 = self->m0 * up;
-  const float z_1 = self->m1 * up;
-  const float z_2 = self->m2 * up;
-  const float z_3 = self->m3 * up;
-  const float z_4 = self->m4 * up;
-  const float z_5 = self->m5 * up;
-  const float q_0 = z_0 / d;
-  const float q_1 = z_1 / d;
-  const float q_2 = z_2 / d;
-  const float q_3 = z_3 / d;
-  const float q_4 = z_4 / d;
-  const float q_5 = z_5 / d;
-  const float self_0_new = q_0 * down;
-  const float self_1_new = q_1 * down;
-  const float self_2_new = q_2 * down;
-  const float self_3_new = q_3 * down;
-  const float self_4_new = q_4 * down;
-  const float self_5_new = q_5 * down;
+  const float enlarged_0 = self->m0 * up;
+  const float enlarged_1 = self->m1 * up;
+  const float enlarged_2 = self->m2 * up;
+  const float enlarged_3 = self->m3 * up;
+  const float enlarged_4 = self->m4 * up;
+  const float enlarged_5 = self->m5 * up;
+  const float quotient_0 = enlarged_0 / divisor;
+  const float quotient_1 = enlarged_1 / divisor;
+  const float quotient_2 = enlarged_2 / divisor;
+  const float quotient_3 = enlarged_3 / divisor;
+  const float quotient_4 = enlarged_4 / divisor;
+  const float quotient_5 = enlarged_5 / divisor;
+  const float self_0_new = quotient_0 * down;
+  const float self_1_new = quotient_1 * down;
+  const float self_2_new = quotient_2 * down;
+  const float self_3_new = quotient_3 * down;
+  const float self_4_new = quotient_4 * down;
+  const float self_5_new = quotient_5 * down;
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -6130,27 +6130,27 @@ static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *s
   const float y_2 = p_2 * s;
   const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrtf(n_e);
-  const float d = n == 0.0f ? 1.0f : n;
+  const float divisor = n == 0.0f ? 1.0f : n;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float z_0 = si->m0 * up;
-  const float z_1 = si->m1 * up;
-  const float z_2 = si->m2 * up;
-  const float z_3 = si->m3 * up;
-  const float z_4 = si->m4 * up;
-  const float z_5 = si->m5 * up;
-  const float q_0 = z_0 / d;
-  const float q_1 = z_1 / d;
-  const float q_2 = z_2 / d;
-  const float q_3 = z_3 / d;
-  const float q_4 = z_4 / d;
-  const float q_5 = z_5 / d;
-  const float so_0 = q_0 * down;
-  const float so_1 = q_1 * down;
-  const float so_2 = q_2 * down;
-  const float so_3 = q_3 * down;
-  const float so_4 = q_4 * down;
-  const float so_5 = q_5 * down;
+  const float enlarged_0 = si->m0 * up;
+  const float enlarged_1 = si->m1 * up;
+  const float enlarged_2 = si->m2 * up;
+  const float enlarged_3 = si->m3 * up;
+  const float enlarged_4 = si->m4 * up;
+  const float enlarged_5 = si->m5 * up;
+  const float quotient_0 = enlarged_0 / divisor;
+  const float quotient_1 = enlarged_1 / divisor;
+  const float quotient_2 = enlarged_2 / divisor;
+  const float quotient_3 = enlarged_3 / divisor;
+  const float quotient_4 = enlarged_4 / divisor;
+  const float quotient_5 = enlarged_5 / divisor;
+  const float so_0 = quotient_0 * down;
+  const float so_1 = quotient_1 * down;
+  const float so_2 = quotient_2 * down;
+  const float so_3 = quotient_3 * down;
+  const float so_4 = quotient_4 * down;
+  const float so_5 = quotient_5 * down;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -7191,27 +7191,27 @@ static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
   const double y_2 = p_2 * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
-  const double d = n == 0.0 ? 1.0 : n;
+  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = self->m0 * up;
-  const double z_1 = self->m1 * up;
-  const double z_2 = self->m2 * up;
-  const double z_3 = self->m3 * up;
-  const double z_4 = self->m4 * up;
-  const double z_5 = self->m5 * up;
-  const double q_0 = z_0 / d;
-  const double q_1 = z_1 / d;
-  const double q_2 = z_2 / d;
-  const double q_3 = z_3 / d;
-  const double q_4 = z_4 / d;
-  const double q_5 = z_5 / d;
-  const double self_0_new = q_0 * down;
-  const double self_1_new = q_1 * down;
-  const double self_2_new = q_2 * down;
-  const double self_3_new = q_3 * down;
-  const double self_4_new = q_4 * down;
-  const double self_5_new = q_5 * down;
+  const double enlarged_0 = self->m0 * up;
+  const double enlarged_1 = self->m1 * up;
+  const double enlarged_2 = self->m2 * up;
+  const double enlarged_3 = self->m3 * up;
+  const double enlarged_4 = self->m4 * up;
+  const double enlarged_5 = self->m5 * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double quotient_3 = enlarged_3 / divisor;
+  const double quotient_4 = enlarged_4 / divisor;
+  const double quotient_5 = enlarged_5 / divisor;
+  const double self_0_new = quotient_0 * down;
+  const double self_1_new = quotient_1 * down;
+  const double self_2_new = quotient_2 * down;
+  const double self_3_new = quotient_3 * down;
+  const double self_4_new = quotient_4 * down;
+  const double self_5_new = quotient_5 * down;
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -7242,27 +7242,27 @@ static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t
   const double y_2 = p_2 * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
-  const double d = n == 0.0 ? 1.0 : n;
+  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = ci->m0 * up;
-  const double z_1 = ci->m1 * up;
-  const double z_2 = ci->m2 * up;
-  const double z_3 = ci->m3 * up;
-  const double z_4 = ci->m4 * up;
-  const double z_5 = ci->m5 * up;
-  const double q_0 = z_0 / d;
-  const double q_1 = z_1 / d;
-  const double q_2 = z_2 / d;
-  const double q_3 = z_3 / d;
-  const double q_4 = z_4 / d;
-  const double q_5 = z_5 / d;
-  const double co_0 = q_0 * down;
-  const double co_1 = q_1 * down;
-  const double co_2 = q_2 * down;
-  const double co_3 = q_3 * down;
-  const double co_4 = q_4 * down;
-  const double co_5 = q_5 * down;
+  const double enlarged_0 = ci->m0 * up;
+  const double enlarged_1 = ci->m1 * up;
+  const double enlarged_2 = ci->m2 * up;
+  const double enlarged_3 = ci->m3 * up;
+  const double enlarged_4 = ci->m4 * up;
+  const double enlarged_5 = ci->m5 * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double quotient_3 = enlarged_3 / divisor;
+  const double quotient_4 = enlarged_4 / divisor;
+  const double quotient_5 = enlarged_5 / divisor;
+  const double co_0 = quotient_0 * down;
+  const double co_1 = quotient_1 * down;
+  const double co_2 = quotient_2 * down;
+  const double co_3 = quotient_3 * down;
+  const double co_4 = quotient_4 * down;
+  const double co_5 = quotient_5 * down;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -8530,27 +8530,27 @@ static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
   const float y_2 = p_2 * s;
   const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrtf(n_e);
-  const float d = n == 0.0f ? 1.0f : n;
+  const float divisor = n == 0.0f ? 1.0f : n;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float z_0 = self->m0 * up;
-  const float z_1 = self->m1 * up;
-  const float z_2 = self->m2 * up;
-  const float z_3 = self->m3 * up;
-  const float z_4 = self->m4 * up;
-  const float z_5 = self->m5 * up;
-  const float q_0 = z_0 / d;
-  const float q_1 = z_1 / d;
-  const float q_2 = z_2 / d;
-  const float q_3 = z_3 / d;
-  const float q_4 = z_4 / d;
-  const float q_5 = z_5 / d;
-  const float self_0_new = q_0 * down;
-  const float self_1_new = q_1 * down;
-  const float self_2_new = q_2 * down;
-  const float self_3_new = q_3 * down;
-  const float self_4_new = q_4 * down;
-  const float self_5_new = q_5 * down;
+  const float enlarged_0 = self->m0 * up;
+  const float enlarged_1 = self->m1 * up;
+  const float enlarged_2 = self->m2 * up;
+  const float enlarged_3 = self->m3 * up;
+  const float enlarged_4 = self->m4 * up;
+  const float enlarged_5 = self->m5 * up;
+  const float quotient_0 = enlarged_0 / divisor;
+  const float quotient_1 = enlarged_1 / divisor;
+  const float quotient_2 = enlarged_2 / divisor;
+  const float quotient_3 = enlarged_3 / divisor;
+  const float quotient_4 = enlarged_4 / divisor;
+  const float quotient_5 = enlarged_5 / divisor;
+  const float self_0_new = quotient_0 * down;
+  const float self_1_new = quotient_1 * down;
+  const float self_2_new = quotient_2 * down;
+  const float self_3_new = quotient_3 * down;
+  const float self_4_new = quotient_4 * down;
+  const float self_5_new = quotient_5 * down;
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -8581,27 +8581,27 @@ static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrew
   const float y_2 = p_2 * s;
   const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrtf(n_e);
-  const float d = n == 0.0f ? 1.0f : n;
+  const float divisor = n == 0.0f ? 1.0f : n;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float z_0 = ci->m0 * up;
-  const float z_1 = ci->m1 * up;
-  const float z_2 = ci->m2 * up;
-  const float z_3 = ci->m3 * up;
-  const float z_4 = ci->m4 * up;
-  const float z_5 = ci->m5 * up;
-  const float q_0 = z_0 / d;
-  const float q_1 = z_1 / d;
-  const float q_2 = z_2 / d;
-  const float q_3 = z_3 / d;
-  const float q_4 = z_4 / d;
-  const float q_5 = z_5 / d;
-  const float co_0 = q_0 * down;
-  const float co_1 = q_1 * down;
-  const float co_2 = q_2 * down;
-  const float co_3 = q_3 * down;
-  const float co_4 = q_4 * down;
-  const float co_5 = q_5 * down;
+  const float enlarged_0 = ci->m0 * up;
+  const float enlarged_1 = ci->m1 * up;
+  const float enlarged_2 = ci->m2 * up;
+  const float enlarged_3 = ci->m3 * up;
+  const float enlarged_4 = ci->m4 * up;
+  const float enlarged_5 = ci->m5 * up;
+  const float quotient_0 = enlarged_0 / divisor;
+  const float quotient_1 = enlarged_1 / divisor;
+  const float quotient_2 = enlarged_2 / divisor;
+  const float quotient_3 = enlarged_3 / divisor;
+  const float quotient_4 = enlarged_4 / divisor;
+  const float quotient_5 = enlarged_5 / divisor;
+  const float co_0 = quotient_0 * down;
+  const float co_1 = quotient_1 * down;
+  const float co_2 = quotient_2 * down;
+  const float co_3 = quotient_3 * down;
+  const float co_4 = quotient_4 * down;
+  const float co_5 = quotient_5 * down;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -9614,6 +9614,5485 @@ static inline ksl_coscrewf_t *ksl_coscrewf_alloc(int n) {
 }
 
 #endif
+
+#endif
+
+/* Quaternions q = (w; v): products, rotations, conversions, interpolation. */
+#ifndef KSL_QUATERNION_H
+#define KSL_QUATERNION_H
+
+
+/* The quaternion of these entries, in order. */
+static inline ksl_quaternion_t ksl_quaternion(const double w, const double x, const double y,
+    const double z) {
+  ksl_quaternion_t value;
+  value.w = w;
+  value.x = x;
+  value.y = y;
+  value.z = z;
+  return value;
+}
+
+/* qo = qi.
+   qi, qo: quaternion (w; x, y, z), the scalar first.
+   No arithmetic.
+   Exact. */
+static inline void ksl_quaternion_copy(const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qi_w = qi->w;
+  const double qi_x = qi->x;
+  const double qi_y = qi->y;
+  const double qi_z = qi->z;
+  qo->w = qi_w;
+  qo->x = qi_x;
+  qo->y = qi_y;
+  qo->z = qi_z;
+}
+
+/* self = a self.
+   self: quaternion (w; x, y, z), the scalar first; a: number.
+   4 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_quaternion_scale(ksl_quaternion_t *self, const double a) {
+  const double self_0_new = self->w * a;
+  const double self_1_new = self->x * a;
+  const double self_2_new = self->y * a;
+  const double self_3_new = self->z * a;
+  self->w = self_0_new;
+  self->x = self_1_new;
+  self->y = self_2_new;
+  self->z = self_3_new;
+}
+
+/* self = (1; 0).
+   self: quaternion (w; x, y, z), the scalar first.
+   No arithmetic.
+   Exact. */
+static inline void ksl_quaternion_setIdentity(ksl_quaternion_t *self) {
+  self->w = 1.0;
+  self->x = 0.0;
+  self->y = 0.0;
+  self->z = 0.0;
+}
+
+/* qo = (w; -v), the inverse of q if |q| = 1.
+   q, qo: quaternion (w; x, y, z), the scalar first.
+   3 neg.
+   Exact. */
+static inline void ksl_quaternion_conjugated(const ksl_quaternion_t *q, ksl_quaternion_t *qo) {
+  const double qo_1 = -q->x;
+  const double qo_2 = -q->y;
+  const double qo_3 = -q->z;
+  const double q_w = q->w;
+  qo->w = q_w;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* |q| = sqrt(w^2 + v·v).
+   q: quaternion (w; x, y, z), the scalar first.
+   9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select. */
+static inline double ksl_quaternion_norm(const ksl_quaternion_t *q) {
+  const double s_size_0 = fabs(q->w);
+  const double s_size_1 = fabs(q->x);
+  const double s_size_2 = fabs(q->y);
+  const double s_size_3 = fabs(q->z);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = q->w * s;
+  const double y_1 = q->x * s;
+  const double y_2 = q->y * s;
+  const double y_3 = q->z * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+  const double norm = n * r;
+  return norm;
+}
+
+/* self = self / |self|; zero stays zero.
+   self: quaternion (w; x, y, z), the scalar first.
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+static inline void ksl_quaternion_normalize(ksl_quaternion_t *self) {
+  const double s_size_0 = fabs(self->w);
+  const double s_size_1 = fabs(self->x);
+  const double s_size_2 = fabs(self->y);
+  const double s_size_3 = fabs(self->z);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = self->w * s;
+  const double y_1 = self->x * s;
+  const double y_2 = self->y * s;
+  const double y_3 = self->z * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double enlarged_0 = self->w * up;
+  const double enlarged_1 = self->x * up;
+  const double enlarged_2 = self->y * up;
+  const double enlarged_3 = self->z * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double quotient_3 = enlarged_3 / divisor;
+  const double self_0_new = quotient_0 * down;
+  const double self_1_new = quotient_1 * down;
+  const double self_2_new = quotient_2 * down;
+  const double self_3_new = quotient_3 * down;
+  self->w = self_0_new;
+  self->x = self_1_new;
+  self->y = self_2_new;
+  self->z = self_3_new;
+}
+
+/* qo = q / |q|; zero stays zero.
+   q, qo: quaternion (w; x, y, z), the scalar first.
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quaternion_t *qo) {
+  const double s_size_0 = fabs(q->w);
+  const double s_size_1 = fabs(q->x);
+  const double s_size_2 = fabs(q->y);
+  const double s_size_3 = fabs(q->z);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = q->w * s;
+  const double y_1 = q->x * s;
+  const double y_2 = q->y * s;
+  const double y_3 = q->z * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double enlarged_0 = q->w * up;
+  const double enlarged_1 = q->x * up;
+  const double enlarged_2 = q->y * up;
+  const double enlarged_3 = q->z * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double quotient_3 = enlarged_3 / divisor;
+  const double qo_0 = quotient_0 * down;
+  const double qo_1 = quotient_1 * down;
+  const double qo_2 = quotient_2 * down;
+  const double qo_3 = quotient_3 * down;
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
+   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   16 mul, 12 add.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qq(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
+    ksl_quaternion_t *qo) {
+  const double qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
+      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a - qo_0f;
+  const double qo_1a = q1->w * q2->x, qo_1b = q1->x * q2->w, qo_1c = qo_1a + qo_1b,
+      qo_1d = q1->y * q2->z, qo_1e = q1->z * q2->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const double qo_2a = q1->w * q2->y, qo_2b = q1->z * q2->x, qo_2c = q1->x * q2->z,
+      qo_2d = qo_2b - qo_2c, qo_2e = qo_2a + qo_2d, qo_2f = q1->y * q2->w, qo_2 = qo_2e + qo_2f;
+  const double qo_3a = q1->w * q2->z, qo_3b = q1->x * q2->y, qo_3c = q1->y * q2->x,
+      qo_3d = qo_3b - qo_3c, qo_3e = qo_3a + qo_3d, qo_3f = q1->z * q2->w, qo_3 = qo_3e + qo_3f;
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* qo = q1* q2, q1* the conjugate.
+   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   16 mul, 12 add.
+   Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_qconjq(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
+    ksl_quaternion_t *qo) {
+  const double qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
+      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a + qo_0f;
+  const double qo_1a = q1->w * q2->x, qo_1b = q1->x * q2->w, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->z * q2->y, qo_1e = q1->y * q2->z, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const double qo_2a = q1->w * q2->y, qo_2b = q1->y * q2->w, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->x * q2->z, qo_2e = q1->z * q2->x, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const double qo_3a = q1->w * q2->z, qo_3b = q1->z * q2->w, qo_3c = qo_3a - qo_3b,
+      qo_3d = q1->y * q2->x, qo_3e = q1->x * q2->y, qo_3f = qo_3d - qo_3e, qo_3 = qo_3c + qo_3f;
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* qo = q1 q2*, q2* the conjugate.
+   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   16 mul, 12 add.
+   Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_qqconj(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
+    ksl_quaternion_t *qo) {
+  const double qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
+      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a + qo_0f;
+  const double qo_1a = q1->x * q2->w, qo_1b = q1->w * q2->x, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->z * q2->y, qo_1e = q1->y * q2->z, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const double qo_2a = q1->y * q2->w, qo_2b = q1->w * q2->y, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->x * q2->z, qo_2e = q1->z * q2->x, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const double qo_3a = q1->z * q2->w, qo_3b = q1->w * q2->z, qo_3c = qo_3a - qo_3b,
+      qo_3d = q1->y * q2->x, qo_3e = q1->x * q2->y, qo_3f = qo_3d - qo_3e, qo_3 = qo_3c + qo_3f;
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* vo = R(q) v, |q| = 1.
+   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   18 mul, 12 add.
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qv(const ksl_quaternion_t *q, const ksl_vec3_t *v, ksl_vec3_t *vo) {
+  const double c_0a = q->y * v->z, c_0b = q->z * v->y, c_0 = c_0a - c_0b;
+  const double c_1a = q->z * v->x, c_1b = q->x * v->z, c_1 = c_1a - c_1b;
+  const double c_2a = q->x * v->y, c_2b = q->y * v->x, c_2 = c_2a - c_2b;
+  const double t_0 = 2.0 * c_0;
+  const double t_1 = 2.0 * c_1;
+  const double t_2 = 2.0 * c_2;
+  const double turn_0a = q->w * t_0, turn_0b = q->y * t_2, turn_0c = q->z * t_1,
+      turn_0d = turn_0b - turn_0c, turn_0 = turn_0a + turn_0d;
+  const double turn_1a = q->w * t_1, turn_1b = q->z * t_0, turn_1c = q->x * t_2,
+      turn_1d = turn_1b - turn_1c, turn_1 = turn_1a + turn_1d;
+  const double turn_2a = q->w * t_2, turn_2b = q->x * t_1, turn_2c = q->y * t_0,
+      turn_2d = turn_2b - turn_2c, turn_2 = turn_2a + turn_2d;
+  const double vo_0 = v->x + turn_0;
+  const double vo_1 = v->y + turn_1;
+  const double vo_2 = v->z + turn_2;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = R(q)^T v, |q| = 1.
+   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   18 mul, 12 add.
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qconjv(const ksl_quaternion_t *q, const ksl_vec3_t *v,
+    ksl_vec3_t *vo) {
+  const double c_0a = q->z * v->y, c_0b = q->y * v->z, c_0 = c_0a - c_0b;
+  const double c_1a = q->x * v->z, c_1b = q->z * v->x, c_1 = c_1a - c_1b;
+  const double c_2a = q->y * v->x, c_2b = q->x * v->y, c_2 = c_2a - c_2b;
+  const double t_0 = 2.0 * c_0;
+  const double t_1 = 2.0 * c_1;
+  const double t_2 = 2.0 * c_2;
+  const double turn_0a = q->w * t_0, turn_0b = q->z * t_1, turn_0c = q->y * t_2,
+      turn_0d = turn_0b - turn_0c, turn_0 = turn_0a + turn_0d;
+  const double turn_1a = q->w * t_1, turn_1b = q->x * t_2, turn_1c = q->z * t_0,
+      turn_1d = turn_1b - turn_1c, turn_1 = turn_1a + turn_1d;
+  const double turn_2a = q->w * t_2, turn_2b = q->y * t_0, turn_2c = q->x * t_1,
+      turn_2d = turn_2b - turn_2c, turn_2 = turn_2a + turn_2d;
+  const double vo_0 = v->x + turn_0;
+  const double vo_1 = v->y + turn_1;
+  const double vo_2 = v->z + turn_2;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
+   q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
+   17 mul, 15 add, 1 div. */
+static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
+  const double square_a = q->w * q->w, square_b = q->x * q->x, square_c = square_a + square_b,
+      square_d = q->y * q->y, square_e = square_c + square_d, square_f = q->z * q->z,
+      square = square_e + square_f;
+  const double scale = 2.0 / square;
+  const double scale_w = q->w * scale;
+  const double beta_v_0 = q->x * scale;
+  const double beta_v_1 = q->y * scale;
+  const double beta_v_2 = q->z * scale;
+  const double m_0 = q->x * beta_v_0;
+  const double m_1 = q->y * beta_v_1;
+  const double m_2 = q->z * beta_v_2;
+  const double m_3 = q->y * beta_v_0;
+  const double m_4 = q->z * beta_v_0;
+  const double m_5 = q->z * beta_v_1;
+  const double others_0 = m_1 + m_2;
+  const double others_1 = m_0 + m_2;
+  const double others_2 = m_0 + m_1;
+  const double alpha_v_0 = q->x * scale_w;
+  const double alpha_v_1 = q->y * scale_w;
+  const double alpha_v_2 = q->z * scale_w;
+  const double R_00 = 1.0 - others_0;
+  const double R_01 = m_3 - alpha_v_2;
+  const double R_02 = m_4 + alpha_v_1;
+  const double R_10 = m_3 + alpha_v_2;
+  const double R_11 = 1.0 - others_1;
+  const double R_12 = m_5 - alpha_v_0;
+  const double R_20 = m_4 - alpha_v_1;
+  const double R_21 = m_5 + alpha_v_0;
+  const double R_22 = 1.0 - others_2;
+  R->m00 = R_00;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = R_11;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = R_22;
+}
+
+/* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
+   R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
+   4 mul, 21 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select. */
+static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quaternion_t *qo) {
+  const double p_0 = R->m21 - R->m12;
+  const double p_1 = R->m02 - R->m20;
+  const double p_2 = R->m10 - R->m01;
+  const double s_0 = R->m12 + R->m21;
+  const double s_1 = R->m02 + R->m20;
+  const double s_2 = R->m01 + R->m10;
+  const double d_0a = R->m00 + R->m11, d_0b = d_0a + R->m22, d_0 = d_0b + 1.0;
+  const double d_1a = R->m00 - R->m11, d_1b = d_1a - R->m22, d_1 = d_1b + 1.0;
+  const double d_2a = R->m11 - R->m00, d_2b = d_2a - R->m22, d_2 = d_2b + 1.0;
+  const double d_3a = R->m22 - R->m00, d_3b = d_3a - R->m11, d_3 = d_3b + 1.0;
+  const double low_0 = R->m11 < R->m00 ? p_0 : p_1;
+  const double low_1 = R->m11 < R->m00 ? d_1 : s_2;
+  const double low_2 = R->m11 < R->m00 ? s_2 : d_2;
+  const double low_3 = R->m11 < R->m00 ? s_1 : s_0;
+  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0;
+  const double high_1 = R->m00 < high_0a ? s_1 : p_0;
+  const double high_2 = R->m00 < high_0a ? s_0 : p_1;
+  const double high_3 = R->m00 < high_0a ? d_3 : p_2;
+  const double column_0 = R->m22 < 0.0 ? low_0 : high_0;
+  const double column_1 = R->m22 < 0.0 ? low_1 : high_1;
+  const double column_2 = R->m22 < 0.0 ? low_2 : high_2;
+  const double column_3 = R->m22 < 0.0 ? low_3 : high_3;
+  const double upper_0a = -column_0, upper_0 = column_0 < 0.0 ? upper_0a : column_0;
+  const double upper_1a = -column_1, upper_1 = column_0 < 0.0 ? upper_1a : column_1;
+  const double upper_2a = -column_2, upper_2 = column_0 < 0.0 ? upper_2a : column_2;
+  const double upper_3a = -column_3, upper_3 = column_0 < 0.0 ? upper_3a : column_3;
+  const double length_a = upper_0 * upper_0, length_b = upper_1 * upper_1,
+      length_c = length_a + length_b, length_d = upper_2 * upper_2, length_e = length_c + length_d,
+      length_f = upper_3 * upper_3, length_g = length_e + length_f, length = sqrt(length_g);
+  const double qo_0 = upper_0 / length;
+  const double qo_1 = upper_1 / length;
+  const double qo_2 = upper_2 / length;
+  const double qo_3 = upper_3 / length;
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* qo = (cos angle/2; axis sin angle/2); axis of length 1.
+   axis: vector; angle: number; qo: quaternion (w; x, y, z), the scalar first.
+   4 mul, 1 sin, 1 cos. */
+static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const double angle,
+    ksl_quaternion_t *qo) {
+  const double half = 0.5 * angle;
+  const double sine = sin(half);
+  const double qo_0 = cos(half);
+  const double qo_1 = axis->x * sine;
+  const double qo_2 = axis->y * sine;
+  const double qo_3 = axis->z * sine;
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where angle
+     = 0; any multiple of a quaternion.
+   q: quaternion (w; x, y, z), the scalar first; axis: vector.
+   8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select. */
+static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, ksl_vec3_t *axis) {
+  const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
+  const double upper_1a = -q->x, upper_1 = q->w < 0.0 ? upper_1a : q->x;
+  const double upper_2a = -q->y, upper_2 = q->w < 0.0 ? upper_2a : q->y;
+  const double upper_3a = -q->z, upper_3 = q->w < 0.0 ? upper_3a : q->z;
+  const double v_s_size_0 = fabs(upper_1);
+  const double v_s_size_1 = fabs(upper_2);
+  const double v_s_size_2 = fabs(upper_3);
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+  const double v_y_0 = upper_1 * v_s;
+  const double v_y_1 = upper_2 * v_s;
+  const double v_y_2 = upper_3 * v_s;
+  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+  const double n = v_n * v_r;
+  const double half = atan2(n, upper_0);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double unit_0 = upper_1 / divisor;
+  const double unit_1 = upper_2 / divisor;
+  const double unit_2 = upper_3 / divisor;
+  const double angle = 2.0 * half;
+  const double axis_0 = n == 0.0 ? 1.0 : unit_0;
+  return angle;
+}
+
+/* qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the rotation vector v.
+   v: vector; qo: quaternion (w; x, y, z), the scalar first.
+   34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select. */
+static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo) {
+  const double h_0 = 0.5 * v->x;
+  const double h_1 = 0.5 * v->y;
+  const double h_2 = 0.5 * v->z;
+  const double x_a = h_0 * h_0, x_b = h_1 * h_1, x_c = x_a + x_b, x_d = h_2 * h_2, x = x_c + x_d;
+  const double size = sqrt(x);
+  const double cosine_a = cos(size), cosine = x < 4.0 ? 1.0 : cosine_a;
+  const double sine_a = sin(size), sine = x < 4.0 ? 1.0 : sine_a;
+  const double divisor = x < 4.0 ? 2.0 : size;
+  const double far_k = sine / divisor;
+  const double k_a = 6.446950284384474e-26 * x, k_b = k_a - 3.868170170630684e-23, k_c = x * k_b,
+      k_d = k_c + 1.9572941063391263e-20, k_e = x * k_d, k_f = k_e - 8.22063524662433e-18,
+      k_g = x * k_f, k_h = k_g + 2.8114572543455206e-15, k_i = x * k_h,
+      k_j = k_i - 7.647163731819816e-13, k_k = x * k_j, k_l = k_k + 1.6059043836821613e-10,
+      k_m = x * k_l, k_n = k_m - 2.505210838544172e-08, k_o = x * k_n,
+      k_p = k_o + 2.7557319223985893e-06, k_q = x * k_p, k_r = k_q - 0.0001984126984126984,
+      k_s = x * k_r, k_t = k_s + 0.008333333333333333, k_u = x * k_t,
+      k_v = k_u - 0.16666666666666666, k_w = x * k_v, k_x = k_w + 1.0, k = x < 4.0 ? k_x : far_k;
+  const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
+      g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
+      g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
+      g2j = g2i - 4.779477332387385e-14, g2k = x * g2j, g2l = g2k + 1.1470745597729725e-11,
+      g2m = x * g2l, g2n = g2m - 2.08767569878681e-09, g2o = x * g2n,
+      g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
+      g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
+      g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2 = g2w + 0.5;
+  const double near_a = x * g2, near = 1.0 - near_a;
+  const double qo_0 = x < 4.0 ? near : cosine;
+  const double qo_1 = h_0 * k;
+  const double qo_2 = h_1 * k;
+  const double qo_3 = h_2 * k;
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
+   q: quaternion (w; x, y, z), the scalar first; vo: vector.
+   11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select. */
+static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
+  const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
+  const double upper_1a = -q->x, upper_1 = q->w < 0.0 ? upper_1a : q->x;
+  const double upper_2a = -q->y, upper_2 = q->w < 0.0 ? upper_2a : q->y;
+  const double upper_3a = -q->z, upper_3 = q->w < 0.0 ? upper_3a : q->z;
+  const double v_s_size_0 = fabs(upper_1);
+  const double v_s_size_1 = fabs(upper_2);
+  const double v_s_size_2 = fabs(upper_3);
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+  const double v_y_0 = upper_1 * v_s;
+  const double v_y_1 = upper_2 * v_s;
+  const double v_y_2 = upper_3 * v_s;
+  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+  const double n = v_n * v_r;
+  const double half = atan2(n, upper_0);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double theta = 2.0 * half;
+  const double k = theta / divisor;
+  const double vector_0 = upper_1 * k;
+  const double vector_1 = upper_2 * k;
+  const double vector_2 = upper_3 * k;
+  vo->x = vector_0;
+  vo->y = vector_1;
+  vo->z = vector_2;
+}
+
+/* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
+   q1, q2, qo: quaternion (w; x, y, z), the scalar first; k: number.
+   76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16
+     select. */
+static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
+    const double k, ksl_quaternion_t *qo) {
+  const double between_0a = q1->w * q2->w, between_0b = q1->x * q2->x, between_0c = q1->y * q2->y,
+      between_0d = between_0b + between_0c, between_0e = q1->z * q2->z,
+      between_0f = between_0d + between_0e, between_0 = between_0a + between_0f;
+  const double between_1a = q1->w * q2->x, between_1b = q1->x * q2->w,
+      between_1c = between_1a - between_1b, between_1d = q1->z * q2->y, between_1e = q1->y * q2->z,
+      between_1f = between_1d - between_1e, between_1 = between_1c + between_1f;
+  const double between_2a = q1->w * q2->y, between_2b = q1->y * q2->w,
+      between_2c = between_2a - between_2b, between_2d = q1->x * q2->z, between_2e = q1->z * q2->x,
+      between_2f = between_2d - between_2e, between_2 = between_2c + between_2f;
+  const double between_3a = q1->w * q2->z, between_3b = q1->z * q2->w,
+      between_3c = between_3a - between_3b, between_3d = q1->y * q2->x, between_3e = q1->x * q2->y,
+      between_3f = between_3d - between_3e, between_3 = between_3c + between_3f;
+  const double upper_0a = -between_0, upper_0 = between_0 < 0.0 ? upper_0a : between_0;
+  const double upper_1a = -between_1, upper_1 = between_0 < 0.0 ? upper_1a : between_1;
+  const double upper_2a = -between_2, upper_2 = between_0 < 0.0 ? upper_2a : between_2;
+  const double upper_3a = -between_3, upper_3 = between_0 < 0.0 ? upper_3a : between_3;
+  const double v_s_size_0 = fabs(upper_1);
+  const double v_s_size_1 = fabs(upper_2);
+  const double v_s_size_2 = fabs(upper_3);
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+  const double v_y_0 = upper_1 * v_s;
+  const double v_y_1 = upper_2 * v_s;
+  const double v_y_2 = upper_3 * v_s;
+  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+  const double n = v_n * v_r;
+  const double half = atan2(n, upper_0);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double rate = half / divisor;
+  const double kv_0 = k * upper_1;
+  const double kv_1 = k * upper_2;
+  const double kv_2 = k * upper_3;
+  const double step_0 = rate * kv_0;
+  const double step_1 = rate * kv_1;
+  const double step_2 = rate * kv_2;
+  const double exp_x_a = step_0 * step_0, exp_x_b = step_1 * step_1, exp_x_c = exp_x_a + exp_x_b,
+      exp_x_d = step_2 * step_2, exp_x = exp_x_c + exp_x_d;
+  const double exp_size = sqrt(exp_x);
+  const double exp_cosine_a = cos(exp_size), exp_cosine = exp_x < 4.0 ? 1.0 : exp_cosine_a;
+  const double exp_sine_a = sin(exp_size), exp_sine = exp_x < 4.0 ? 1.0 : exp_sine_a;
+  const double exp_divisor = exp_x < 4.0 ? 2.0 : exp_size;
+  const double exp_far_k = exp_sine / exp_divisor;
+  const double exp_k_a = 6.446950284384474e-26 * exp_x, exp_k_b = exp_k_a - 3.868170170630684e-23,
+      exp_k_c = exp_x * exp_k_b, exp_k_d = exp_k_c + 1.9572941063391263e-20,
+      exp_k_e = exp_x * exp_k_d, exp_k_f = exp_k_e - 8.22063524662433e-18,
+      exp_k_g = exp_x * exp_k_f, exp_k_h = exp_k_g + 2.8114572543455206e-15,
+      exp_k_i = exp_x * exp_k_h, exp_k_j = exp_k_i - 7.647163731819816e-13,
+      exp_k_k = exp_x * exp_k_j, exp_k_l = exp_k_k + 1.6059043836821613e-10,
+      exp_k_m = exp_x * exp_k_l, exp_k_n = exp_k_m - 2.505210838544172e-08,
+      exp_k_o = exp_x * exp_k_n, exp_k_p = exp_k_o + 2.7557319223985893e-06,
+      exp_k_q = exp_x * exp_k_p, exp_k_r = exp_k_q - 0.0001984126984126984,
+      exp_k_s = exp_x * exp_k_r, exp_k_t = exp_k_s + 0.008333333333333333,
+      exp_k_u = exp_x * exp_k_t, exp_k_v = exp_k_u - 0.16666666666666666, exp_k_w = exp_x * exp_k_v,
+      exp_k_x = exp_k_w + 1.0, exp_k = exp_x < 4.0 ? exp_k_x : exp_far_k;
+  const double exp_g2a = 2.4795962632247976e-27 * exp_x, exp_g2b = exp_g2a - 1.6117375710961184e-24,
+      exp_g2c = exp_x * exp_g2b, exp_g2d = exp_g2c + 8.896791392450574e-22,
+      exp_g2e = exp_x * exp_g2d, exp_g2f = exp_g2e - 4.110317623312165e-19,
+      exp_g2g = exp_x * exp_g2f, exp_g2h = exp_g2g + 1.5619206968586225e-16,
+      exp_g2i = exp_x * exp_g2h, exp_g2j = exp_g2i - 4.779477332387385e-14,
+      exp_g2k = exp_x * exp_g2j, exp_g2l = exp_g2k + 1.1470745597729725e-11,
+      exp_g2m = exp_x * exp_g2l, exp_g2n = exp_g2m - 2.08767569878681e-09,
+      exp_g2o = exp_x * exp_g2n, exp_g2p = exp_g2o + 2.755731922398589e-07,
+      exp_g2q = exp_x * exp_g2p, exp_g2r = exp_g2q - 2.48015873015873e-05,
+      exp_g2s = exp_x * exp_g2r, exp_g2t = exp_g2s + 0.001388888888888889,
+      exp_g2u = exp_x * exp_g2t, exp_g2v = exp_g2u - 0.041666666666666664,
+      exp_g2w = exp_x * exp_g2v, exp_g2 = exp_g2w + 0.5;
+  const double exp_near_a = exp_x * exp_g2, exp_near = 1.0 - exp_near_a;
+  const double power_0 = exp_x < 4.0 ? exp_near : exp_cosine;
+  const double power_1 = step_0 * exp_k;
+  const double power_2 = step_1 * exp_k;
+  const double power_3 = step_2 * exp_k;
+  const double qo_0a = q1->w * power_0, qo_0b = q1->x * power_1, qo_0c = q1->y * power_2,
+      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * power_3, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a - qo_0f;
+  const double qo_1a = q1->w * power_1, qo_1b = q1->x * power_0, qo_1c = q1->y * power_3,
+      qo_1d = qo_1b + qo_1c, qo_1e = q1->z * power_2, qo_1f = qo_1d - qo_1e, qo_1 = qo_1a + qo_1f;
+  const double qo_2a = q1->w * power_2, qo_2b = q1->y * power_0, qo_2c = q1->x * power_3,
+      qo_2d = qo_2b - qo_2c, qo_2e = q1->z * power_1, qo_2f = qo_2d + qo_2e, qo_2 = qo_2a + qo_2f;
+  const double qo_3a = q1->w * power_3, qo_3b = q1->x * power_2, qo_3c = q1->y * power_1,
+      qo_3d = qo_3b - qo_3c, qo_3e = q1->z * power_0, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a + qo_3f;
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* The quaternion of these entries, in order. */
+static inline ksl_quaternionf_t ksl_quaternionf(const float w, const float x, const float y,
+    const float z) {
+  ksl_quaternionf_t value;
+  value.w = w;
+  value.x = x;
+  value.y = y;
+  value.z = z;
+  return value;
+}
+
+/* qo = qi.
+   qi, qo: quaternion (w; x, y, z), the scalar first.
+   No arithmetic.
+   Exact. */
+static inline void ksl_quaternionf_copy(const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
+  const float qi_w = qi->w;
+  const float qi_x = qi->x;
+  const float qi_y = qi->y;
+  const float qi_z = qi->z;
+  qo->w = qi_w;
+  qo->x = qi_x;
+  qo->y = qi_y;
+  qo->z = qi_z;
+}
+
+/* self = a self.
+   self: quaternion (w; x, y, z), the scalar first; a: number.
+   4 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_quaternionf_scale(ksl_quaternionf_t *self, const float a) {
+  const float self_0_new = self->w * a;
+  const float self_1_new = self->x * a;
+  const float self_2_new = self->y * a;
+  const float self_3_new = self->z * a;
+  self->w = self_0_new;
+  self->x = self_1_new;
+  self->y = self_2_new;
+  self->z = self_3_new;
+}
+
+/* self = (1; 0).
+   self: quaternion (w; x, y, z), the scalar first.
+   No arithmetic.
+   Exact. */
+static inline void ksl_quaternionf_setIdentity(ksl_quaternionf_t *self) {
+  self->w = 1.0f;
+  self->x = 0.0f;
+  self->y = 0.0f;
+  self->z = 0.0f;
+}
+
+/* qo = (w; -v), the inverse of q if |q| = 1.
+   q, qo: quaternion (w; x, y, z), the scalar first.
+   3 neg.
+   Exact. */
+static inline void ksl_quaternionf_conjugated(const ksl_quaternionf_t *q, ksl_quaternionf_t *qo) {
+  const float qo_1 = -q->x;
+  const float qo_2 = -q->y;
+  const float qo_3 = -q->z;
+  const float q_w = q->w;
+  qo->w = q_w;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* |q| = sqrt(w^2 + v·v).
+   q: quaternion (w; x, y, z), the scalar first.
+   9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select. */
+static inline float ksl_quaternionf_norm(const ksl_quaternionf_t *q) {
+  const float s_size_0 = fabsf(q->w);
+  const float s_size_1 = fabsf(q->x);
+  const float s_size_2 = fabsf(q->y);
+  const float s_size_3 = fabsf(q->z);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
+      s = s_largest3 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+  const float y_0 = q->w * s;
+  const float y_1 = q->x * s;
+  const float y_2 = q->y * s;
+  const float y_3 = q->z * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
+  const float norm = n * r;
+  return norm;
+}
+
+/* self = self / |self|; zero stays zero.
+   self: quaternion (w; x, y, z), the scalar first.
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+static inline void ksl_quaternionf_normalize(ksl_quaternionf_t *self) {
+  const float s_size_0 = fabsf(self->w);
+  const float s_size_1 = fabsf(self->x);
+  const float s_size_2 = fabsf(self->y);
+  const float s_size_3 = fabsf(self->z);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
+      s = s_largest3 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+  const float y_0 = self->w * s;
+  const float y_1 = self->x * s;
+  const float y_2 = self->y * s;
+  const float y_3 = self->z * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
+  const float divisor = n == 0.0f ? 1.0f : n;
+  const float up = 1.0f < s ? s : 1.0f;
+  const float down = s < 1.0f ? s : 1.0f;
+  const float enlarged_0 = self->w * up;
+  const float enlarged_1 = self->x * up;
+  const float enlarged_2 = self->y * up;
+  const float enlarged_3 = self->z * up;
+  const float quotient_0 = enlarged_0 / divisor;
+  const float quotient_1 = enlarged_1 / divisor;
+  const float quotient_2 = enlarged_2 / divisor;
+  const float quotient_3 = enlarged_3 / divisor;
+  const float self_0_new = quotient_0 * down;
+  const float self_1_new = quotient_1 * down;
+  const float self_2_new = quotient_2 * down;
+  const float self_3_new = quotient_3 * down;
+  self->w = self_0_new;
+  self->x = self_1_new;
+  self->y = self_2_new;
+  self->z = self_3_new;
+}
+
+/* qo = q / |q|; zero stays zero.
+   q, qo: quaternion (w; x, y, z), the scalar first.
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_quaternionf_t *qo) {
+  const float s_size_0 = fabsf(q->w);
+  const float s_size_1 = fabsf(q->x);
+  const float s_size_2 = fabsf(q->y);
+  const float s_size_3 = fabsf(q->z);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
+      s = s_largest3 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+  const float y_0 = q->w * s;
+  const float y_1 = q->x * s;
+  const float y_2 = q->y * s;
+  const float y_3 = q->z * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
+  const float divisor = n == 0.0f ? 1.0f : n;
+  const float up = 1.0f < s ? s : 1.0f;
+  const float down = s < 1.0f ? s : 1.0f;
+  const float enlarged_0 = q->w * up;
+  const float enlarged_1 = q->x * up;
+  const float enlarged_2 = q->y * up;
+  const float enlarged_3 = q->z * up;
+  const float quotient_0 = enlarged_0 / divisor;
+  const float quotient_1 = enlarged_1 / divisor;
+  const float quotient_2 = enlarged_2 / divisor;
+  const float quotient_3 = enlarged_3 / divisor;
+  const float qo_0 = quotient_0 * down;
+  const float qo_1 = quotient_1 * down;
+  const float qo_2 = quotient_2 * down;
+  const float qo_3 = quotient_3 * down;
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
+   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   16 mul, 12 add.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qqf(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
+      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a - qo_0f;
+  const float qo_1a = q1->w * q2->x, qo_1b = q1->x * q2->w, qo_1c = qo_1a + qo_1b,
+      qo_1d = q1->y * q2->z, qo_1e = q1->z * q2->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const float qo_2a = q1->w * q2->y, qo_2b = q1->z * q2->x, qo_2c = q1->x * q2->z,
+      qo_2d = qo_2b - qo_2c, qo_2e = qo_2a + qo_2d, qo_2f = q1->y * q2->w, qo_2 = qo_2e + qo_2f;
+  const float qo_3a = q1->w * q2->z, qo_3b = q1->x * q2->y, qo_3c = q1->y * q2->x,
+      qo_3d = qo_3b - qo_3c, qo_3e = qo_3a + qo_3d, qo_3f = q1->z * q2->w, qo_3 = qo_3e + qo_3f;
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* qo = q1* q2, q1* the conjugate.
+   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   16 mul, 12 add.
+   Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_qconjqf(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
+      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a + qo_0f;
+  const float qo_1a = q1->w * q2->x, qo_1b = q1->x * q2->w, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->z * q2->y, qo_1e = q1->y * q2->z, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const float qo_2a = q1->w * q2->y, qo_2b = q1->y * q2->w, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->x * q2->z, qo_2e = q1->z * q2->x, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const float qo_3a = q1->w * q2->z, qo_3b = q1->z * q2->w, qo_3c = qo_3a - qo_3b,
+      qo_3d = q1->y * q2->x, qo_3e = q1->x * q2->y, qo_3f = qo_3d - qo_3e, qo_3 = qo_3c + qo_3f;
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* qo = q1 q2*, q2* the conjugate.
+   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   16 mul, 12 add.
+   Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_qqconjf(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
+      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a + qo_0f;
+  const float qo_1a = q1->x * q2->w, qo_1b = q1->w * q2->x, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->z * q2->y, qo_1e = q1->y * q2->z, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const float qo_2a = q1->y * q2->w, qo_2b = q1->w * q2->y, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->x * q2->z, qo_2e = q1->z * q2->x, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const float qo_3a = q1->z * q2->w, qo_3b = q1->w * q2->z, qo_3c = qo_3a - qo_3b,
+      qo_3d = q1->y * q2->x, qo_3e = q1->x * q2->y, qo_3f = qo_3d - qo_3e, qo_3 = qo_3c + qo_3f;
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* vo = R(q) v, |q| = 1.
+   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   18 mul, 12 add.
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
+    ksl_vec3f_t *vo) {
+  const float c_0a = q->y * v->z, c_0b = q->z * v->y, c_0 = c_0a - c_0b;
+  const float c_1a = q->z * v->x, c_1b = q->x * v->z, c_1 = c_1a - c_1b;
+  const float c_2a = q->x * v->y, c_2b = q->y * v->x, c_2 = c_2a - c_2b;
+  const float t_0 = 2.0f * c_0;
+  const float t_1 = 2.0f * c_1;
+  const float t_2 = 2.0f * c_2;
+  const float turn_0a = q->w * t_0, turn_0b = q->y * t_2, turn_0c = q->z * t_1,
+      turn_0d = turn_0b - turn_0c, turn_0 = turn_0a + turn_0d;
+  const float turn_1a = q->w * t_1, turn_1b = q->z * t_0, turn_1c = q->x * t_2,
+      turn_1d = turn_1b - turn_1c, turn_1 = turn_1a + turn_1d;
+  const float turn_2a = q->w * t_2, turn_2b = q->x * t_1, turn_2c = q->y * t_0,
+      turn_2d = turn_2b - turn_2c, turn_2 = turn_2a + turn_2d;
+  const float vo_0 = v->x + turn_0;
+  const float vo_1 = v->y + turn_1;
+  const float vo_2 = v->z + turn_2;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = R(q)^T v, |q| = 1.
+   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   18 mul, 12 add.
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qconjvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
+    ksl_vec3f_t *vo) {
+  const float c_0a = q->z * v->y, c_0b = q->y * v->z, c_0 = c_0a - c_0b;
+  const float c_1a = q->x * v->z, c_1b = q->z * v->x, c_1 = c_1a - c_1b;
+  const float c_2a = q->y * v->x, c_2b = q->x * v->y, c_2 = c_2a - c_2b;
+  const float t_0 = 2.0f * c_0;
+  const float t_1 = 2.0f * c_1;
+  const float t_2 = 2.0f * c_2;
+  const float turn_0a = q->w * t_0, turn_0b = q->z * t_1, turn_0c = q->y * t_2,
+      turn_0d = turn_0b - turn_0c, turn_0 = turn_0a + turn_0d;
+  const float turn_1a = q->w * t_1, turn_1b = q->x * t_2, turn_1c = q->z * t_0,
+      turn_1d = turn_1b - turn_1c, turn_1 = turn_1a + turn_1d;
+  const float turn_2a = q->w * t_2, turn_2b = q->y * t_0, turn_2c = q->x * t_1,
+      turn_2d = turn_2b - turn_2c, turn_2 = turn_2a + turn_2d;
+  const float vo_0 = v->x + turn_0;
+  const float vo_1 = v->y + turn_1;
+  const float vo_2 = v->z + turn_2;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
+   q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
+   17 mul, 15 add, 1 div. */
+static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_mat3x3f_t *R) {
+  const float square_a = q->w * q->w, square_b = q->x * q->x, square_c = square_a + square_b,
+      square_d = q->y * q->y, square_e = square_c + square_d, square_f = q->z * q->z,
+      square = square_e + square_f;
+  const float scale = 2.0f / square;
+  const float scale_w = q->w * scale;
+  const float beta_v_0 = q->x * scale;
+  const float beta_v_1 = q->y * scale;
+  const float beta_v_2 = q->z * scale;
+  const float m_0 = q->x * beta_v_0;
+  const float m_1 = q->y * beta_v_1;
+  const float m_2 = q->z * beta_v_2;
+  const float m_3 = q->y * beta_v_0;
+  const float m_4 = q->z * beta_v_0;
+  const float m_5 = q->z * beta_v_1;
+  const float others_0 = m_1 + m_2;
+  const float others_1 = m_0 + m_2;
+  const float others_2 = m_0 + m_1;
+  const float alpha_v_0 = q->x * scale_w;
+  const float alpha_v_1 = q->y * scale_w;
+  const float alpha_v_2 = q->z * scale_w;
+  const float R_00 = 1.0f - others_0;
+  const float R_01 = m_3 - alpha_v_2;
+  const float R_02 = m_4 + alpha_v_1;
+  const float R_10 = m_3 + alpha_v_2;
+  const float R_11 = 1.0f - others_1;
+  const float R_12 = m_5 - alpha_v_0;
+  const float R_20 = m_4 - alpha_v_1;
+  const float R_21 = m_5 + alpha_v_0;
+  const float R_22 = 1.0f - others_2;
+  R->m00 = R_00;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = R_11;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = R_22;
+}
+
+/* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
+   R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
+   4 mul, 21 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select. */
+static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quaternionf_t *qo) {
+  const float p_0 = R->m21 - R->m12;
+  const float p_1 = R->m02 - R->m20;
+  const float p_2 = R->m10 - R->m01;
+  const float s_0 = R->m12 + R->m21;
+  const float s_1 = R->m02 + R->m20;
+  const float s_2 = R->m01 + R->m10;
+  const float d_0a = R->m00 + R->m11, d_0b = d_0a + R->m22, d_0 = d_0b + 1.0f;
+  const float d_1a = R->m00 - R->m11, d_1b = d_1a - R->m22, d_1 = d_1b + 1.0f;
+  const float d_2a = R->m11 - R->m00, d_2b = d_2a - R->m22, d_2 = d_2b + 1.0f;
+  const float d_3a = R->m22 - R->m00, d_3b = d_3a - R->m11, d_3 = d_3b + 1.0f;
+  const float low_0 = R->m11 < R->m00 ? p_0 : p_1;
+  const float low_1 = R->m11 < R->m00 ? d_1 : s_2;
+  const float low_2 = R->m11 < R->m00 ? s_2 : d_2;
+  const float low_3 = R->m11 < R->m00 ? s_1 : s_0;
+  const float high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0;
+  const float high_1 = R->m00 < high_0a ? s_1 : p_0;
+  const float high_2 = R->m00 < high_0a ? s_0 : p_1;
+  const float high_3 = R->m00 < high_0a ? d_3 : p_2;
+  const float column_0 = R->m22 < 0.0f ? low_0 : high_0;
+  const float column_1 = R->m22 < 0.0f ? low_1 : high_1;
+  const float column_2 = R->m22 < 0.0f ? low_2 : high_2;
+  const float column_3 = R->m22 < 0.0f ? low_3 : high_3;
+  const float upper_0a = -column_0, upper_0 = column_0 < 0.0f ? upper_0a : column_0;
+  const float upper_1a = -column_1, upper_1 = column_0 < 0.0f ? upper_1a : column_1;
+  const float upper_2a = -column_2, upper_2 = column_0 < 0.0f ? upper_2a : column_2;
+  const float upper_3a = -column_3, upper_3 = column_0 < 0.0f ? upper_3a : column_3;
+  const float length_a = upper_0 * upper_0, length_b = upper_1 * upper_1,
+      length_c = length_a + length_b, length_d = upper_2 * upper_2, length_e = length_c + length_d,
+      length_f = upper_3 * upper_3, length_g = length_e + length_f, length = sqrtf(length_g);
+  const float qo_0 = upper_0 / length;
+  const float qo_1 = upper_1 / length;
+  const float qo_2 = upper_2 / length;
+  const float qo_3 = upper_3 / length;
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* qo = (cos angle/2; axis sin angle/2); axis of length 1.
+   axis: vector; angle: number; qo: quaternion (w; x, y, z), the scalar first.
+   4 mul, 1 sin, 1 cos. */
+static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
+    ksl_quaternionf_t *qo) {
+  const float half = 0.5f * angle;
+  const float sine = sinf(half);
+  const float qo_0 = cosf(half);
+  const float qo_1 = axis->x * sine;
+  const float qo_2 = axis->y * sine;
+  const float qo_3 = axis->z * sine;
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where angle
+     = 0; any multiple of a quaternion.
+   q: quaternion (w; x, y, z), the scalar first; axis: vector.
+   8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select. */
+static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, ksl_vec3f_t *axis) {
+  const float upper_0a = -q->w, upper_0 = q->w < 0.0f ? upper_0a : q->w;
+  const float upper_1a = -q->x, upper_1 = q->w < 0.0f ? upper_1a : q->x;
+  const float upper_2a = -q->y, upper_2 = q->w < 0.0f ? upper_2a : q->y;
+  const float upper_3a = -q->z, upper_3 = q->w < 0.0f ? upper_3a : q->z;
+  const float v_s_size_0 = fabsf(upper_1);
+  const float v_s_size_1 = fabsf(upper_2);
+  const float v_s_size_2 = fabsf(upper_3);
+  const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
+      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
+  const float v_y_0 = upper_1 * v_s;
+  const float v_y_1 = upper_2 * v_s;
+  const float v_y_2 = upper_3 * v_s;
+  const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
+  const float n = v_n * v_r;
+  const float half = atan2f(n, upper_0);
+  const float divisor = n == 0.0f ? 1.0f : n;
+  const float unit_0 = upper_1 / divisor;
+  const float unit_1 = upper_2 / divisor;
+  const float unit_2 = upper_3 / divisor;
+  const float angle = 2.0f * half;
+  const float axis_0 = n == 0.0f ? 1.0f : unit_0;
+  return angle;
+}
+
+/* qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the rotation vector v.
+   v: vector; qo: quaternion (w; x, y, z), the scalar first.
+   34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select. */
+static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *qo) {
+  const float h_0 = 0.5f * v->x;
+  const float h_1 = 0.5f * v->y;
+  const float h_2 = 0.5f * v->z;
+  const float x_a = h_0 * h_0, x_b = h_1 * h_1, x_c = x_a + x_b, x_d = h_2 * h_2, x = x_c + x_d;
+  const float size = sqrtf(x);
+  const float cosine_a = cosf(size), cosine = x < 4.0f ? 1.0f : cosine_a;
+  const float sine_a = sinf(size), sine = x < 4.0f ? 1.0f : sine_a;
+  const float divisor = x < 4.0f ? 2.0f : size;
+  const float far_k = sine / divisor;
+  const float k_a = 6.4469503e-26f * x, k_b = k_a - 3.8681703e-23f, k_c = x * k_b,
+      k_d = k_c + 1.9572942e-20f, k_e = x * k_d, k_f = k_e - 8.220635e-18f, k_g = x * k_f,
+      k_h = k_g + 2.8114574e-15f, k_i = x * k_h, k_j = k_i - 7.6471636e-13f, k_k = x * k_j,
+      k_l = k_k + 1.6059044e-10f, k_m = x * k_l, k_n = k_m - 2.5052108e-08f, k_o = x * k_n,
+      k_p = k_o + 2.7557319e-06f, k_q = x * k_p, k_r = k_q - 0.0001984127f, k_s = x * k_r,
+      k_t = k_s + 0.008333334f, k_u = x * k_t, k_v = k_u - 0.16666667f, k_w = x * k_v,
+      k_x = k_w + 1.0f, k = x < 4.0f ? k_x : far_k;
+  const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
+      g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
+      g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
+      g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
+      g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
+      g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
+      g2 = g2w + 0.5f;
+  const float near_a = x * g2, near = 1.0f - near_a;
+  const float qo_0 = x < 4.0f ? near : cosine;
+  const float qo_1 = h_0 * k;
+  const float qo_2 = h_1 * k;
+  const float qo_3 = h_2 * k;
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
+   q: quaternion (w; x, y, z), the scalar first; vo: vector.
+   11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select. */
+static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *vo) {
+  const float upper_0a = -q->w, upper_0 = q->w < 0.0f ? upper_0a : q->w;
+  const float upper_1a = -q->x, upper_1 = q->w < 0.0f ? upper_1a : q->x;
+  const float upper_2a = -q->y, upper_2 = q->w < 0.0f ? upper_2a : q->y;
+  const float upper_3a = -q->z, upper_3 = q->w < 0.0f ? upper_3a : q->z;
+  const float v_s_size_0 = fabsf(upper_1);
+  const float v_s_size_1 = fabsf(upper_2);
+  const float v_s_size_2 = fabsf(upper_3);
+  const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
+      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
+  const float v_y_0 = upper_1 * v_s;
+  const float v_y_1 = upper_2 * v_s;
+  const float v_y_2 = upper_3 * v_s;
+  const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
+  const float n = v_n * v_r;
+  const float half = atan2f(n, upper_0);
+  const float divisor = n == 0.0f ? 1.0f : n;
+  const float theta = 2.0f * half;
+  const float k = theta / divisor;
+  const float vector_0 = upper_1 * k;
+  const float vector_1 = upper_2 * k;
+  const float vector_2 = upper_3 * k;
+  vo->x = vector_0;
+  vo->y = vector_1;
+  vo->z = vector_2;
+}
+
+/* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
+   q1, q2, qo: quaternion (w; x, y, z), the scalar first; k: number.
+   76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16
+     select. */
+static inline void ksl_quaternionf_slerp(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
+    const float k, ksl_quaternionf_t *qo) {
+  const float between_0a = q1->w * q2->w, between_0b = q1->x * q2->x, between_0c = q1->y * q2->y,
+      between_0d = between_0b + between_0c, between_0e = q1->z * q2->z,
+      between_0f = between_0d + between_0e, between_0 = between_0a + between_0f;
+  const float between_1a = q1->w * q2->x, between_1b = q1->x * q2->w,
+      between_1c = between_1a - between_1b, between_1d = q1->z * q2->y, between_1e = q1->y * q2->z,
+      between_1f = between_1d - between_1e, between_1 = between_1c + between_1f;
+  const float between_2a = q1->w * q2->y, between_2b = q1->y * q2->w,
+      between_2c = between_2a - between_2b, between_2d = q1->x * q2->z, between_2e = q1->z * q2->x,
+      between_2f = between_2d - between_2e, between_2 = between_2c + between_2f;
+  const float between_3a = q1->w * q2->z, between_3b = q1->z * q2->w,
+      between_3c = between_3a - between_3b, between_3d = q1->y * q2->x, between_3e = q1->x * q2->y,
+      between_3f = between_3d - between_3e, between_3 = between_3c + between_3f;
+  const float upper_0a = -between_0, upper_0 = between_0 < 0.0f ? upper_0a : between_0;
+  const float upper_1a = -between_1, upper_1 = between_0 < 0.0f ? upper_1a : between_1;
+  const float upper_2a = -between_2, upper_2 = between_0 < 0.0f ? upper_2a : between_2;
+  const float upper_3a = -between_3, upper_3 = between_0 < 0.0f ? upper_3a : between_3;
+  const float v_s_size_0 = fabsf(upper_1);
+  const float v_s_size_1 = fabsf(upper_2);
+  const float v_s_size_2 = fabsf(upper_3);
+  const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
+      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
+  const float v_y_0 = upper_1 * v_s;
+  const float v_y_1 = upper_2 * v_s;
+  const float v_y_2 = upper_3 * v_s;
+  const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
+  const float n = v_n * v_r;
+  const float half = atan2f(n, upper_0);
+  const float divisor = n == 0.0f ? 1.0f : n;
+  const float rate = half / divisor;
+  const float kv_0 = k * upper_1;
+  const float kv_1 = k * upper_2;
+  const float kv_2 = k * upper_3;
+  const float step_0 = rate * kv_0;
+  const float step_1 = rate * kv_1;
+  const float step_2 = rate * kv_2;
+  const float exp_x_a = step_0 * step_0, exp_x_b = step_1 * step_1, exp_x_c = exp_x_a + exp_x_b,
+      exp_x_d = step_2 * step_2, exp_x = exp_x_c + exp_x_d;
+  const float exp_size = sqrtf(exp_x);
+  const float exp_cosine_a = cosf(exp_size), exp_cosine = exp_x < 4.0f ? 1.0f : exp_cosine_a;
+  const float exp_sine_a = sinf(exp_size), exp_sine = exp_x < 4.0f ? 1.0f : exp_sine_a;
+  const float exp_divisor = exp_x < 4.0f ? 2.0f : exp_size;
+  const float exp_far_k = exp_sine / exp_divisor;
+  const float exp_k_a = 6.4469503e-26f * exp_x, exp_k_b = exp_k_a - 3.8681703e-23f,
+      exp_k_c = exp_x * exp_k_b, exp_k_d = exp_k_c + 1.9572942e-20f, exp_k_e = exp_x * exp_k_d,
+      exp_k_f = exp_k_e - 8.220635e-18f, exp_k_g = exp_x * exp_k_f,
+      exp_k_h = exp_k_g + 2.8114574e-15f, exp_k_i = exp_x * exp_k_h,
+      exp_k_j = exp_k_i - 7.6471636e-13f, exp_k_k = exp_x * exp_k_j,
+      exp_k_l = exp_k_k + 1.6059044e-10f, exp_k_m = exp_x * exp_k_l,
+      exp_k_n = exp_k_m - 2.5052108e-08f, exp_k_o = exp_x * exp_k_n,
+      exp_k_p = exp_k_o + 2.7557319e-06f, exp_k_q = exp_x * exp_k_p,
+      exp_k_r = exp_k_q - 0.0001984127f, exp_k_s = exp_x * exp_k_r,
+      exp_k_t = exp_k_s + 0.008333334f, exp_k_u = exp_x * exp_k_t, exp_k_v = exp_k_u - 0.16666667f,
+      exp_k_w = exp_x * exp_k_v, exp_k_x = exp_k_w + 1.0f,
+      exp_k = exp_x < 4.0f ? exp_k_x : exp_far_k;
+  const float exp_g2a = 2.4795963e-27f * exp_x, exp_g2b = exp_g2a - 1.6117376e-24f,
+      exp_g2c = exp_x * exp_g2b, exp_g2d = exp_g2c + 8.896791e-22f, exp_g2e = exp_x * exp_g2d,
+      exp_g2f = exp_g2e - 4.1103176e-19f, exp_g2g = exp_x * exp_g2f,
+      exp_g2h = exp_g2g + 1.5619207e-16f, exp_g2i = exp_x * exp_g2h,
+      exp_g2j = exp_g2i - 4.7794773e-14f, exp_g2k = exp_x * exp_g2j,
+      exp_g2l = exp_g2k + 1.1470745e-11f, exp_g2m = exp_x * exp_g2l,
+      exp_g2n = exp_g2m - 2.0876756e-09f, exp_g2o = exp_x * exp_g2n,
+      exp_g2p = exp_g2o + 2.755732e-07f, exp_g2q = exp_x * exp_g2p,
+      exp_g2r = exp_g2q - 2.4801588e-05f, exp_g2s = exp_x * exp_g2r,
+      exp_g2t = exp_g2s + 0.0013888889f, exp_g2u = exp_x * exp_g2t,
+      exp_g2v = exp_g2u - 0.041666668f, exp_g2w = exp_x * exp_g2v, exp_g2 = exp_g2w + 0.5f;
+  const float exp_near_a = exp_x * exp_g2, exp_near = 1.0f - exp_near_a;
+  const float power_0 = exp_x < 4.0f ? exp_near : exp_cosine;
+  const float power_1 = step_0 * exp_k;
+  const float power_2 = step_1 * exp_k;
+  const float power_3 = step_2 * exp_k;
+  const float qo_0a = q1->w * power_0, qo_0b = q1->x * power_1, qo_0c = q1->y * power_2,
+      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * power_3, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a - qo_0f;
+  const float qo_1a = q1->w * power_1, qo_1b = q1->x * power_0, qo_1c = q1->y * power_3,
+      qo_1d = qo_1b + qo_1c, qo_1e = q1->z * power_2, qo_1f = qo_1d - qo_1e, qo_1 = qo_1a + qo_1f;
+  const float qo_2a = q1->w * power_2, qo_2b = q1->y * power_0, qo_2c = q1->x * power_3,
+      qo_2d = qo_2b - qo_2c, qo_2e = q1->z * power_1, qo_2f = qo_2d + qo_2e, qo_2 = qo_2a + qo_2f;
+  const float qo_3a = q1->w * power_3, qo_3b = q1->x * power_2, qo_3c = q1->y * power_1,
+      qo_3d = qo_3b - qo_3c, qo_3e = q1->z * power_0, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a + qo_3f;
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+#ifndef KSL_NO_ALLOC
+#include <stdlib.h>
+
+/* n zeroed ksl_quaternion_t on the heap, to be freed by the caller; NULL for n <= 0 or when
+     there is no memory. */
+static inline ksl_quaternion_t *ksl_quaternion_alloc(int n) {
+  return n > 0 ? (ksl_quaternion_t *)calloc((size_t)n, sizeof(ksl_quaternion_t)) : NULL;
+}
+
+/* n zeroed ksl_quaternionf_t on the heap, to be freed by the caller; NULL for n <= 0 or when
+     there is no memory. */
+static inline ksl_quaternionf_t *ksl_quaternionf_alloc(int n) {
+  return n > 0 ? (ksl_quaternionf_t *)calloc((size_t)n, sizeof(ksl_quaternionf_t)) : NULL;
+}
+
+#endif
+
+#endif
+
+/* Exponentials and logarithms of rotations and displacements, their Jacobians, interpolation. */
+#ifndef KSL_EXPONENTIAL_H
+#define KSL_EXPONENTIAL_H
+
+
+/* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
+   v: vector; R: rotation or other 3×3 matrix.
+   48 mul, 67 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select. */
+static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
+  const double shifted_0 = v->x + 1610612736.0;
+  const double shifted_1 = v->y + 1610612736.0;
+  const double shifted_2 = v->z + 1610612736.0;
+  const double high_0 = shifted_0 - 1610612736.0;
+  const double high_1 = shifted_1 - 1610612736.0;
+  const double high_2 = shifted_2 - 1610612736.0;
+  const double low_0 = v->x - high_0;
+  const double low_1 = v->y - high_1;
+  const double low_2 = v->z - high_2;
+  const double sum_0 = v->x + high_0;
+  const double sum_1 = v->y + high_1;
+  const double sum_2 = v->z + high_2;
+  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double x = squares + cross;
+  const double theta_a = sqrt(x), theta = x < 4.0 ? 2.0 : theta_a;
+  const double theta_shifted = theta + 1610612736.0;
+  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_low = theta - theta_high;
+  const double theta_sum = theta + theta_high;
+  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double residual = cross_rest + exact;
+  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double far_sine_a = sin(theta), far_sine = x < 4.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 4.0 ? 0.0 : far_cosine_a;
+  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double far_x = x < 4.0 ? 4.0 : x;
+  const double closed1 = sine / theta;
+  const double versine = 1.0 - cosine;
+  const double closed2 = versine / far_x;
+  const double g1a = 6.446950284384474e-26 * x, g1b = g1a - 3.868170170630684e-23, g1c = x * g1b,
+      g1d = g1c + 1.9572941063391263e-20, g1e = x * g1d, g1f = g1e - 8.22063524662433e-18,
+      g1g = x * g1f, g1h = g1g + 2.8114572543455206e-15, g1i = x * g1h,
+      g1j = g1i - 7.647163731819816e-13, g1k = x * g1j, g1l = g1k + 1.6059043836821613e-10,
+      g1m = x * g1l, g1n = g1m - 2.505210838544172e-08, g1o = x * g1n,
+      g1p = g1o + 2.7557319223985893e-06, g1q = x * g1p, g1r = g1q - 0.0001984126984126984,
+      g1s = x * g1r, g1t = g1s + 0.008333333333333333, g1u = x * g1t,
+      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 4.0 ? g1x : closed1;
+  const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
+      g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
+      g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
+      g2j = g2i - 4.779477332387385e-14, g2k = x * g2j, g2l = g2k + 1.1470745597729725e-11,
+      g2m = x * g2l, g2n = g2m - 2.08767569878681e-09, g2o = x * g2n,
+      g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
+      g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
+      g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
+      g2 = x < 4.0 ? g2x : closed2;
+  const double g0a = x * g2, g0b = 1.0 - g0a, g0 = x < 4.0 ? g0b : cosine;
+  const double beta_v_0 = v->x * g2;
+  const double beta_v_1 = v->y * g2;
+  const double beta_v_2 = v->z * g2;
+  const double m_0 = v->x * beta_v_0;
+  const double m_1 = v->y * beta_v_1;
+  const double m_2 = v->z * beta_v_2;
+  const double m_3 = v->y * beta_v_0;
+  const double m_4 = v->z * beta_v_0;
+  const double m_5 = v->z * beta_v_1;
+  const double others_0 = m_1 + m_2;
+  const double others_1 = m_0 + m_2;
+  const double others_2 = m_0 + m_1;
+  const double diagonal0a = 1.0 - others_0, diagonal0b = g0 + m_0,
+      diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
+  const double diagonal1a = 1.0 - others_1, diagonal1b = g0 + m_1,
+      diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
+  const double diagonal2a = 1.0 - others_2, diagonal2b = g0 + m_2,
+      diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
+  const double alpha_v_0 = v->x * g1;
+  const double alpha_v_1 = v->y * g1;
+  const double alpha_v_2 = v->z * g1;
+  const double R_01 = m_3 - alpha_v_2;
+  const double R_02 = m_4 + alpha_v_1;
+  const double R_10 = m_3 + alpha_v_2;
+  const double R_12 = m_5 - alpha_v_0;
+  const double R_20 = m_4 - alpha_v_1;
+  const double R_21 = m_5 + alpha_v_0;
+  R->m00 = diagonal0;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = diagonal1;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = diagonal2;
+}
+
+/* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
+   R: rotation or other 3×3 matrix; vo: vector.
+   11 mul, 20 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select. */
+static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
+  const double p_0 = R->m21 - R->m12;
+  const double p_1 = R->m02 - R->m20;
+  const double p_2 = R->m10 - R->m01;
+  const double s_0 = R->m12 + R->m21;
+  const double s_1 = R->m02 + R->m20;
+  const double s_2 = R->m01 + R->m10;
+  const double d_0a = R->m00 + R->m11, d_0b = d_0a + R->m22, d_0 = d_0b + 1.0;
+  const double d_1a = R->m00 - R->m11, d_1b = d_1a - R->m22, d_1 = d_1b + 1.0;
+  const double d_2a = R->m11 - R->m00, d_2b = d_2a - R->m22, d_2 = d_2b + 1.0;
+  const double d_3a = R->m22 - R->m00, d_3b = d_3a - R->m11, d_3 = d_3b + 1.0;
+  const double low_0 = R->m11 < R->m00 ? p_0 : p_1;
+  const double low_1 = R->m11 < R->m00 ? d_1 : s_2;
+  const double low_2 = R->m11 < R->m00 ? s_2 : d_2;
+  const double low_3 = R->m11 < R->m00 ? s_1 : s_0;
+  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0;
+  const double high_1 = R->m00 < high_0a ? s_1 : p_0;
+  const double high_2 = R->m00 < high_0a ? s_0 : p_1;
+  const double high_3 = R->m00 < high_0a ? d_3 : p_2;
+  const double column_0 = R->m22 < 0.0 ? low_0 : high_0;
+  const double column_1 = R->m22 < 0.0 ? low_1 : high_1;
+  const double column_2 = R->m22 < 0.0 ? low_2 : high_2;
+  const double column_3 = R->m22 < 0.0 ? low_3 : high_3;
+  const double upper_0a = -column_0, upper_0 = column_0 < 0.0 ? upper_0a : column_0;
+  const double upper_1a = -column_1, upper_1 = column_0 < 0.0 ? upper_1a : column_1;
+  const double upper_2a = -column_2, upper_2 = column_0 < 0.0 ? upper_2a : column_2;
+  const double upper_3a = -column_3, upper_3 = column_0 < 0.0 ? upper_3a : column_3;
+  const double v_s_size_0 = fabs(upper_1);
+  const double v_s_size_1 = fabs(upper_2);
+  const double v_s_size_2 = fabs(upper_3);
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+  const double v_y_0 = upper_1 * v_s;
+  const double v_y_1 = upper_2 * v_s;
+  const double v_y_2 = upper_3 * v_s;
+  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+  const double n = v_n * v_r;
+  const double half = atan2(n, upper_0);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double theta = 2.0 * half;
+  const double k = theta / divisor;
+  const double vector_0 = upper_1 * k;
+  const double vector_1 = upper_2 * k;
+  const double vector_2 = upper_3 * k;
+  vo->x = vector_0;
+  vo->y = vector_1;
+  vo->z = vector_2;
+}
+
+/* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
+   v: vector; R: rotation or other 3×3 matrix.
+   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select. */
+static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
+  const double shifted_0 = v->x + 1610612736.0;
+  const double shifted_1 = v->y + 1610612736.0;
+  const double shifted_2 = v->z + 1610612736.0;
+  const double high_0 = shifted_0 - 1610612736.0;
+  const double high_1 = shifted_1 - 1610612736.0;
+  const double high_2 = shifted_2 - 1610612736.0;
+  const double low_0 = v->x - high_0;
+  const double low_1 = v->y - high_1;
+  const double low_2 = v->z - high_2;
+  const double sum_0 = v->x + high_0;
+  const double sum_1 = v->y + high_1;
+  const double sum_2 = v->z + high_2;
+  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double x = squares + cross;
+  const double theta_a = sqrt(x), theta = x < 4.0 ? 2.0 : theta_a;
+  const double theta_shifted = theta + 1610612736.0;
+  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_low = theta - theta_high;
+  const double theta_sum = theta + theta_high;
+  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double residual = cross_rest + exact;
+  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double far_sine_a = sin(theta), far_sine = x < 4.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 4.0 ? 0.0 : far_cosine_a;
+  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double far_x = x < 4.0 ? 4.0 : x;
+  const double closed1 = sine / theta;
+  const double versine = 1.0 - cosine;
+  const double closed2 = versine / far_x;
+  const double rest3 = 1.0 - closed1;
+  const double closed3 = rest3 / far_x;
+  const double g1a = 6.446950284384474e-26 * x, g1b = g1a - 3.868170170630684e-23, g1c = x * g1b,
+      g1d = g1c + 1.9572941063391263e-20, g1e = x * g1d, g1f = g1e - 8.22063524662433e-18,
+      g1g = x * g1f, g1h = g1g + 2.8114572543455206e-15, g1i = x * g1h,
+      g1j = g1i - 7.647163731819816e-13, g1k = x * g1j, g1l = g1k + 1.6059043836821613e-10,
+      g1m = x * g1l, g1n = g1m - 2.505210838544172e-08, g1o = x * g1n,
+      g1p = g1o + 2.7557319223985893e-06, g1q = x * g1p, g1r = g1q - 0.0001984126984126984,
+      g1s = x * g1r, g1t = g1s + 0.008333333333333333, g1u = x * g1t,
+      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 4.0 ? g1x : closed1;
+  const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
+      g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
+      g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
+      g2j = g2i - 4.779477332387385e-14, g2k = x * g2j, g2l = g2k + 1.1470745597729725e-11,
+      g2m = x * g2l, g2n = g2m - 2.08767569878681e-09, g2o = x * g2n,
+      g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
+      g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
+      g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
+      g2 = x < 4.0 ? g2x : closed2;
+  const double g3a = 9.183689863795546e-29 * x, g3b = g3a - 6.446950284384474e-26, g3c = x * g3b,
+      g3d = g3c + 3.868170170630684e-23, g3e = x * g3d, g3f = g3e - 1.9572941063391263e-20,
+      g3g = x * g3f, g3h = g3g + 8.22063524662433e-18, g3i = x * g3h,
+      g3j = g3i - 2.8114572543455206e-15, g3k = x * g3j, g3l = g3k + 7.647163731819816e-13,
+      g3m = x * g3l, g3n = g3m - 1.6059043836821613e-10, g3o = x * g3n,
+      g3p = g3o + 2.505210838544172e-08, g3q = x * g3p, g3r = g3q - 2.7557319223985893e-06,
+      g3s = x * g3r, g3t = g3s + 0.0001984126984126984, g3u = x * g3t,
+      g3v = g3u - 0.008333333333333333, g3w = x * g3v, g3x = g3w + 0.16666666666666666,
+      g3 = x < 4.0 ? g3x : closed3;
+  const double beta_v_0 = v->x * g3;
+  const double beta_v_1 = v->y * g3;
+  const double beta_v_2 = v->z * g3;
+  const double m_0 = v->x * beta_v_0;
+  const double m_1 = v->y * beta_v_1;
+  const double m_2 = v->z * beta_v_2;
+  const double m_3 = v->y * beta_v_0;
+  const double m_4 = v->z * beta_v_0;
+  const double m_5 = v->z * beta_v_1;
+  const double others_0 = m_1 + m_2;
+  const double others_1 = m_0 + m_2;
+  const double others_2 = m_0 + m_1;
+  const double diagonal0a = 1.0 - others_0, diagonal0b = g1 + m_0,
+      diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
+  const double diagonal1a = 1.0 - others_1, diagonal1b = g1 + m_1,
+      diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
+  const double diagonal2a = 1.0 - others_2, diagonal2b = g1 + m_2,
+      diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
+  const double alpha_v_0 = v->x * g2;
+  const double alpha_v_1 = v->y * g2;
+  const double alpha_v_2 = v->z * g2;
+  const double R_01 = m_3 - alpha_v_2;
+  const double R_02 = m_4 + alpha_v_1;
+  const double R_10 = m_3 + alpha_v_2;
+  const double R_12 = m_5 - alpha_v_0;
+  const double R_20 = m_4 - alpha_v_1;
+  const double R_21 = m_5 + alpha_v_0;
+  R->m00 = diagonal0;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = diagonal1;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = diagonal2;
+}
+
+/* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
+   v: vector; R: rotation or other 3×3 matrix.
+   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 less, 10 select. */
+static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
+  const double shifted_0 = v->x + 1610612736.0;
+  const double shifted_1 = v->y + 1610612736.0;
+  const double shifted_2 = v->z + 1610612736.0;
+  const double high_0 = shifted_0 - 1610612736.0;
+  const double high_1 = shifted_1 - 1610612736.0;
+  const double high_2 = shifted_2 - 1610612736.0;
+  const double low_0 = v->x - high_0;
+  const double low_1 = v->y - high_1;
+  const double low_2 = v->z - high_2;
+  const double sum_0 = v->x + high_0;
+  const double sum_1 = v->y + high_1;
+  const double sum_2 = v->z + high_2;
+  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double x = squares + cross;
+  const double theta_a = sqrt(x), theta = x < 4.0 ? 2.0 : theta_a;
+  const double theta_shifted = theta + 1610612736.0;
+  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_low = theta - theta_high;
+  const double theta_sum = theta + theta_high;
+  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double residual = cross_rest + exact;
+  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double far_sine_a = sin(theta), far_sine = x < 4.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 4.0 ? 0.0 : far_cosine_a;
+  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double far_x = x < 4.0 ? 4.0 : x;
+  const double closed1 = sine / theta;
+  const double versine = 1.0 - cosine;
+  const double closed2 = versine / far_x;
+  const double rest3 = 1.0 - closed1;
+  const double closed3 = rest3 / far_x;
+  const double g1a = 6.446950284384474e-26 * x, g1b = g1a - 3.868170170630684e-23, g1c = x * g1b,
+      g1d = g1c + 1.9572941063391263e-20, g1e = x * g1d, g1f = g1e - 8.22063524662433e-18,
+      g1g = x * g1f, g1h = g1g + 2.8114572543455206e-15, g1i = x * g1h,
+      g1j = g1i - 7.647163731819816e-13, g1k = x * g1j, g1l = g1k + 1.6059043836821613e-10,
+      g1m = x * g1l, g1n = g1m - 2.505210838544172e-08, g1o = x * g1n,
+      g1p = g1o + 2.7557319223985893e-06, g1q = x * g1p, g1r = g1q - 0.0001984126984126984,
+      g1s = x * g1r, g1t = g1s + 0.008333333333333333, g1u = x * g1t,
+      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 4.0 ? g1x : closed1;
+  const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
+      g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
+      g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
+      g2j = g2i - 4.779477332387385e-14, g2k = x * g2j, g2l = g2k + 1.1470745597729725e-11,
+      g2m = x * g2l, g2n = g2m - 2.08767569878681e-09, g2o = x * g2n,
+      g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
+      g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
+      g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
+      g2 = x < 4.0 ? g2x : closed2;
+  const double g3a = 9.183689863795546e-29 * x, g3b = g3a - 6.446950284384474e-26, g3c = x * g3b,
+      g3d = g3c + 3.868170170630684e-23, g3e = x * g3d, g3f = g3e - 1.9572941063391263e-20,
+      g3g = x * g3f, g3h = g3g + 8.22063524662433e-18, g3i = x * g3h,
+      g3j = g3i - 2.8114572543455206e-15, g3k = x * g3j, g3l = g3k + 7.647163731819816e-13,
+      g3m = x * g3l, g3n = g3m - 1.6059043836821613e-10, g3o = x * g3n,
+      g3p = g3o + 2.505210838544172e-08, g3q = x * g3p, g3r = g3q - 2.7557319223985893e-06,
+      g3s = x * g3r, g3t = g3s + 0.0001984126984126984, g3u = x * g3t,
+      g3v = g3u - 0.008333333333333333, g3w = x * g3v, g3x = g3w + 0.16666666666666666,
+      g3 = x < 4.0 ? g3x : closed3;
+  const double beta_v_0 = v->x * g3;
+  const double beta_v_1 = v->y * g3;
+  const double beta_v_2 = v->z * g3;
+  const double m_0 = v->x * beta_v_0;
+  const double m_1 = v->y * beta_v_1;
+  const double m_2 = v->z * beta_v_2;
+  const double m_3 = v->y * beta_v_0;
+  const double m_4 = v->z * beta_v_0;
+  const double m_5 = v->z * beta_v_1;
+  const double others_0 = m_1 + m_2;
+  const double others_1 = m_0 + m_2;
+  const double others_2 = m_0 + m_1;
+  const double diagonal0a = 1.0 - others_0, diagonal0b = g1 + m_0,
+      diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
+  const double diagonal1a = 1.0 - others_1, diagonal1b = g1 + m_1,
+      diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
+  const double diagonal2a = 1.0 - others_2, diagonal2b = g1 + m_2,
+      diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
+  const double alpha_v_0a = v->x * g2, alpha_v_0 = -alpha_v_0a;
+  const double alpha_v_1a = v->y * g2, alpha_v_1 = -alpha_v_1a;
+  const double alpha_v_2a = v->z * g2, alpha_v_2 = -alpha_v_2a;
+  const double R_01 = m_3 - alpha_v_2;
+  const double R_02 = m_4 + alpha_v_1;
+  const double R_10 = m_3 + alpha_v_2;
+  const double R_12 = m_5 - alpha_v_0;
+  const double R_20 = m_4 - alpha_v_1;
+  const double R_21 = m_5 + alpha_v_0;
+  R->m00 = diagonal0;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = diagonal1;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = diagonal2;
+}
+
+/* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
+     but 0.
+   v: vector; R: rotation or other 3×3 matrix.
+   41 mul, 57 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 2 less, 7 select. */
+static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
+  const double shifted_0 = v->x + 1610612736.0;
+  const double shifted_1 = v->y + 1610612736.0;
+  const double shifted_2 = v->z + 1610612736.0;
+  const double high_0 = shifted_0 - 1610612736.0;
+  const double high_1 = shifted_1 - 1610612736.0;
+  const double high_2 = shifted_2 - 1610612736.0;
+  const double low_0 = v->x - high_0;
+  const double low_1 = v->y - high_1;
+  const double low_2 = v->z - high_2;
+  const double sum_0 = v->x + high_0;
+  const double sum_1 = v->y + high_1;
+  const double sum_2 = v->z + high_2;
+  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double x = squares + cross;
+  const double theta_a = sqrt(x), theta = x < 4.0 ? 2.0 : theta_a;
+  const double theta_shifted = theta + 1610612736.0;
+  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_low = theta - theta_high;
+  const double theta_sum = theta + theta_high;
+  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double residual = cross_rest + exact;
+  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double far_sine_a = sin(theta), far_sine = x < 4.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 4.0 ? 0.0 : far_cosine_a;
+  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
+  const double below_a = 1.0 - cosine, below = cosine < 0.0 ? below_a : sine;
+  const double cotangent = above / below;
+  const double b_rest_a = 0.5 * theta, b_rest_b = b_rest_a * cotangent, b_rest = 1.0 - b_rest_b;
+  const double b_divisor = x < 4.0 ? 4.0 : x;
+  const double closed_b = b_rest / b_divisor;
+  const double b_a = 1.455172475614865e-27 * x, b_b = b_a + 5.744790668872202e-26, b_c = x * b_b,
+      b_d = b_c + 2.267952452337683e-24, b_e = x * b_d, b_f = b_e + 8.953517427037546e-23,
+      b_g = x * b_f, b_h = b_g + 3.534707039629467e-21, b_i = x * b_h,
+      b_j = b_i + 1.3954464685812522e-19, b_k = x * b_j, b_l = b_k + 5.5090028283602295e-18,
+      b_m = x * b_l, b_n = b_m + 2.174868698558062e-16, b_o = x * b_n,
+      b_p = b_o + 8.586062056277845e-15, b_q = x * b_p, b_r = b_q + 3.3896802963225827e-13,
+      b_s = x * b_r, b_t = b_s + 1.3382536530684679e-11, b_u = x * b_t,
+      b_v = b_u + 5.284190138687493e-10, b_w = x * b_v, b_x = b_w + 2.08767569878681e-08,
+      b_y = x * b_x, b_z = b_y + 8.267195767195768e-07, b_aa = x * b_z,
+      b_ab = b_aa + 3.306878306878307e-05, b_ac = x * b_ab, b_ad = b_ac + 0.001388888888888889,
+      b_ae = x * b_ad, b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
+  const double beta_v_0 = v->x * b;
+  const double beta_v_1 = v->y * b;
+  const double beta_v_2 = v->z * b;
+  const double m_0 = v->x * beta_v_0;
+  const double m_1 = v->y * beta_v_1;
+  const double m_2 = v->z * beta_v_2;
+  const double m_3 = v->y * beta_v_0;
+  const double m_4 = v->z * beta_v_0;
+  const double m_5 = v->z * beta_v_1;
+  const double others_0 = m_1 + m_2;
+  const double others_1 = m_0 + m_2;
+  const double others_2 = m_0 + m_1;
+  const double alpha_v_0a = 0.5 * v->x, alpha_v_0 = -alpha_v_0a;
+  const double alpha_v_1a = 0.5 * v->y, alpha_v_1 = -alpha_v_1a;
+  const double alpha_v_2a = 0.5 * v->z, alpha_v_2 = -alpha_v_2a;
+  const double R_00 = 1.0 - others_0;
+  const double R_01 = m_3 - alpha_v_2;
+  const double R_02 = m_4 + alpha_v_1;
+  const double R_10 = m_3 + alpha_v_2;
+  const double R_11 = 1.0 - others_1;
+  const double R_12 = m_5 - alpha_v_0;
+  const double R_20 = m_4 - alpha_v_1;
+  const double R_21 = m_5 + alpha_v_0;
+  const double R_22 = 1.0 - others_2;
+  R->m00 = R_00;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = R_11;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = R_22;
+}
+
+/* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
+     but 0.
+   v: vector; R: rotation or other 3×3 matrix.
+   41 mul, 57 add, 3 div, 1 sqrt, 1 sin, 1 cos, 2 less, 7 select. */
+static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
+  const double shifted_0 = v->x + 1610612736.0;
+  const double shifted_1 = v->y + 1610612736.0;
+  const double shifted_2 = v->z + 1610612736.0;
+  const double high_0 = shifted_0 - 1610612736.0;
+  const double high_1 = shifted_1 - 1610612736.0;
+  const double high_2 = shifted_2 - 1610612736.0;
+  const double low_0 = v->x - high_0;
+  const double low_1 = v->y - high_1;
+  const double low_2 = v->z - high_2;
+  const double sum_0 = v->x + high_0;
+  const double sum_1 = v->y + high_1;
+  const double sum_2 = v->z + high_2;
+  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double x = squares + cross;
+  const double theta_a = sqrt(x), theta = x < 4.0 ? 2.0 : theta_a;
+  const double theta_shifted = theta + 1610612736.0;
+  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_low = theta - theta_high;
+  const double theta_sum = theta + theta_high;
+  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double residual = cross_rest + exact;
+  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double far_sine_a = sin(theta), far_sine = x < 4.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 4.0 ? 0.0 : far_cosine_a;
+  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
+  const double below_a = 1.0 - cosine, below = cosine < 0.0 ? below_a : sine;
+  const double cotangent = above / below;
+  const double b_rest_a = 0.5 * theta, b_rest_b = b_rest_a * cotangent, b_rest = 1.0 - b_rest_b;
+  const double b_divisor = x < 4.0 ? 4.0 : x;
+  const double closed_b = b_rest / b_divisor;
+  const double b_a = 1.455172475614865e-27 * x, b_b = b_a + 5.744790668872202e-26, b_c = x * b_b,
+      b_d = b_c + 2.267952452337683e-24, b_e = x * b_d, b_f = b_e + 8.953517427037546e-23,
+      b_g = x * b_f, b_h = b_g + 3.534707039629467e-21, b_i = x * b_h,
+      b_j = b_i + 1.3954464685812522e-19, b_k = x * b_j, b_l = b_k + 5.5090028283602295e-18,
+      b_m = x * b_l, b_n = b_m + 2.174868698558062e-16, b_o = x * b_n,
+      b_p = b_o + 8.586062056277845e-15, b_q = x * b_p, b_r = b_q + 3.3896802963225827e-13,
+      b_s = x * b_r, b_t = b_s + 1.3382536530684679e-11, b_u = x * b_t,
+      b_v = b_u + 5.284190138687493e-10, b_w = x * b_v, b_x = b_w + 2.08767569878681e-08,
+      b_y = x * b_x, b_z = b_y + 8.267195767195768e-07, b_aa = x * b_z,
+      b_ab = b_aa + 3.306878306878307e-05, b_ac = x * b_ab, b_ad = b_ac + 0.001388888888888889,
+      b_ae = x * b_ad, b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
+  const double beta_v_0 = v->x * b;
+  const double beta_v_1 = v->y * b;
+  const double beta_v_2 = v->z * b;
+  const double m_0 = v->x * beta_v_0;
+  const double m_1 = v->y * beta_v_1;
+  const double m_2 = v->z * beta_v_2;
+  const double m_3 = v->y * beta_v_0;
+  const double m_4 = v->z * beta_v_0;
+  const double m_5 = v->z * beta_v_1;
+  const double others_0 = m_1 + m_2;
+  const double others_1 = m_0 + m_2;
+  const double others_2 = m_0 + m_1;
+  const double alpha_v_0 = 0.5 * v->x;
+  const double alpha_v_1 = 0.5 * v->y;
+  const double alpha_v_2 = 0.5 * v->z;
+  const double R_00 = 1.0 - others_0;
+  const double R_01 = m_3 - alpha_v_2;
+  const double R_02 = m_4 + alpha_v_1;
+  const double R_10 = m_3 + alpha_v_2;
+  const double R_11 = 1.0 - others_1;
+  const double R_12 = m_5 - alpha_v_0;
+  const double R_20 = m_4 - alpha_v_1;
+  const double R_21 = m_5 + alpha_v_0;
+  const double R_22 = 1.0 - others_2;
+  R->m00 = R_00;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = R_11;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = R_22;
+}
+
+/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
+   axis: vector; angle: number; R: rotation or other 3×3 matrix.
+   15 mul, 12 add, 2 sin. */
+static inline void ksl_mat3x3_from_axis_angle(const ksl_vec3_t *axis, const double angle,
+    ksl_mat3x3_t *R) {
+  const double half = 0.5 * angle;
+  const double h = sin(half);
+  const double sine = sin(angle);
+  const double versine_a = h * h, versine = 2.0 * versine_a;
+  const double beta_v_0 = axis->x * versine;
+  const double beta_v_1 = axis->y * versine;
+  const double beta_v_2 = axis->z * versine;
+  const double m_0 = axis->x * beta_v_0;
+  const double m_1 = axis->y * beta_v_1;
+  const double m_2 = axis->z * beta_v_2;
+  const double m_3 = axis->y * beta_v_0;
+  const double m_4 = axis->z * beta_v_0;
+  const double m_5 = axis->z * beta_v_1;
+  const double others_0 = m_1 + m_2;
+  const double others_1 = m_0 + m_2;
+  const double others_2 = m_0 + m_1;
+  const double alpha_v_0 = axis->x * sine;
+  const double alpha_v_1 = axis->y * sine;
+  const double alpha_v_2 = axis->z * sine;
+  const double R_00 = 1.0 - others_0;
+  const double R_01 = m_3 - alpha_v_2;
+  const double R_02 = m_4 + alpha_v_1;
+  const double R_10 = m_3 + alpha_v_2;
+  const double R_11 = 1.0 - others_1;
+  const double R_12 = m_5 - alpha_v_0;
+  const double R_20 = m_4 - alpha_v_1;
+  const double R_21 = m_5 + alpha_v_0;
+  const double R_22 = 1.0 - others_2;
+  R->m00 = R_00;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = R_11;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = R_22;
+}
+
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
+   R: rotation or other 3×3 matrix; axis: vector.
+   8 mul, 20 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select. */
+static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
+  const double p_0 = R->m21 - R->m12;
+  const double p_1 = R->m02 - R->m20;
+  const double p_2 = R->m10 - R->m01;
+  const double s_0 = R->m12 + R->m21;
+  const double s_1 = R->m02 + R->m20;
+  const double s_2 = R->m01 + R->m10;
+  const double d_0a = R->m00 + R->m11, d_0b = d_0a + R->m22, d_0 = d_0b + 1.0;
+  const double d_1a = R->m00 - R->m11, d_1b = d_1a - R->m22, d_1 = d_1b + 1.0;
+  const double d_2a = R->m11 - R->m00, d_2b = d_2a - R->m22, d_2 = d_2b + 1.0;
+  const double d_3a = R->m22 - R->m00, d_3b = d_3a - R->m11, d_3 = d_3b + 1.0;
+  const double low_0 = R->m11 < R->m00 ? p_0 : p_1;
+  const double low_1 = R->m11 < R->m00 ? d_1 : s_2;
+  const double low_2 = R->m11 < R->m00 ? s_2 : d_2;
+  const double low_3 = R->m11 < R->m00 ? s_1 : s_0;
+  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0;
+  const double high_1 = R->m00 < high_0a ? s_1 : p_0;
+  const double high_2 = R->m00 < high_0a ? s_0 : p_1;
+  const double high_3 = R->m00 < high_0a ? d_3 : p_2;
+  const double column_0 = R->m22 < 0.0 ? low_0 : high_0;
+  const double column_1 = R->m22 < 0.0 ? low_1 : high_1;
+  const double column_2 = R->m22 < 0.0 ? low_2 : high_2;
+  const double column_3 = R->m22 < 0.0 ? low_3 : high_3;
+  const double upper_0a = -column_0, upper_0 = column_0 < 0.0 ? upper_0a : column_0;
+  const double upper_1a = -column_1, upper_1 = column_0 < 0.0 ? upper_1a : column_1;
+  const double upper_2a = -column_2, upper_2 = column_0 < 0.0 ? upper_2a : column_2;
+  const double upper_3a = -column_3, upper_3 = column_0 < 0.0 ? upper_3a : column_3;
+  const double v_s_size_0 = fabs(upper_1);
+  const double v_s_size_1 = fabs(upper_2);
+  const double v_s_size_2 = fabs(upper_3);
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+  const double v_y_0 = upper_1 * v_s;
+  const double v_y_1 = upper_2 * v_s;
+  const double v_y_2 = upper_3 * v_s;
+  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+  const double n = v_n * v_r;
+  const double half = atan2(n, upper_0);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double unit_0 = upper_1 / divisor;
+  const double unit_1 = upper_2 / divisor;
+  const double unit_2 = upper_3 / divisor;
+  const double angle = 2.0 * half;
+  const double axis_0 = n == 0.0 ? 1.0 : unit_0;
+  return angle;
+}
+
+/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+   self: rotation or other 3×3 matrix.
+   51 mul, 42 add, 3 neg.
+   Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_mat3x3_orthonormalize(ksl_mat3x3_t *self) {
+  const double defect_0a = self->m00 * self->m00, defect_0b = 1.0 - defect_0a,
+      defect_0c = self->m10 * self->m10, defect_0d = defect_0b - defect_0c,
+      defect_0e = self->m20 * self->m20, defect_0 = defect_0d - defect_0e;
+  const double defect_1a = self->m01 * self->m01, defect_1b = 1.0 - defect_1a,
+      defect_1c = self->m11 * self->m11, defect_1d = defect_1b - defect_1c,
+      defect_1e = self->m21 * self->m21, defect_1 = defect_1d - defect_1e;
+  const double defect_2a = self->m02 * self->m02, defect_2b = 1.0 - defect_2a,
+      defect_2c = self->m12 * self->m12, defect_2d = defect_2b - defect_2c,
+      defect_2e = self->m22 * self->m22, defect_2 = defect_2d - defect_2e;
+  const double defect_3a = self->m00 * self->m01, defect_3b = self->m10 * self->m11,
+      defect_3c = defect_3a + defect_3b, defect_3d = self->m20 * self->m21,
+      defect_3e = defect_3c + defect_3d, defect_3 = -defect_3e;
+  const double defect_4a = self->m00 * self->m02, defect_4b = self->m10 * self->m12,
+      defect_4c = defect_4a + defect_4b, defect_4d = self->m20 * self->m22,
+      defect_4e = defect_4c + defect_4d, defect_4 = -defect_4e;
+  const double defect_5a = self->m01 * self->m02, defect_5b = self->m11 * self->m12,
+      defect_5c = defect_5a + defect_5b, defect_5d = self->m21 * self->m22,
+      defect_5e = defect_5c + defect_5d, defect_5 = -defect_5e;
+  const double correction_0 = 0.5 * defect_0;
+  const double correction_1 = 0.5 * defect_1;
+  const double correction_2 = 0.5 * defect_2;
+  const double correction_3 = 0.5 * defect_3;
+  const double correction_4 = 0.5 * defect_4;
+  const double correction_5 = 0.5 * defect_5;
+  const double self_00_new_a = self->m00 * correction_0, self_00_new_b = self->m01 * correction_3,
+      self_00_new_c = self_00_new_a + self_00_new_b, self_00_new_d = self->m02 * correction_4,
+      self_00_new_e = self_00_new_c + self_00_new_d, self_00_new = self->m00 + self_00_new_e;
+  const double self_01_new_a = self->m00 * correction_3, self_01_new_b = self->m01 * correction_1,
+      self_01_new_c = self_01_new_a + self_01_new_b, self_01_new_d = self->m02 * correction_5,
+      self_01_new_e = self_01_new_c + self_01_new_d, self_01_new = self_01_new_e + self->m01;
+  const double self_02_new_a = self->m00 * correction_4, self_02_new_b = self->m01 * correction_5,
+      self_02_new_c = self_02_new_a + self_02_new_b, self_02_new_d = self->m02 * correction_2,
+      self_02_new_e = self_02_new_c + self_02_new_d, self_02_new = self_02_new_e + self->m02;
+  const double self_10_new_a = self->m10 * correction_0, self_10_new_b = self->m11 * correction_3,
+      self_10_new_c = self_10_new_a + self_10_new_b, self_10_new_d = self->m12 * correction_4,
+      self_10_new_e = self_10_new_c + self_10_new_d, self_10_new = self->m10 + self_10_new_e;
+  const double self_11_new_a = self->m10 * correction_3, self_11_new_b = self->m11 * correction_1,
+      self_11_new_c = self_11_new_a + self_11_new_b, self_11_new_d = self->m12 * correction_5,
+      self_11_new_e = self_11_new_c + self_11_new_d, self_11_new = self_11_new_e + self->m11;
+  const double self_12_new_a = self->m10 * correction_4, self_12_new_b = self->m11 * correction_5,
+      self_12_new_c = self_12_new_a + self_12_new_b, self_12_new_d = self->m12 * correction_2,
+      self_12_new_e = self_12_new_c + self_12_new_d, self_12_new = self_12_new_e + self->m12;
+  const double self_20_new_a = self->m20 * correction_0, self_20_new_b = self->m21 * correction_3,
+      self_20_new_c = self_20_new_a + self_20_new_b, self_20_new_d = self->m22 * correction_4,
+      self_20_new_e = self_20_new_c + self_20_new_d, self_20_new = self->m20 + self_20_new_e;
+  const double self_21_new_a = self->m20 * correction_3, self_21_new_b = self->m21 * correction_1,
+      self_21_new_c = self_21_new_a + self_21_new_b, self_21_new_d = self->m22 * correction_5,
+      self_21_new_e = self_21_new_c + self_21_new_d, self_21_new = self_21_new_e + self->m21;
+  const double self_22_new_a = self->m20 * correction_4, self_22_new_b = self->m21 * correction_5,
+      self_22_new_c = self_22_new_a + self_22_new_b, self_22_new_d = self->m22 * correction_2,
+      self_22_new_e = self_22_new_c + self_22_new_d, self_22_new = self_22_new_e + self->m22;
+  self->m00 = self_00_new;
+  self->m01 = self_01_new;
+  self->m02 = self_02_new;
+  self->m10 = self_10_new;
+  self->m11 = self_11_new;
+  self->m12 = self_12_new;
+  self->m20 = self_20_new;
+  self->m21 = self_21_new;
+  self->m22 = self_22_new;
+}
+
+/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+   R, Ro: rotation or other 3×3 matrix.
+   51 mul, 42 add, 3 neg.
+   Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_mat3x3_orthonormalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
+  const double defect_0a = R->m00 * R->m00, defect_0b = 1.0 - defect_0a,
+      defect_0c = R->m10 * R->m10, defect_0d = defect_0b - defect_0c, defect_0e = R->m20 * R->m20,
+      defect_0 = defect_0d - defect_0e;
+  const double defect_1a = R->m01 * R->m01, defect_1b = 1.0 - defect_1a,
+      defect_1c = R->m11 * R->m11, defect_1d = defect_1b - defect_1c, defect_1e = R->m21 * R->m21,
+      defect_1 = defect_1d - defect_1e;
+  const double defect_2a = R->m02 * R->m02, defect_2b = 1.0 - defect_2a,
+      defect_2c = R->m12 * R->m12, defect_2d = defect_2b - defect_2c, defect_2e = R->m22 * R->m22,
+      defect_2 = defect_2d - defect_2e;
+  const double defect_3a = R->m00 * R->m01, defect_3b = R->m10 * R->m11,
+      defect_3c = defect_3a + defect_3b, defect_3d = R->m20 * R->m21,
+      defect_3e = defect_3c + defect_3d, defect_3 = -defect_3e;
+  const double defect_4a = R->m00 * R->m02, defect_4b = R->m10 * R->m12,
+      defect_4c = defect_4a + defect_4b, defect_4d = R->m20 * R->m22,
+      defect_4e = defect_4c + defect_4d, defect_4 = -defect_4e;
+  const double defect_5a = R->m01 * R->m02, defect_5b = R->m11 * R->m12,
+      defect_5c = defect_5a + defect_5b, defect_5d = R->m21 * R->m22,
+      defect_5e = defect_5c + defect_5d, defect_5 = -defect_5e;
+  const double correction_0 = 0.5 * defect_0;
+  const double correction_1 = 0.5 * defect_1;
+  const double correction_2 = 0.5 * defect_2;
+  const double correction_3 = 0.5 * defect_3;
+  const double correction_4 = 0.5 * defect_4;
+  const double correction_5 = 0.5 * defect_5;
+  const double Ro_00a = R->m00 * correction_0, Ro_00b = R->m01 * correction_3,
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = R->m02 * correction_4, Ro_00e = Ro_00c + Ro_00d,
+      Ro_00 = R->m00 + Ro_00e;
+  const double Ro_01a = R->m00 * correction_3, Ro_01b = R->m01 * correction_1,
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = R->m02 * correction_5, Ro_01e = Ro_01c + Ro_01d,
+      Ro_01 = Ro_01e + R->m01;
+  const double Ro_02a = R->m00 * correction_4, Ro_02b = R->m01 * correction_5,
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = R->m02 * correction_2, Ro_02e = Ro_02c + Ro_02d,
+      Ro_02 = Ro_02e + R->m02;
+  const double Ro_10a = R->m10 * correction_0, Ro_10b = R->m11 * correction_3,
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = R->m12 * correction_4, Ro_10e = Ro_10c + Ro_10d,
+      Ro_10 = R->m10 + Ro_10e;
+  const double Ro_11a = R->m10 * correction_3, Ro_11b = R->m11 * correction_1,
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = R->m12 * correction_5, Ro_11e = Ro_11c + Ro_11d,
+      Ro_11 = Ro_11e + R->m11;
+  const double Ro_12a = R->m10 * correction_4, Ro_12b = R->m11 * correction_5,
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = R->m12 * correction_2, Ro_12e = Ro_12c + Ro_12d,
+      Ro_12 = Ro_12e + R->m12;
+  const double Ro_20a = R->m20 * correction_0, Ro_20b = R->m21 * correction_3,
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = R->m22 * correction_4, Ro_20e = Ro_20c + Ro_20d,
+      Ro_20 = R->m20 + Ro_20e;
+  const double Ro_21a = R->m20 * correction_3, Ro_21b = R->m21 * correction_1,
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = R->m22 * correction_5, Ro_21e = Ro_21c + Ro_21d,
+      Ro_21 = Ro_21e + R->m21;
+  const double Ro_22a = R->m20 * correction_4, Ro_22b = R->m21 * correction_5,
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = R->m22 * correction_2, Ro_22e = Ro_22c + Ro_22d,
+      Ro_22 = Ro_22e + R->m22;
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+}
+
+/* D = exp s = [exp ω~ | J_l(ω) v].
+   s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
+   79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 less, 11 select. */
+static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
+  const double shifted_0 = s->m3 + 1610612736.0;
+  const double shifted_1 = s->m4 + 1610612736.0;
+  const double shifted_2 = s->m5 + 1610612736.0;
+  const double high_0 = shifted_0 - 1610612736.0;
+  const double high_1 = shifted_1 - 1610612736.0;
+  const double high_2 = shifted_2 - 1610612736.0;
+  const double low_0 = s->m3 - high_0;
+  const double low_1 = s->m4 - high_1;
+  const double low_2 = s->m5 - high_2;
+  const double sum_0 = s->m3 + high_0;
+  const double sum_1 = s->m4 + high_1;
+  const double sum_2 = s->m5 + high_2;
+  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double x = squares + cross;
+  const double theta_a = sqrt(x), theta = x < 4.0 ? 2.0 : theta_a;
+  const double theta_shifted = theta + 1610612736.0;
+  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_low = theta - theta_high;
+  const double theta_sum = theta + theta_high;
+  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double residual = cross_rest + exact;
+  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double far_sine_a = sin(theta), far_sine = x < 4.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 4.0 ? 0.0 : far_cosine_a;
+  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double far_x = x < 4.0 ? 4.0 : x;
+  const double closed1 = sine / theta;
+  const double versine = 1.0 - cosine;
+  const double closed2 = versine / far_x;
+  const double rest3 = 1.0 - closed1;
+  const double closed3 = rest3 / far_x;
+  const double g1a = 6.446950284384474e-26 * x, g1b = g1a - 3.868170170630684e-23, g1c = x * g1b,
+      g1d = g1c + 1.9572941063391263e-20, g1e = x * g1d, g1f = g1e - 8.22063524662433e-18,
+      g1g = x * g1f, g1h = g1g + 2.8114572543455206e-15, g1i = x * g1h,
+      g1j = g1i - 7.647163731819816e-13, g1k = x * g1j, g1l = g1k + 1.6059043836821613e-10,
+      g1m = x * g1l, g1n = g1m - 2.505210838544172e-08, g1o = x * g1n,
+      g1p = g1o + 2.7557319223985893e-06, g1q = x * g1p, g1r = g1q - 0.0001984126984126984,
+      g1s = x * g1r, g1t = g1s + 0.008333333333333333, g1u = x * g1t,
+      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 4.0 ? g1x : closed1;
+  const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
+      g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
+      g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
+      g2j = g2i - 4.779477332387385e-14, g2k = x * g2j, g2l = g2k + 1.1470745597729725e-11,
+      g2m = x * g2l, g2n = g2m - 2.08767569878681e-09, g2o = x * g2n,
+      g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
+      g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
+      g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
+      g2 = x < 4.0 ? g2x : closed2;
+  const double g3a = 9.183689863795546e-29 * x, g3b = g3a - 6.446950284384474e-26, g3c = x * g3b,
+      g3d = g3c + 3.868170170630684e-23, g3e = x * g3d, g3f = g3e - 1.9572941063391263e-20,
+      g3g = x * g3f, g3h = g3g + 8.22063524662433e-18, g3i = x * g3h,
+      g3j = g3i - 2.8114572543455206e-15, g3k = x * g3j, g3l = g3k + 7.647163731819816e-13,
+      g3m = x * g3l, g3n = g3m - 1.6059043836821613e-10, g3o = x * g3n,
+      g3p = g3o + 2.505210838544172e-08, g3q = x * g3p, g3r = g3q - 2.7557319223985893e-06,
+      g3s = x * g3r, g3t = g3s + 0.0001984126984126984, g3u = x * g3t,
+      g3v = g3u - 0.008333333333333333, g3w = x * g3v, g3x = g3w + 0.16666666666666666,
+      g3 = x < 4.0 ? g3x : closed3;
+  const double g0a = x * g2, g0b = 1.0 - g0a, g0 = x < 4.0 ? g0b : cosine;
+  const double u_0a = s->m2 * s->m4, u_0b = s->m1 * s->m5, u_0 = u_0a - u_0b;
+  const double u_1a = s->m0 * s->m5, u_1b = s->m2 * s->m3, u_1 = u_1a - u_1b;
+  const double u_2a = s->m1 * s->m3, u_2b = s->m0 * s->m4, u_2 = u_2a - u_2b;
+  const double turned_0 = g2 * u_0;
+  const double turned_1 = g2 * u_1;
+  const double turned_2 = g2 * u_2;
+  const double wv_a = s->m0 * s->m3, wv_b = s->m1 * s->m4, wv_c = wv_a + wv_b, wv_d = s->m2 * s->m5,
+      wv = wv_c + wv_d;
+  const double pitch = g3 * wv;
+  const double along_0 = s->m3 * pitch;
+  const double along_1 = s->m4 * pitch;
+  const double along_2 = s->m5 * pitch;
+  const double beta_v_0 = s->m3 * g2;
+  const double beta_v_1 = s->m4 * g2;
+  const double beta_v_2 = s->m5 * g2;
+  const double m_0 = s->m3 * beta_v_0;
+  const double m_1 = s->m4 * beta_v_1;
+  const double m_2 = s->m5 * beta_v_2;
+  const double m_3 = s->m4 * beta_v_0;
+  const double m_4 = s->m5 * beta_v_0;
+  const double m_5 = s->m5 * beta_v_1;
+  const double others_0 = m_1 + m_2;
+  const double others_1 = m_0 + m_2;
+  const double others_2 = m_0 + m_1;
+  const double diagonal0a = 1.0 - others_0, diagonal0b = g0 + m_0,
+      diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
+  const double diagonal1a = 1.0 - others_1, diagonal1b = g0 + m_1,
+      diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
+  const double diagonal2a = 1.0 - others_2, diagonal2b = g0 + m_2,
+      diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
+  const double alpha_v_0 = s->m3 * g1;
+  const double alpha_v_1 = s->m4 * g1;
+  const double alpha_v_2 = s->m5 * g1;
+  const double across_axis_0 = turned_0 + along_0;
+  const double across_axis_1 = turned_1 + along_1;
+  const double across_axis_2 = turned_2 + along_2;
+  const double D_01 = m_3 - alpha_v_2;
+  const double D_02 = m_4 + alpha_v_1;
+  const double D_03a = s->m0 * g1, D_03 = D_03a + across_axis_0;
+  const double D_10 = m_3 + alpha_v_2;
+  const double D_12 = m_5 - alpha_v_0;
+  const double D_13a = s->m1 * g1, D_13 = D_13a + across_axis_1;
+  const double D_20 = m_4 - alpha_v_1;
+  const double D_21 = m_5 + alpha_v_0;
+  const double D_23a = s->m2 * g1, D_23 = D_23a + across_axis_2;
+  D->m00 = diagonal0;
+  D->m01 = D_01;
+  D->m02 = D_02;
+  D->m03 = D_03;
+  D->m10 = D_10;
+  D->m11 = diagonal1;
+  D->m12 = D_12;
+  D->m13 = D_13;
+  D->m20 = D_20;
+  D->m21 = D_21;
+  D->m22 = diagonal2;
+  D->m23 = D_23;
+}
+
+/* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   48 mul, 49 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 11 less, 1 equal, 26 select. */
+static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
+  const double p_0 = D->m21 - D->m12;
+  const double p_1 = D->m02 - D->m20;
+  const double p_2 = D->m10 - D->m01;
+  const double s_0 = D->m12 + D->m21;
+  const double s_1 = D->m02 + D->m20;
+  const double s_2 = D->m01 + D->m10;
+  const double d_0a = D->m00 + D->m11, d_0b = d_0a + D->m22, d_0 = d_0b + 1.0;
+  const double d_1a = D->m00 - D->m11, d_1b = d_1a - D->m22, d_1 = d_1b + 1.0;
+  const double d_2a = D->m11 - D->m00, d_2b = d_2a - D->m22, d_2 = d_2b + 1.0;
+  const double d_3a = D->m22 - D->m00, d_3b = d_3a - D->m11, d_3 = d_3b + 1.0;
+  const double low_0 = D->m11 < D->m00 ? p_0 : p_1;
+  const double low_1 = D->m11 < D->m00 ? d_1 : s_2;
+  const double low_2 = D->m11 < D->m00 ? s_2 : d_2;
+  const double low_3 = D->m11 < D->m00 ? s_1 : s_0;
+  const double high_0a = -D->m11, high_0 = D->m00 < high_0a ? p_2 : d_0;
+  const double high_1 = D->m00 < high_0a ? s_1 : p_0;
+  const double high_2 = D->m00 < high_0a ? s_0 : p_1;
+  const double high_3 = D->m00 < high_0a ? d_3 : p_2;
+  const double column_0 = D->m22 < 0.0 ? low_0 : high_0;
+  const double column_1 = D->m22 < 0.0 ? low_1 : high_1;
+  const double column_2 = D->m22 < 0.0 ? low_2 : high_2;
+  const double column_3 = D->m22 < 0.0 ? low_3 : high_3;
+  const double upper_0a = -column_0, upper_0 = column_0 < 0.0 ? upper_0a : column_0;
+  const double upper_1a = -column_1, upper_1 = column_0 < 0.0 ? upper_1a : column_1;
+  const double upper_2a = -column_2, upper_2 = column_0 < 0.0 ? upper_2a : column_2;
+  const double upper_3a = -column_3, upper_3 = column_0 < 0.0 ? upper_3a : column_3;
+  const double v_s_size_0 = fabs(upper_1);
+  const double v_s_size_1 = fabs(upper_2);
+  const double v_s_size_2 = fabs(upper_3);
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+  const double v_y_0 = upper_1 * v_s;
+  const double v_y_1 = upper_2 * v_s;
+  const double v_y_2 = upper_3 * v_s;
+  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+  const double n = v_n * v_r;
+  const double half = atan2(n, upper_0);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double theta = 2.0 * half;
+  const double k = theta / divisor;
+  const double vector_0 = upper_1 * k;
+  const double vector_1 = upper_2 * k;
+  const double vector_2 = upper_3 * k;
+  const double x = theta * theta;
+  const double far_sine = x < 4.0 ? 1.0 : n;
+  const double cotangent = upper_0 / far_sine;
+  const double u_0a = D->m23 * vector_1, u_0b = D->m13 * vector_2, u_0 = u_0a - u_0b;
+  const double u_1a = D->m03 * vector_2, u_1b = D->m23 * vector_0, u_1 = u_1a - u_1b;
+  const double u_2a = D->m13 * vector_0, u_2b = D->m03 * vector_1, u_2 = u_2a - u_2b;
+  const double b_rest_a = 0.5 * theta, b_rest_b = b_rest_a * cotangent, b_rest = 1.0 - b_rest_b;
+  const double b_divisor = x < 4.0 ? 4.0 : x;
+  const double closed_b = b_rest / b_divisor;
+  const double b_a = 1.455172475614865e-27 * x, b_b = b_a + 5.744790668872202e-26, b_c = x * b_b,
+      b_d = b_c + 2.267952452337683e-24, b_e = x * b_d, b_f = b_e + 8.953517427037546e-23,
+      b_g = x * b_f, b_h = b_g + 3.534707039629467e-21, b_i = x * b_h,
+      b_j = b_i + 1.3954464685812522e-19, b_k = x * b_j, b_l = b_k + 5.5090028283602295e-18,
+      b_m = x * b_l, b_n = b_m + 2.174868698558062e-16, b_o = x * b_n,
+      b_p = b_o + 8.586062056277845e-15, b_q = x * b_p, b_r = b_q + 3.3896802963225827e-13,
+      b_s = x * b_r, b_t = b_s + 1.3382536530684679e-11, b_u = x * b_t,
+      b_v = b_u + 5.284190138687493e-10, b_w = x * b_v, b_x = b_w + 2.08767569878681e-08,
+      b_y = x * b_x, b_z = b_y + 8.267195767195768e-07, b_aa = x * b_z,
+      b_ab = b_aa + 3.306878306878307e-05, b_ac = x * b_ab, b_ad = b_ac + 0.001388888888888889,
+      b_ae = x * b_ad, b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
+  const double uu_0a = vector_1 * u_2, uu_0b = vector_2 * u_1, uu_0 = uu_0a - uu_0b;
+  const double uu_1a = vector_2 * u_0, uu_1b = vector_0 * u_2, uu_1 = uu_1a - uu_1b;
+  const double uu_2a = vector_0 * u_1, uu_2b = vector_1 * u_0, uu_2 = uu_2a - uu_2b;
+  const double small_0a = b * uu_0, small_0b = 0.5 * u_0, small_0 = small_0a - small_0b;
+  const double small_1a = b * uu_1, small_1b = 0.5 * u_1, small_1 = small_1a - small_1b;
+  const double small_2a = b * uu_2, small_2b = 0.5 * u_2, small_2 = small_2a - small_2b;
+  const double so_0 = D->m03 + small_0;
+  const double so_1 = D->m13 + small_1;
+  const double so_2 = D->m23 + small_2;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = vector_0;
+  so->m4 = vector_1;
+  so->m5 = vector_2;
+}
+
+/* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
+   s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+   120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 4 less, 12 select. */
+static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
+  const double shifted_0 = s->m3 + 1610612736.0;
+  const double shifted_1 = s->m4 + 1610612736.0;
+  const double shifted_2 = s->m5 + 1610612736.0;
+  const double high_0 = shifted_0 - 1610612736.0;
+  const double high_1 = shifted_1 - 1610612736.0;
+  const double high_2 = shifted_2 - 1610612736.0;
+  const double low_0 = s->m3 - high_0;
+  const double low_1 = s->m4 - high_1;
+  const double low_2 = s->m5 - high_2;
+  const double sum_0 = s->m3 + high_0;
+  const double sum_1 = s->m4 + high_1;
+  const double sum_2 = s->m5 + high_2;
+  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double x = squares + cross;
+  const double theta_a = sqrt(x), theta = x < 4.0 ? 2.0 : theta_a;
+  const double theta_shifted = theta + 1610612736.0;
+  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_low = theta - theta_high;
+  const double theta_sum = theta + theta_high;
+  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double residual = cross_rest + exact;
+  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double far_sine_a = sin(theta), far_sine = x < 4.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 4.0 ? 0.0 : far_cosine_a;
+  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double far_x = x < 4.0 ? 4.0 : x;
+  const double closed1 = sine / theta;
+  const double versine = 1.0 - cosine;
+  const double closed2 = versine / far_x;
+  const double rest3 = 1.0 - closed1;
+  const double closed3 = rest3 / far_x;
+  const double rest4 = 0.5 - closed2;
+  const double closed4 = rest4 / far_x;
+  const double rest5 = 0.16666666666666666 - closed3;
+  const double closed5 = rest5 / far_x;
+  const double g1a = 6.446950284384474e-26 * x, g1b = g1a - 3.868170170630684e-23, g1c = x * g1b,
+      g1d = g1c + 1.9572941063391263e-20, g1e = x * g1d, g1f = g1e - 8.22063524662433e-18,
+      g1g = x * g1f, g1h = g1g + 2.8114572543455206e-15, g1i = x * g1h,
+      g1j = g1i - 7.647163731819816e-13, g1k = x * g1j, g1l = g1k + 1.6059043836821613e-10,
+      g1m = x * g1l, g1n = g1m - 2.505210838544172e-08, g1o = x * g1n,
+      g1p = g1o + 2.7557319223985893e-06, g1q = x * g1p, g1r = g1q - 0.0001984126984126984,
+      g1s = x * g1r, g1t = g1s + 0.008333333333333333, g1u = x * g1t,
+      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 4.0 ? g1x : closed1;
+  const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
+      g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
+      g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
+      g2j = g2i - 4.779477332387385e-14, g2k = x * g2j, g2l = g2k + 1.1470745597729725e-11,
+      g2m = x * g2l, g2n = g2m - 2.08767569878681e-09, g2o = x * g2n,
+      g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
+      g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
+      g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
+      g2 = x < 4.0 ? g2x : closed2;
+  const double g3a = 9.183689863795546e-29 * x, g3b = g3a - 6.446950284384474e-26, g3c = x * g3b,
+      g3d = g3c + 3.868170170630684e-23, g3e = x * g3d, g3f = g3e - 1.9572941063391263e-20,
+      g3g = x * g3f, g3h = g3g + 8.22063524662433e-18, g3i = x * g3h,
+      g3j = g3i - 2.8114572543455206e-15, g3k = x * g3j, g3l = g3k + 7.647163731819816e-13,
+      g3m = x * g3l, g3n = g3m - 1.6059043836821613e-10, g3o = x * g3n,
+      g3p = g3o + 2.505210838544172e-08, g3q = x * g3p, g3r = g3q - 2.7557319223985893e-06,
+      g3s = x * g3r, g3t = g3s + 0.0001984126984126984, g3u = x * g3t,
+      g3v = g3u - 0.008333333333333333, g3w = x * g3v, g3x = g3w + 0.16666666666666666,
+      g3 = x < 4.0 ? g3x : closed3;
+  const double g4a = 3.279889237069838e-30 * x, g4b = g4a - 2.4795962632247976e-27, g4c = x * g4b,
+      g4d = g4c + 1.6117375710961184e-24, g4e = x * g4d, g4f = g4e - 8.896791392450574e-22,
+      g4g = x * g4f, g4h = g4g + 4.110317623312165e-19, g4i = x * g4h,
+      g4j = g4i - 1.5619206968586225e-16, g4k = x * g4j, g4l = g4k + 4.779477332387385e-14,
+      g4m = x * g4l, g4n = g4m - 1.1470745597729725e-11, g4o = x * g4n,
+      g4p = g4o + 2.08767569878681e-09, g4q = x * g4p, g4r = g4q - 2.755731922398589e-07,
+      g4s = x * g4r, g4t = g4s + 2.48015873015873e-05, g4u = x * g4t,
+      g4v = g4u - 0.001388888888888889, g4w = x * g4v, g4x = g4w + 0.041666666666666664,
+      g4 = x < 4.0 ? g4x : closed4;
+  const double g5a = 1.1309962886447716e-31 * x, g5b = g5a - 9.183689863795546e-29, g5c = x * g5b,
+      g5d = g5c + 6.446950284384474e-26, g5e = x * g5d, g5f = g5e - 3.868170170630684e-23,
+      g5g = x * g5f, g5h = g5g + 1.9572941063391263e-20, g5i = x * g5h,
+      g5j = g5i - 8.22063524662433e-18, g5k = x * g5j, g5l = g5k + 2.8114572543455206e-15,
+      g5m = x * g5l, g5n = g5m - 7.647163731819816e-13, g5o = x * g5n,
+      g5p = g5o + 1.6059043836821613e-10, g5q = x * g5p, g5r = g5q - 2.505210838544172e-08,
+      g5s = x * g5r, g5t = g5s + 2.7557319223985893e-06, g5u = x * g5t,
+      g5v = g5u - 0.0001984126984126984, g5w = x * g5v, g5x = g5w + 0.008333333333333333,
+      g5 = x < 4.0 ? g5x : closed5;
+  const double beta_v_0 = s->m3 * g3;
+  const double beta_v_1 = s->m4 * g3;
+  const double beta_v_2 = s->m5 * g3;
+  const double m_0 = s->m3 * beta_v_0;
+  const double m_1 = s->m4 * beta_v_1;
+  const double m_2 = s->m5 * beta_v_2;
+  const double m_3 = s->m4 * beta_v_0;
+  const double m_4 = s->m5 * beta_v_0;
+  const double m_5 = s->m5 * beta_v_1;
+  const double others_0 = m_1 + m_2;
+  const double others_1 = m_0 + m_2;
+  const double others_2 = m_0 + m_1;
+  const double diagonal0a = 1.0 - others_0, diagonal0b = g1 + m_0,
+      diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
+  const double diagonal1a = 1.0 - others_1, diagonal1b = g1 + m_1,
+      diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
+  const double diagonal2a = 1.0 - others_2, diagonal2b = g1 + m_2,
+      diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
+  const double alpha_v_0 = s->m3 * g2;
+  const double alpha_v_1 = s->m4 * g2;
+  const double alpha_v_2 = s->m5 * g2;
+  const double J_1 = m_3 - alpha_v_2;
+  const double J_2 = m_4 + alpha_v_1;
+  const double J_3 = m_3 + alpha_v_2;
+  const double J_5 = m_5 - alpha_v_0;
+  const double J_6 = m_4 - alpha_v_1;
+  const double J_7 = m_5 + alpha_v_0;
+  const double vw_a = s->m0 * s->m3, vw_b = s->m1 * s->m4, vw_c = vw_a + vw_b, vw_d = s->m2 * s->m5,
+      vw = vw_c + vw_d;
+  const double turn_rate_a = 2.0 * g4, turn_rate = turn_rate_a - g3;
+  const double turn = vw * turn_rate;
+  const double bend_rate_a = 3.0 * g5, bend_rate = g4 - bend_rate_a;
+  const double bend = vw * bend_rate;
+  const double q_0a = s->m0 * g2, q_0b = s->m3 * turn, q_0 = q_0a + q_0b;
+  const double q_1a = s->m1 * g2, q_1b = s->m4 * turn, q_1 = q_1a + q_1b;
+  const double q_2a = s->m2 * g2, q_2b = s->m5 * turn, q_2 = q_2a + q_2b;
+  const double g3_v_0 = s->m0 * g3;
+  const double g3_v_1 = s->m1 * g3;
+  const double g3_v_2 = s->m2 * g3;
+  const double bend_w_0 = s->m3 * bend;
+  const double bend_w_1 = s->m4 * bend;
+  const double bend_w_2 = s->m5 * bend;
+  const double symmetric_0a = s->m3 * g3_v_1, symmetric_0b = s->m4 * g3_v_0,
+      symmetric_0c = symmetric_0a + symmetric_0b, symmetric_0d = s->m4 * bend_w_0,
+      symmetric_0 = symmetric_0c - symmetric_0d;
+  const double symmetric_1a = s->m3 * g3_v_2, symmetric_1b = s->m5 * g3_v_0,
+      symmetric_1c = symmetric_1a + symmetric_1b, symmetric_1d = s->m5 * bend_w_0,
+      symmetric_1 = symmetric_1c - symmetric_1d;
+  const double symmetric_2a = s->m4 * g3_v_2, symmetric_2b = s->m5 * g3_v_1,
+      symmetric_2c = symmetric_2a + symmetric_2b, symmetric_2d = s->m5 * bend_w_1,
+      symmetric_2 = symmetric_2c - symmetric_2d;
+  const double diagonal_0a = s->m4 * bend_w_1, diagonal_0b = s->m5 * bend_w_2,
+      diagonal_0c = diagonal_0a + diagonal_0b, diagonal_0d = 2.0 * s->m4,
+      diagonal_0e = diagonal_0d * g3_v_1, diagonal_0f = 2.0 * s->m5,
+      diagonal_0g = diagonal_0f * g3_v_2, diagonal_0h = diagonal_0e + diagonal_0g,
+      diagonal_0 = diagonal_0c - diagonal_0h;
+  const double diagonal_1a = s->m3 * bend_w_0, diagonal_1b = diagonal_1a + diagonal_0b,
+      diagonal_1c = 2.0 * s->m3, diagonal_1d = diagonal_1c * g3_v_0,
+      diagonal_1e = diagonal_1d + diagonal_0g, diagonal_1 = diagonal_1b - diagonal_1e;
+  const double diagonal_2a = diagonal_1a + diagonal_0a, diagonal_2b = diagonal_1d + diagonal_0e,
+      diagonal_2 = diagonal_2a - diagonal_2b;
+  const double M_04 = symmetric_0 - q_2;
+  const double M_05 = q_1 + symmetric_1;
+  const double M_13 = q_2 + symmetric_0;
+  const double M_15 = symmetric_2 - q_0;
+  const double M_23 = symmetric_1 - q_1;
+  const double M_24 = q_0 + symmetric_2;
+  M->at[0][0] = diagonal0;
+  M->at[1][0] = J_1;
+  M->at[2][0] = J_2;
+  M->at[3][0] = diagonal_0;
+  M->at[4][0] = M_04;
+  M->at[5][0] = M_05;
+  M->at[0][1] = J_3;
+  M->at[1][1] = diagonal1;
+  M->at[2][1] = J_5;
+  M->at[3][1] = M_13;
+  M->at[4][1] = diagonal_1;
+  M->at[5][1] = M_15;
+  M->at[0][2] = J_6;
+  M->at[1][2] = J_7;
+  M->at[2][2] = diagonal2;
+  M->at[3][2] = M_23;
+  M->at[4][2] = M_24;
+  M->at[5][2] = diagonal_2;
+  M->at[0][3] = 0.0;
+  M->at[1][3] = 0.0;
+  M->at[2][3] = 0.0;
+  M->at[3][3] = diagonal0;
+  M->at[4][3] = J_1;
+  M->at[5][3] = J_2;
+  M->at[0][4] = 0.0;
+  M->at[1][4] = 0.0;
+  M->at[2][4] = 0.0;
+  M->at[3][4] = J_3;
+  M->at[4][4] = diagonal1;
+  M->at[5][4] = J_5;
+  M->at[0][5] = 0.0;
+  M->at[1][5] = 0.0;
+  M->at[2][5] = 0.0;
+  M->at[3][5] = J_6;
+  M->at[4][5] = J_7;
+  M->at[5][5] = diagonal2;
+}
+
+/* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
+   s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+   120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 4 less, 12 select. */
+static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
+  const double shifted_0 = s->m3 + 1610612736.0;
+  const double shifted_1 = s->m4 + 1610612736.0;
+  const double shifted_2 = s->m5 + 1610612736.0;
+  const double high_0 = shifted_0 - 1610612736.0;
+  const double high_1 = shifted_1 - 1610612736.0;
+  const double high_2 = shifted_2 - 1610612736.0;
+  const double low_0 = s->m3 - high_0;
+  const double low_1 = s->m4 - high_1;
+  const double low_2 = s->m5 - high_2;
+  const double sum_0 = s->m3 + high_0;
+  const double sum_1 = s->m4 + high_1;
+  const double sum_2 = s->m5 + high_2;
+  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double x = squares + cross;
+  const double theta_a = sqrt(x), theta = x < 4.0 ? 2.0 : theta_a;
+  const double theta_shifted = theta + 1610612736.0;
+  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_low = theta - theta_high;
+  const double theta_sum = theta + theta_high;
+  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double residual = cross_rest + exact;
+  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double far_sine_a = sin(theta), far_sine = x < 4.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 4.0 ? 0.0 : far_cosine_a;
+  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double far_x = x < 4.0 ? 4.0 : x;
+  const double closed1 = sine / theta;
+  const double versine = 1.0 - cosine;
+  const double closed2 = versine / far_x;
+  const double rest3 = 1.0 - closed1;
+  const double closed3 = rest3 / far_x;
+  const double rest4 = 0.5 - closed2;
+  const double closed4 = rest4 / far_x;
+  const double rest5 = 0.16666666666666666 - closed3;
+  const double closed5 = rest5 / far_x;
+  const double g1a = 6.446950284384474e-26 * x, g1b = g1a - 3.868170170630684e-23, g1c = x * g1b,
+      g1d = g1c + 1.9572941063391263e-20, g1e = x * g1d, g1f = g1e - 8.22063524662433e-18,
+      g1g = x * g1f, g1h = g1g + 2.8114572543455206e-15, g1i = x * g1h,
+      g1j = g1i - 7.647163731819816e-13, g1k = x * g1j, g1l = g1k + 1.6059043836821613e-10,
+      g1m = x * g1l, g1n = g1m - 2.505210838544172e-08, g1o = x * g1n,
+      g1p = g1o + 2.7557319223985893e-06, g1q = x * g1p, g1r = g1q - 0.0001984126984126984,
+      g1s = x * g1r, g1t = g1s + 0.008333333333333333, g1u = x * g1t,
+      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 4.0 ? g1x : closed1;
+  const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
+      g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
+      g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
+      g2j = g2i - 4.779477332387385e-14, g2k = x * g2j, g2l = g2k + 1.1470745597729725e-11,
+      g2m = x * g2l, g2n = g2m - 2.08767569878681e-09, g2o = x * g2n,
+      g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
+      g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
+      g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
+      g2 = x < 4.0 ? g2x : closed2;
+  const double g3a = 9.183689863795546e-29 * x, g3b = g3a - 6.446950284384474e-26, g3c = x * g3b,
+      g3d = g3c + 3.868170170630684e-23, g3e = x * g3d, g3f = g3e - 1.9572941063391263e-20,
+      g3g = x * g3f, g3h = g3g + 8.22063524662433e-18, g3i = x * g3h,
+      g3j = g3i - 2.8114572543455206e-15, g3k = x * g3j, g3l = g3k + 7.647163731819816e-13,
+      g3m = x * g3l, g3n = g3m - 1.6059043836821613e-10, g3o = x * g3n,
+      g3p = g3o + 2.505210838544172e-08, g3q = x * g3p, g3r = g3q - 2.7557319223985893e-06,
+      g3s = x * g3r, g3t = g3s + 0.0001984126984126984, g3u = x * g3t,
+      g3v = g3u - 0.008333333333333333, g3w = x * g3v, g3x = g3w + 0.16666666666666666,
+      g3 = x < 4.0 ? g3x : closed3;
+  const double g4a = 3.279889237069838e-30 * x, g4b = g4a - 2.4795962632247976e-27, g4c = x * g4b,
+      g4d = g4c + 1.6117375710961184e-24, g4e = x * g4d, g4f = g4e - 8.896791392450574e-22,
+      g4g = x * g4f, g4h = g4g + 4.110317623312165e-19, g4i = x * g4h,
+      g4j = g4i - 1.5619206968586225e-16, g4k = x * g4j, g4l = g4k + 4.779477332387385e-14,
+      g4m = x * g4l, g4n = g4m - 1.1470745597729725e-11, g4o = x * g4n,
+      g4p = g4o + 2.08767569878681e-09, g4q = x * g4p, g4r = g4q - 2.755731922398589e-07,
+      g4s = x * g4r, g4t = g4s + 2.48015873015873e-05, g4u = x * g4t,
+      g4v = g4u - 0.001388888888888889, g4w = x * g4v, g4x = g4w + 0.041666666666666664,
+      g4 = x < 4.0 ? g4x : closed4;
+  const double g5a = 1.1309962886447716e-31 * x, g5b = g5a - 9.183689863795546e-29, g5c = x * g5b,
+      g5d = g5c + 6.446950284384474e-26, g5e = x * g5d, g5f = g5e - 3.868170170630684e-23,
+      g5g = x * g5f, g5h = g5g + 1.9572941063391263e-20, g5i = x * g5h,
+      g5j = g5i - 8.22063524662433e-18, g5k = x * g5j, g5l = g5k + 2.8114572543455206e-15,
+      g5m = x * g5l, g5n = g5m - 7.647163731819816e-13, g5o = x * g5n,
+      g5p = g5o + 1.6059043836821613e-10, g5q = x * g5p, g5r = g5q - 2.505210838544172e-08,
+      g5s = x * g5r, g5t = g5s + 2.7557319223985893e-06, g5u = x * g5t,
+      g5v = g5u - 0.0001984126984126984, g5w = x * g5v, g5x = g5w + 0.008333333333333333,
+      g5 = x < 4.0 ? g5x : closed5;
+  const double beta_v_0 = s->m3 * g3;
+  const double beta_v_1 = s->m4 * g3;
+  const double beta_v_2 = s->m5 * g3;
+  const double m_0 = s->m3 * beta_v_0;
+  const double m_1 = s->m4 * beta_v_1;
+  const double m_2 = s->m5 * beta_v_2;
+  const double m_3 = s->m4 * beta_v_0;
+  const double m_4 = s->m5 * beta_v_0;
+  const double m_5 = s->m5 * beta_v_1;
+  const double others_0 = m_1 + m_2;
+  const double others_1 = m_0 + m_2;
+  const double others_2 = m_0 + m_1;
+  const double diagonal0a = 1.0 - others_0, diagonal0b = g1 + m_0,
+      diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
+  const double diagonal1a = 1.0 - others_1, diagonal1b = g1 + m_1,
+      diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
+  const double diagonal2a = 1.0 - others_2, diagonal2b = g1 + m_2,
+      diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
+  const double alpha_v_0a = s->m3 * g2, alpha_v_0 = -alpha_v_0a;
+  const double alpha_v_1a = s->m4 * g2, alpha_v_1 = -alpha_v_1a;
+  const double alpha_v_2a = s->m5 * g2, alpha_v_2 = -alpha_v_2a;
+  const double J_1 = m_3 - alpha_v_2;
+  const double J_2 = m_4 + alpha_v_1;
+  const double J_3 = m_3 + alpha_v_2;
+  const double J_5 = m_5 - alpha_v_0;
+  const double J_6 = m_4 - alpha_v_1;
+  const double J_7 = m_5 + alpha_v_0;
+  const double vw_a = s->m0 * s->m3, vw_b = s->m1 * s->m4, vw_c = vw_a + vw_b, vw_d = s->m2 * s->m5,
+      vw = vw_c + vw_d;
+  const double turn_rate_a = 2.0 * g4, turn_rate = turn_rate_a - g3;
+  const double turn = vw * turn_rate;
+  const double bend_rate_a = 3.0 * g5, bend_rate = g4 - bend_rate_a;
+  const double bend = vw * bend_rate;
+  const double q_0a = s->m0 * g2, q_0b = s->m3 * turn, q_0c = q_0a + q_0b, q_0 = -q_0c;
+  const double q_1a = s->m1 * g2, q_1b = s->m4 * turn, q_1c = q_1a + q_1b, q_1 = -q_1c;
+  const double q_2a = s->m2 * g2, q_2b = s->m5 * turn, q_2c = q_2a + q_2b, q_2 = -q_2c;
+  const double g3_v_0a = s->m0 * g3, g3_v_0 = -g3_v_0a;
+  const double g3_v_1a = s->m1 * g3, g3_v_1 = -g3_v_1a;
+  const double g3_v_2a = s->m2 * g3, g3_v_2 = -g3_v_2a;
+  const double bend_w_0a = s->m3 * bend, bend_w_0 = -bend_w_0a;
+  const double bend_w_1a = s->m4 * bend, bend_w_1 = -bend_w_1a;
+  const double bend_w_2a = s->m5 * bend, bend_w_2 = -bend_w_2a;
+  const double symmetric_0a = s->m4 * bend_w_0, symmetric_0b = s->m3 * g3_v_1,
+      symmetric_0c = s->m4 * g3_v_0, symmetric_0d = symmetric_0b + symmetric_0c,
+      symmetric_0 = symmetric_0a - symmetric_0d;
+  const double symmetric_1a = s->m5 * bend_w_0, symmetric_1b = s->m3 * g3_v_2,
+      symmetric_1c = s->m5 * g3_v_0, symmetric_1d = symmetric_1b + symmetric_1c,
+      symmetric_1 = symmetric_1a - symmetric_1d;
+  const double symmetric_2a = s->m5 * bend_w_1, symmetric_2b = s->m4 * g3_v_2,
+      symmetric_2c = s->m5 * g3_v_1, symmetric_2d = symmetric_2b + symmetric_2c,
+      symmetric_2 = symmetric_2a - symmetric_2d;
+  const double diagonal_0a = 2.0 * s->m4, diagonal_0b = diagonal_0a * g3_v_1,
+      diagonal_0c = 2.0 * s->m5, diagonal_0d = diagonal_0c * g3_v_2,
+      diagonal_0e = diagonal_0b + diagonal_0d, diagonal_0f = s->m4 * bend_w_1,
+      diagonal_0g = s->m5 * bend_w_2, diagonal_0h = diagonal_0f + diagonal_0g,
+      diagonal_0 = diagonal_0e - diagonal_0h;
+  const double diagonal_1a = 2.0 * s->m3, diagonal_1b = diagonal_1a * g3_v_0,
+      diagonal_1c = diagonal_1b + diagonal_0d, diagonal_1d = s->m3 * bend_w_0,
+      diagonal_1e = diagonal_1d + diagonal_0g, diagonal_1 = diagonal_1c - diagonal_1e;
+  const double diagonal_2a = diagonal_1b + diagonal_0b, diagonal_2b = diagonal_1d + diagonal_0f,
+      diagonal_2 = diagonal_2a - diagonal_2b;
+  const double M_04 = symmetric_0 - q_2;
+  const double M_05 = q_1 + symmetric_1;
+  const double M_13 = q_2 + symmetric_0;
+  const double M_15 = symmetric_2 - q_0;
+  const double M_23 = symmetric_1 - q_1;
+  const double M_24 = q_0 + symmetric_2;
+  M->at[0][0] = diagonal0;
+  M->at[1][0] = J_1;
+  M->at[2][0] = J_2;
+  M->at[3][0] = diagonal_0;
+  M->at[4][0] = M_04;
+  M->at[5][0] = M_05;
+  M->at[0][1] = J_3;
+  M->at[1][1] = diagonal1;
+  M->at[2][1] = J_5;
+  M->at[3][1] = M_13;
+  M->at[4][1] = diagonal_1;
+  M->at[5][1] = M_15;
+  M->at[0][2] = J_6;
+  M->at[1][2] = J_7;
+  M->at[2][2] = diagonal2;
+  M->at[3][2] = M_23;
+  M->at[4][2] = M_24;
+  M->at[5][2] = diagonal_2;
+  M->at[0][3] = 0.0;
+  M->at[1][3] = 0.0;
+  M->at[2][3] = 0.0;
+  M->at[3][3] = diagonal0;
+  M->at[4][3] = J_1;
+  M->at[5][3] = J_2;
+  M->at[0][4] = 0.0;
+  M->at[1][4] = 0.0;
+  M->at[2][4] = 0.0;
+  M->at[3][4] = J_3;
+  M->at[4][4] = diagonal1;
+  M->at[5][4] = J_5;
+  M->at[0][5] = 0.0;
+  M->at[1][5] = 0.0;
+  M->at[2][5] = 0.0;
+  M->at[3][5] = J_6;
+  M->at[4][5] = J_7;
+  M->at[5][5] = diagonal2;
+}
+
+/* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
+   s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+   180 mul, 172 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 2 less, 11 select. */
+static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
+  const double shifted_0 = s->m3 + 1610612736.0;
+  const double shifted_1 = s->m4 + 1610612736.0;
+  const double shifted_2 = s->m5 + 1610612736.0;
+  const double high_0 = shifted_0 - 1610612736.0;
+  const double high_1 = shifted_1 - 1610612736.0;
+  const double high_2 = shifted_2 - 1610612736.0;
+  const double low_0 = s->m3 - high_0;
+  const double low_1 = s->m4 - high_1;
+  const double low_2 = s->m5 - high_2;
+  const double sum_0 = s->m3 + high_0;
+  const double sum_1 = s->m4 + high_1;
+  const double sum_2 = s->m5 + high_2;
+  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double x = squares + cross;
+  const double theta_a = sqrt(x), theta = x < 4.0 ? 2.0 : theta_a;
+  const double theta_shifted = theta + 1610612736.0;
+  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_low = theta - theta_high;
+  const double theta_sum = theta + theta_high;
+  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double residual = cross_rest + exact;
+  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double far_sine_a = sin(theta), far_sine = x < 4.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 4.0 ? 0.0 : far_cosine_a;
+  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
+  const double below_a = 1.0 - cosine, below = cosine < 0.0 ? below_a : sine;
+  const double cotangent = above / below;
+  const double b_rest_a = 0.5 * theta, b_rest_b = b_rest_a * cotangent, b_rest = 1.0 - b_rest_b;
+  const double b_divisor = x < 4.0 ? 4.0 : x;
+  const double closed_b = b_rest / b_divisor;
+  const double b_a = 1.455172475614865e-27 * x, b_b = b_a + 5.744790668872202e-26, b_c = x * b_b,
+      b_d = b_c + 2.267952452337683e-24, b_e = x * b_d, b_f = b_e + 8.953517427037546e-23,
+      b_g = x * b_f, b_h = b_g + 3.534707039629467e-21, b_i = x * b_h,
+      b_j = b_i + 1.3954464685812522e-19, b_k = x * b_j, b_l = b_k + 5.5090028283602295e-18,
+      b_m = x * b_l, b_n = b_m + 2.174868698558062e-16, b_o = x * b_n,
+      b_p = b_o + 8.586062056277845e-15, b_q = x * b_p, b_r = b_q + 3.3896802963225827e-13,
+      b_s = x * b_r, b_t = b_s + 1.3382536530684679e-11, b_u = x * b_t,
+      b_v = b_u + 5.284190138687493e-10, b_w = x * b_v, b_x = b_w + 2.08767569878681e-08,
+      b_y = x * b_x, b_z = b_y + 8.267195767195768e-07, b_aa = x * b_z,
+      b_ab = b_aa + 3.306878306878307e-05, b_ac = x * b_ab, b_ad = b_ac + 0.001388888888888889,
+      b_ae = x * b_ad, b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
+  const double beta_v_0 = s->m3 * b;
+  const double beta_v_1 = s->m4 * b;
+  const double beta_v_2 = s->m5 * b;
+  const double m_0 = s->m3 * beta_v_0;
+  const double m_1 = s->m4 * beta_v_1;
+  const double m_2 = s->m5 * beta_v_2;
+  const double m_3 = s->m4 * beta_v_0;
+  const double m_4 = s->m5 * beta_v_0;
+  const double m_5 = s->m5 * beta_v_1;
+  const double others_0 = m_1 + m_2;
+  const double others_1 = m_0 + m_2;
+  const double others_2 = m_0 + m_1;
+  const double alpha_v_0a = 0.5 * s->m3, alpha_v_0 = -alpha_v_0a;
+  const double alpha_v_1a = 0.5 * s->m4, alpha_v_1 = -alpha_v_1a;
+  const double alpha_v_2a = 0.5 * s->m5, alpha_v_2 = -alpha_v_2a;
+  const double J_0 = 1.0 - others_0;
+  const double J_1 = m_3 - alpha_v_2;
+  const double J_2 = m_4 + alpha_v_1;
+  const double J_3 = m_3 + alpha_v_2;
+  const double J_4 = 1.0 - others_1;
+  const double J_5 = m_5 - alpha_v_0;
+  const double J_6 = m_4 - alpha_v_1;
+  const double J_7 = m_5 + alpha_v_0;
+  const double J_8 = 1.0 - others_2;
+  const double closed1 = sine / theta;
+  const double closed2 = below_a / b_divisor;
+  const double rest3 = 1.0 - closed1;
+  const double closed3 = rest3 / b_divisor;
+  const double rest4 = 0.5 - closed2;
+  const double closed4 = rest4 / b_divisor;
+  const double rest5 = 0.16666666666666666 - closed3;
+  const double closed5 = rest5 / b_divisor;
+  const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
+      g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
+      g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
+      g2j = g2i - 4.779477332387385e-14, g2k = x * g2j, g2l = g2k + 1.1470745597729725e-11,
+      g2m = x * g2l, g2n = g2m - 2.08767569878681e-09, g2o = x * g2n,
+      g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
+      g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
+      g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
+      g2 = x < 4.0 ? g2x : closed2;
+  const double g3a = 9.183689863795546e-29 * x, g3b = g3a - 6.446950284384474e-26, g3c = x * g3b,
+      g3d = g3c + 3.868170170630684e-23, g3e = x * g3d, g3f = g3e - 1.9572941063391263e-20,
+      g3g = x * g3f, g3h = g3g + 8.22063524662433e-18, g3i = x * g3h,
+      g3j = g3i - 2.8114572543455206e-15, g3k = x * g3j, g3l = g3k + 7.647163731819816e-13,
+      g3m = x * g3l, g3n = g3m - 1.6059043836821613e-10, g3o = x * g3n,
+      g3p = g3o + 2.505210838544172e-08, g3q = x * g3p, g3r = g3q - 2.7557319223985893e-06,
+      g3s = x * g3r, g3t = g3s + 0.0001984126984126984, g3u = x * g3t,
+      g3v = g3u - 0.008333333333333333, g3w = x * g3v, g3x = g3w + 0.16666666666666666,
+      g3 = x < 4.0 ? g3x : closed3;
+  const double g4a = 3.279889237069838e-30 * x, g4b = g4a - 2.4795962632247976e-27, g4c = x * g4b,
+      g4d = g4c + 1.6117375710961184e-24, g4e = x * g4d, g4f = g4e - 8.896791392450574e-22,
+      g4g = x * g4f, g4h = g4g + 4.110317623312165e-19, g4i = x * g4h,
+      g4j = g4i - 1.5619206968586225e-16, g4k = x * g4j, g4l = g4k + 4.779477332387385e-14,
+      g4m = x * g4l, g4n = g4m - 1.1470745597729725e-11, g4o = x * g4n,
+      g4p = g4o + 2.08767569878681e-09, g4q = x * g4p, g4r = g4q - 2.755731922398589e-07,
+      g4s = x * g4r, g4t = g4s + 2.48015873015873e-05, g4u = x * g4t,
+      g4v = g4u - 0.001388888888888889, g4w = x * g4v, g4x = g4w + 0.041666666666666664,
+      g4 = x < 4.0 ? g4x : closed4;
+  const double g5a = 1.1309962886447716e-31 * x, g5b = g5a - 9.183689863795546e-29, g5c = x * g5b,
+      g5d = g5c + 6.446950284384474e-26, g5e = x * g5d, g5f = g5e - 3.868170170630684e-23,
+      g5g = x * g5f, g5h = g5g + 1.9572941063391263e-20, g5i = x * g5h,
+      g5j = g5i - 8.22063524662433e-18, g5k = x * g5j, g5l = g5k + 2.8114572543455206e-15,
+      g5m = x * g5l, g5n = g5m - 7.647163731819816e-13, g5o = x * g5n,
+      g5p = g5o + 1.6059043836821613e-10, g5q = x * g5p, g5r = g5q - 2.505210838544172e-08,
+      g5s = x * g5r, g5t = g5s + 2.7557319223985893e-06, g5u = x * g5t,
+      g5v = g5u - 0.0001984126984126984, g5w = x * g5v, g5x = g5w + 0.008333333333333333,
+      g5 = x < 4.0 ? g5x : closed5;
+  const double vw_a = s->m0 * s->m3, vw_b = s->m1 * s->m4, vw_c = vw_a + vw_b, vw_d = s->m2 * s->m5,
+      vw = vw_c + vw_d;
+  const double turn_rate_a = 2.0 * g4, turn_rate = turn_rate_a - g3;
+  const double turn = vw * turn_rate;
+  const double bend_rate_a = 3.0 * g5, bend_rate = g4 - bend_rate_a;
+  const double bend = vw * bend_rate;
+  const double q_0a = s->m0 * g2, q_0b = s->m3 * turn, q_0 = q_0a + q_0b;
+  const double q_1a = s->m1 * g2, q_1b = s->m4 * turn, q_1 = q_1a + q_1b;
+  const double q_2a = s->m2 * g2, q_2b = s->m5 * turn, q_2 = q_2a + q_2b;
+  const double g3_v_0 = s->m0 * g3;
+  const double g3_v_1 = s->m1 * g3;
+  const double g3_v_2 = s->m2 * g3;
+  const double bend_w_0 = s->m3 * bend;
+  const double bend_w_1 = s->m4 * bend;
+  const double bend_w_2 = s->m5 * bend;
+  const double symmetric_0a = s->m3 * g3_v_1, symmetric_0b = s->m4 * g3_v_0,
+      symmetric_0c = symmetric_0a + symmetric_0b, symmetric_0d = s->m4 * bend_w_0,
+      symmetric_0 = symmetric_0c - symmetric_0d;
+  const double symmetric_1a = s->m3 * g3_v_2, symmetric_1b = s->m5 * g3_v_0,
+      symmetric_1c = symmetric_1a + symmetric_1b, symmetric_1d = s->m5 * bend_w_0,
+      symmetric_1 = symmetric_1c - symmetric_1d;
+  const double symmetric_2a = s->m4 * g3_v_2, symmetric_2b = s->m5 * g3_v_1,
+      symmetric_2c = symmetric_2a + symmetric_2b, symmetric_2d = s->m5 * bend_w_1,
+      symmetric_2 = symmetric_2c - symmetric_2d;
+  const double diagonal_0a = s->m4 * bend_w_1, diagonal_0b = s->m5 * bend_w_2,
+      diagonal_0c = diagonal_0a + diagonal_0b, diagonal_0d = 2.0 * s->m4,
+      diagonal_0e = diagonal_0d * g3_v_1, diagonal_0f = 2.0 * s->m5,
+      diagonal_0g = diagonal_0f * g3_v_2, diagonal_0h = diagonal_0e + diagonal_0g,
+      diagonal_0 = diagonal_0c - diagonal_0h;
+  const double diagonal_1a = s->m3 * bend_w_0, diagonal_1b = diagonal_1a + diagonal_0b,
+      diagonal_1c = 2.0 * s->m3, diagonal_1d = diagonal_1c * g3_v_0,
+      diagonal_1e = diagonal_1d + diagonal_0g, diagonal_1 = diagonal_1b - diagonal_1e;
+  const double diagonal_2a = diagonal_1a + diagonal_0a, diagonal_2b = diagonal_1d + diagonal_0e,
+      diagonal_2 = diagonal_2a - diagonal_2b;
+  const double Q_1 = symmetric_0 - q_2;
+  const double Q_2 = q_1 + symmetric_1;
+  const double Q_3 = q_2 + symmetric_0;
+  const double Q_5 = symmetric_2 - q_0;
+  const double Q_6 = symmetric_1 - q_1;
+  const double Q_7 = q_0 + symmetric_2;
+  const double QJ_0a = J_0 * diagonal_0, QJ_0b = J_3 * Q_1, QJ_0c = J_6 * Q_2,
+      QJ_0d = QJ_0b + QJ_0c, QJ_0 = QJ_0a + QJ_0d;
+  const double QJ_1a = J_1 * diagonal_0, QJ_1b = J_4 * Q_1, QJ_1c = J_7 * Q_2,
+      QJ_1d = QJ_1b + QJ_1c, QJ_1 = QJ_1a + QJ_1d;
+  const double QJ_2a = J_2 * diagonal_0, QJ_2b = J_5 * Q_1, QJ_2c = J_8 * Q_2,
+      QJ_2d = QJ_2b + QJ_2c, QJ_2 = QJ_2a + QJ_2d;
+  const double QJ_3a = J_0 * Q_3, QJ_3b = J_6 * Q_5, QJ_3c = QJ_3a + QJ_3b,
+      QJ_3d = J_3 * diagonal_1, QJ_3 = QJ_3c + QJ_3d;
+  const double QJ_4a = J_1 * Q_3, QJ_4b = J_7 * Q_5, QJ_4c = QJ_4a + QJ_4b,
+      QJ_4d = J_4 * diagonal_1, QJ_4 = QJ_4c + QJ_4d;
+  const double QJ_5a = J_2 * Q_3, QJ_5b = J_8 * Q_5, QJ_5c = QJ_5a + QJ_5b,
+      QJ_5d = J_5 * diagonal_1, QJ_5 = QJ_5c + QJ_5d;
+  const double QJ_6a = J_0 * Q_6, QJ_6b = J_3 * Q_7, QJ_6c = QJ_6a + QJ_6b,
+      QJ_6d = J_6 * diagonal_2, QJ_6 = QJ_6c + QJ_6d;
+  const double QJ_7a = J_1 * Q_6, QJ_7b = J_4 * Q_7, QJ_7c = QJ_7a + QJ_7b,
+      QJ_7d = J_7 * diagonal_2, QJ_7 = QJ_7c + QJ_7d;
+  const double QJ_8a = J_2 * Q_6, QJ_8b = J_5 * Q_7, QJ_8c = QJ_8a + QJ_8b,
+      QJ_8d = J_8 * diagonal_2, QJ_8 = QJ_8c + QJ_8d;
+  const double M_03a = J_0 * QJ_0, M_03b = J_1 * QJ_3, M_03c = M_03a + M_03b, M_03d = J_2 * QJ_6,
+      M_03e = M_03c + M_03d, M_03 = -M_03e;
+  const double M_04a = J_0 * QJ_1, M_04b = J_1 * QJ_4, M_04c = M_04a + M_04b, M_04d = J_2 * QJ_7,
+      M_04e = M_04c + M_04d, M_04 = -M_04e;
+  const double M_05a = J_0 * QJ_2, M_05b = J_1 * QJ_5, M_05c = M_05a + M_05b, M_05d = J_2 * QJ_8,
+      M_05e = M_05c + M_05d, M_05 = -M_05e;
+  const double M_13a = J_3 * QJ_0, M_13b = J_4 * QJ_3, M_13c = M_13a + M_13b, M_13d = J_5 * QJ_6,
+      M_13e = M_13c + M_13d, M_13 = -M_13e;
+  const double M_14a = J_3 * QJ_1, M_14b = J_4 * QJ_4, M_14c = M_14a + M_14b, M_14d = J_5 * QJ_7,
+      M_14e = M_14c + M_14d, M_14 = -M_14e;
+  const double M_15a = J_3 * QJ_2, M_15b = J_4 * QJ_5, M_15c = M_15a + M_15b, M_15d = J_5 * QJ_8,
+      M_15e = M_15c + M_15d, M_15 = -M_15e;
+  const double M_23a = J_6 * QJ_0, M_23b = J_7 * QJ_3, M_23c = M_23a + M_23b, M_23d = J_8 * QJ_6,
+      M_23e = M_23c + M_23d, M_23 = -M_23e;
+  const double M_24a = J_6 * QJ_1, M_24b = J_7 * QJ_4, M_24c = M_24a + M_24b, M_24d = J_8 * QJ_7,
+      M_24e = M_24c + M_24d, M_24 = -M_24e;
+  const double M_25a = J_6 * QJ_2, M_25b = J_7 * QJ_5, M_25c = M_25a + M_25b, M_25d = J_8 * QJ_8,
+      M_25e = M_25c + M_25d, M_25 = -M_25e;
+  M->at[0][0] = J_0;
+  M->at[1][0] = J_1;
+  M->at[2][0] = J_2;
+  M->at[3][0] = M_03;
+  M->at[4][0] = M_04;
+  M->at[5][0] = M_05;
+  M->at[0][1] = J_3;
+  M->at[1][1] = J_4;
+  M->at[2][1] = J_5;
+  M->at[3][1] = M_13;
+  M->at[4][1] = M_14;
+  M->at[5][1] = M_15;
+  M->at[0][2] = J_6;
+  M->at[1][2] = J_7;
+  M->at[2][2] = J_8;
+  M->at[3][2] = M_23;
+  M->at[4][2] = M_24;
+  M->at[5][2] = M_25;
+  M->at[0][3] = 0.0;
+  M->at[1][3] = 0.0;
+  M->at[2][3] = 0.0;
+  M->at[3][3] = J_0;
+  M->at[4][3] = J_1;
+  M->at[5][3] = J_2;
+  M->at[0][4] = 0.0;
+  M->at[1][4] = 0.0;
+  M->at[2][4] = 0.0;
+  M->at[3][4] = J_3;
+  M->at[4][4] = J_4;
+  M->at[5][4] = J_5;
+  M->at[0][5] = 0.0;
+  M->at[1][5] = 0.0;
+  M->at[2][5] = 0.0;
+  M->at[3][5] = J_6;
+  M->at[4][5] = J_7;
+  M->at[5][5] = J_8;
+}
+
+/* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
+   s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+   180 mul, 172 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 2 less, 11 select. */
+static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
+  const double shifted_0 = s->m3 + 1610612736.0;
+  const double shifted_1 = s->m4 + 1610612736.0;
+  const double shifted_2 = s->m5 + 1610612736.0;
+  const double high_0 = shifted_0 - 1610612736.0;
+  const double high_1 = shifted_1 - 1610612736.0;
+  const double high_2 = shifted_2 - 1610612736.0;
+  const double low_0 = s->m3 - high_0;
+  const double low_1 = s->m4 - high_1;
+  const double low_2 = s->m5 - high_2;
+  const double sum_0 = s->m3 + high_0;
+  const double sum_1 = s->m4 + high_1;
+  const double sum_2 = s->m5 + high_2;
+  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double x = squares + cross;
+  const double theta_a = sqrt(x), theta = x < 4.0 ? 2.0 : theta_a;
+  const double theta_shifted = theta + 1610612736.0;
+  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_low = theta - theta_high;
+  const double theta_sum = theta + theta_high;
+  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double residual = cross_rest + exact;
+  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double far_sine_a = sin(theta), far_sine = x < 4.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 4.0 ? 0.0 : far_cosine_a;
+  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
+  const double below_a = 1.0 - cosine, below = cosine < 0.0 ? below_a : sine;
+  const double cotangent = above / below;
+  const double b_rest_a = 0.5 * theta, b_rest_b = b_rest_a * cotangent, b_rest = 1.0 - b_rest_b;
+  const double b_divisor = x < 4.0 ? 4.0 : x;
+  const double closed_b = b_rest / b_divisor;
+  const double b_a = 1.455172475614865e-27 * x, b_b = b_a + 5.744790668872202e-26, b_c = x * b_b,
+      b_d = b_c + 2.267952452337683e-24, b_e = x * b_d, b_f = b_e + 8.953517427037546e-23,
+      b_g = x * b_f, b_h = b_g + 3.534707039629467e-21, b_i = x * b_h,
+      b_j = b_i + 1.3954464685812522e-19, b_k = x * b_j, b_l = b_k + 5.5090028283602295e-18,
+      b_m = x * b_l, b_n = b_m + 2.174868698558062e-16, b_o = x * b_n,
+      b_p = b_o + 8.586062056277845e-15, b_q = x * b_p, b_r = b_q + 3.3896802963225827e-13,
+      b_s = x * b_r, b_t = b_s + 1.3382536530684679e-11, b_u = x * b_t,
+      b_v = b_u + 5.284190138687493e-10, b_w = x * b_v, b_x = b_w + 2.08767569878681e-08,
+      b_y = x * b_x, b_z = b_y + 8.267195767195768e-07, b_aa = x * b_z,
+      b_ab = b_aa + 3.306878306878307e-05, b_ac = x * b_ab, b_ad = b_ac + 0.001388888888888889,
+      b_ae = x * b_ad, b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
+  const double beta_v_0 = s->m3 * b;
+  const double beta_v_1 = s->m4 * b;
+  const double beta_v_2 = s->m5 * b;
+  const double m_0 = s->m3 * beta_v_0;
+  const double m_1 = s->m4 * beta_v_1;
+  const double m_2 = s->m5 * beta_v_2;
+  const double m_3 = s->m4 * beta_v_0;
+  const double m_4 = s->m5 * beta_v_0;
+  const double m_5 = s->m5 * beta_v_1;
+  const double others_0 = m_1 + m_2;
+  const double others_1 = m_0 + m_2;
+  const double others_2 = m_0 + m_1;
+  const double alpha_v_0 = 0.5 * s->m3;
+  const double alpha_v_1 = 0.5 * s->m4;
+  const double alpha_v_2 = 0.5 * s->m5;
+  const double J_0 = 1.0 - others_0;
+  const double J_1 = m_3 - alpha_v_2;
+  const double J_2 = m_4 + alpha_v_1;
+  const double J_3 = m_3 + alpha_v_2;
+  const double J_4 = 1.0 - others_1;
+  const double J_5 = m_5 - alpha_v_0;
+  const double J_6 = m_4 - alpha_v_1;
+  const double J_7 = m_5 + alpha_v_0;
+  const double J_8 = 1.0 - others_2;
+  const double closed1 = sine / theta;
+  const double closed2 = below_a / b_divisor;
+  const double rest3 = 1.0 - closed1;
+  const double closed3 = rest3 / b_divisor;
+  const double rest4 = 0.5 - closed2;
+  const double closed4 = rest4 / b_divisor;
+  const double rest5 = 0.16666666666666666 - closed3;
+  const double closed5 = rest5 / b_divisor;
+  const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
+      g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
+      g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
+      g2j = g2i - 4.779477332387385e-14, g2k = x * g2j, g2l = g2k + 1.1470745597729725e-11,
+      g2m = x * g2l, g2n = g2m - 2.08767569878681e-09, g2o = x * g2n,
+      g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
+      g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
+      g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
+      g2 = x < 4.0 ? g2x : closed2;
+  const double g3a = 9.183689863795546e-29 * x, g3b = g3a - 6.446950284384474e-26, g3c = x * g3b,
+      g3d = g3c + 3.868170170630684e-23, g3e = x * g3d, g3f = g3e - 1.9572941063391263e-20,
+      g3g = x * g3f, g3h = g3g + 8.22063524662433e-18, g3i = x * g3h,
+      g3j = g3i - 2.8114572543455206e-15, g3k = x * g3j, g3l = g3k + 7.647163731819816e-13,
+      g3m = x * g3l, g3n = g3m - 1.6059043836821613e-10, g3o = x * g3n,
+      g3p = g3o + 2.505210838544172e-08, g3q = x * g3p, g3r = g3q - 2.7557319223985893e-06,
+      g3s = x * g3r, g3t = g3s + 0.0001984126984126984, g3u = x * g3t,
+      g3v = g3u - 0.008333333333333333, g3w = x * g3v, g3x = g3w + 0.16666666666666666,
+      g3 = x < 4.0 ? g3x : closed3;
+  const double g4a = 3.279889237069838e-30 * x, g4b = g4a - 2.4795962632247976e-27, g4c = x * g4b,
+      g4d = g4c + 1.6117375710961184e-24, g4e = x * g4d, g4f = g4e - 8.896791392450574e-22,
+      g4g = x * g4f, g4h = g4g + 4.110317623312165e-19, g4i = x * g4h,
+      g4j = g4i - 1.5619206968586225e-16, g4k = x * g4j, g4l = g4k + 4.779477332387385e-14,
+      g4m = x * g4l, g4n = g4m - 1.1470745597729725e-11, g4o = x * g4n,
+      g4p = g4o + 2.08767569878681e-09, g4q = x * g4p, g4r = g4q - 2.755731922398589e-07,
+      g4s = x * g4r, g4t = g4s + 2.48015873015873e-05, g4u = x * g4t,
+      g4v = g4u - 0.001388888888888889, g4w = x * g4v, g4x = g4w + 0.041666666666666664,
+      g4 = x < 4.0 ? g4x : closed4;
+  const double g5a = 1.1309962886447716e-31 * x, g5b = g5a - 9.183689863795546e-29, g5c = x * g5b,
+      g5d = g5c + 6.446950284384474e-26, g5e = x * g5d, g5f = g5e - 3.868170170630684e-23,
+      g5g = x * g5f, g5h = g5g + 1.9572941063391263e-20, g5i = x * g5h,
+      g5j = g5i - 8.22063524662433e-18, g5k = x * g5j, g5l = g5k + 2.8114572543455206e-15,
+      g5m = x * g5l, g5n = g5m - 7.647163731819816e-13, g5o = x * g5n,
+      g5p = g5o + 1.6059043836821613e-10, g5q = x * g5p, g5r = g5q - 2.505210838544172e-08,
+      g5s = x * g5r, g5t = g5s + 2.7557319223985893e-06, g5u = x * g5t,
+      g5v = g5u - 0.0001984126984126984, g5w = x * g5v, g5x = g5w + 0.008333333333333333,
+      g5 = x < 4.0 ? g5x : closed5;
+  const double vw_a = s->m0 * s->m3, vw_b = s->m1 * s->m4, vw_c = vw_a + vw_b, vw_d = s->m2 * s->m5,
+      vw = vw_c + vw_d;
+  const double turn_rate_a = 2.0 * g4, turn_rate = turn_rate_a - g3;
+  const double turn = vw * turn_rate;
+  const double bend_rate_a = 3.0 * g5, bend_rate = g4 - bend_rate_a;
+  const double bend = vw * bend_rate;
+  const double q_0a = s->m0 * g2, q_0b = s->m3 * turn, q_0c = q_0a + q_0b, q_0 = -q_0c;
+  const double q_1a = s->m1 * g2, q_1b = s->m4 * turn, q_1c = q_1a + q_1b, q_1 = -q_1c;
+  const double q_2a = s->m2 * g2, q_2b = s->m5 * turn, q_2c = q_2a + q_2b, q_2 = -q_2c;
+  const double g3_v_0a = s->m0 * g3, g3_v_0 = -g3_v_0a;
+  const double g3_v_1a = s->m1 * g3, g3_v_1 = -g3_v_1a;
+  const double g3_v_2a = s->m2 * g3, g3_v_2 = -g3_v_2a;
+  const double bend_w_0a = s->m3 * bend, bend_w_0 = -bend_w_0a;
+  const double bend_w_1a = s->m4 * bend, bend_w_1 = -bend_w_1a;
+  const double bend_w_2a = s->m5 * bend, bend_w_2 = -bend_w_2a;
+  const double symmetric_0a = s->m4 * bend_w_0, symmetric_0b = s->m3 * g3_v_1,
+      symmetric_0c = s->m4 * g3_v_0, symmetric_0d = symmetric_0b + symmetric_0c,
+      symmetric_0 = symmetric_0a - symmetric_0d;
+  const double symmetric_1a = s->m5 * bend_w_0, symmetric_1b = s->m3 * g3_v_2,
+      symmetric_1c = s->m5 * g3_v_0, symmetric_1d = symmetric_1b + symmetric_1c,
+      symmetric_1 = symmetric_1a - symmetric_1d;
+  const double symmetric_2a = s->m5 * bend_w_1, symmetric_2b = s->m4 * g3_v_2,
+      symmetric_2c = s->m5 * g3_v_1, symmetric_2d = symmetric_2b + symmetric_2c,
+      symmetric_2 = symmetric_2a - symmetric_2d;
+  const double diagonal_0a = 2.0 * s->m4, diagonal_0b = diagonal_0a * g3_v_1,
+      diagonal_0c = 2.0 * s->m5, diagonal_0d = diagonal_0c * g3_v_2,
+      diagonal_0e = diagonal_0b + diagonal_0d, diagonal_0f = s->m4 * bend_w_1,
+      diagonal_0g = s->m5 * bend_w_2, diagonal_0h = diagonal_0f + diagonal_0g,
+      diagonal_0 = diagonal_0e - diagonal_0h;
+  const double diagonal_1a = 2.0 * s->m3, diagonal_1b = diagonal_1a * g3_v_0,
+      diagonal_1c = diagonal_1b + diagonal_0d, diagonal_1d = s->m3 * bend_w_0,
+      diagonal_1e = diagonal_1d + diagonal_0g, diagonal_1 = diagonal_1c - diagonal_1e;
+  const double diagonal_2a = diagonal_1b + diagonal_0b, diagonal_2b = diagonal_1d + diagonal_0f,
+      diagonal_2 = diagonal_2a - diagonal_2b;
+  const double Q_1 = symmetric_0 - q_2;
+  const double Q_2 = q_1 + symmetric_1;
+  const double Q_3 = q_2 + symmetric_0;
+  const double Q_5 = symmetric_2 - q_0;
+  const double Q_6 = symmetric_1 - q_1;
+  const double Q_7 = q_0 + symmetric_2;
+  const double QJ_0a = J_0 * diagonal_0, QJ_0b = J_3 * Q_1, QJ_0c = J_6 * Q_2,
+      QJ_0d = QJ_0b + QJ_0c, QJ_0 = QJ_0a + QJ_0d;
+  const double QJ_1a = J_1 * diagonal_0, QJ_1b = J_4 * Q_1, QJ_1c = J_7 * Q_2,
+      QJ_1d = QJ_1b + QJ_1c, QJ_1 = QJ_1a + QJ_1d;
+  const double QJ_2a = J_2 * diagonal_0, QJ_2b = J_5 * Q_1, QJ_2c = J_8 * Q_2,
+      QJ_2d = QJ_2b + QJ_2c, QJ_2 = QJ_2a + QJ_2d;
+  const double QJ_3a = J_0 * Q_3, QJ_3b = J_6 * Q_5, QJ_3c = QJ_3a + QJ_3b,
+      QJ_3d = J_3 * diagonal_1, QJ_3 = QJ_3c + QJ_3d;
+  const double QJ_4a = J_1 * Q_3, QJ_4b = J_7 * Q_5, QJ_4c = QJ_4a + QJ_4b,
+      QJ_4d = J_4 * diagonal_1, QJ_4 = QJ_4c + QJ_4d;
+  const double QJ_5a = J_2 * Q_3, QJ_5b = J_8 * Q_5, QJ_5c = QJ_5a + QJ_5b,
+      QJ_5d = J_5 * diagonal_1, QJ_5 = QJ_5c + QJ_5d;
+  const double QJ_6a = J_0 * Q_6, QJ_6b = J_3 * Q_7, QJ_6c = QJ_6a + QJ_6b,
+      QJ_6d = J_6 * diagonal_2, QJ_6 = QJ_6c + QJ_6d;
+  const double QJ_7a = J_1 * Q_6, QJ_7b = J_4 * Q_7, QJ_7c = QJ_7a + QJ_7b,
+      QJ_7d = J_7 * diagonal_2, QJ_7 = QJ_7c + QJ_7d;
+  const double QJ_8a = J_2 * Q_6, QJ_8b = J_5 * Q_7, QJ_8c = QJ_8a + QJ_8b,
+      QJ_8d = J_8 * diagonal_2, QJ_8 = QJ_8c + QJ_8d;
+  const double M_03a = J_0 * QJ_0, M_03b = J_1 * QJ_3, M_03c = M_03a + M_03b, M_03d = J_2 * QJ_6,
+      M_03e = M_03c + M_03d, M_03 = -M_03e;
+  const double M_04a = J_0 * QJ_1, M_04b = J_1 * QJ_4, M_04c = M_04a + M_04b, M_04d = J_2 * QJ_7,
+      M_04e = M_04c + M_04d, M_04 = -M_04e;
+  const double M_05a = J_0 * QJ_2, M_05b = J_1 * QJ_5, M_05c = M_05a + M_05b, M_05d = J_2 * QJ_8,
+      M_05e = M_05c + M_05d, M_05 = -M_05e;
+  const double M_13a = J_3 * QJ_0, M_13b = J_4 * QJ_3, M_13c = M_13a + M_13b, M_13d = J_5 * QJ_6,
+      M_13e = M_13c + M_13d, M_13 = -M_13e;
+  const double M_14a = J_3 * QJ_1, M_14b = J_4 * QJ_4, M_14c = M_14a + M_14b, M_14d = J_5 * QJ_7,
+      M_14e = M_14c + M_14d, M_14 = -M_14e;
+  const double M_15a = J_3 * QJ_2, M_15b = J_4 * QJ_5, M_15c = M_15a + M_15b, M_15d = J_5 * QJ_8,
+      M_15e = M_15c + M_15d, M_15 = -M_15e;
+  const double M_23a = J_6 * QJ_0, M_23b = J_7 * QJ_3, M_23c = M_23a + M_23b, M_23d = J_8 * QJ_6,
+      M_23e = M_23c + M_23d, M_23 = -M_23e;
+  const double M_24a = J_6 * QJ_1, M_24b = J_7 * QJ_4, M_24c = M_24a + M_24b, M_24d = J_8 * QJ_7,
+      M_24e = M_24c + M_24d, M_24 = -M_24e;
+  const double M_25a = J_6 * QJ_2, M_25b = J_7 * QJ_5, M_25c = M_25a + M_25b, M_25d = J_8 * QJ_8,
+      M_25e = M_25c + M_25d, M_25 = -M_25e;
+  M->at[0][0] = J_0;
+  M->at[1][0] = J_1;
+  M->at[2][0] = J_2;
+  M->at[3][0] = M_03;
+  M->at[4][0] = M_04;
+  M->at[5][0] = M_05;
+  M->at[0][1] = J_3;
+  M->at[1][1] = J_4;
+  M->at[2][1] = J_5;
+  M->at[3][1] = M_13;
+  M->at[4][1] = M_14;
+  M->at[5][1] = M_15;
+  M->at[0][2] = J_6;
+  M->at[1][2] = J_7;
+  M->at[2][2] = J_8;
+  M->at[3][2] = M_23;
+  M->at[4][2] = M_24;
+  M->at[5][2] = M_25;
+  M->at[0][3] = 0.0;
+  M->at[1][3] = 0.0;
+  M->at[2][3] = 0.0;
+  M->at[3][3] = J_0;
+  M->at[4][3] = J_1;
+  M->at[5][3] = J_2;
+  M->at[0][4] = 0.0;
+  M->at[1][4] = 0.0;
+  M->at[2][4] = 0.0;
+  M->at[3][4] = J_3;
+  M->at[4][4] = J_4;
+  M->at[5][4] = J_5;
+  M->at[0][5] = 0.0;
+  M->at[1][5] = 0.0;
+  M->at[2][5] = 0.0;
+  M->at[3][5] = J_6;
+  M->at[4][5] = J_7;
+  M->at[5][5] = J_8;
+}
+
+/* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
+   D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
+   205 mul, 194 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 15 less, 1 equal, 37
+     select. */
+static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2, const double k,
+    ksl_SE3_t *Do) {
+  const double apart_0 = D2->m03 - D1->m03;
+  const double apart_1 = D2->m13 - D1->m13;
+  const double apart_2 = D2->m23 - D1->m23;
+  const double between_0a = D1->m00 * D2->m00, between_0b = D1->m10 * D2->m10,
+      between_0c = between_0a + between_0b, between_0d = D1->m20 * D2->m20,
+      between_0 = between_0c + between_0d;
+  const double between_1a = D1->m00 * D2->m01, between_1b = D1->m10 * D2->m11,
+      between_1c = between_1a + between_1b, between_1d = D1->m20 * D2->m21,
+      between_1 = between_1c + between_1d;
+  const double between_2a = D1->m00 * D2->m02, between_2b = D1->m10 * D2->m12,
+      between_2c = between_2a + between_2b, between_2d = D1->m20 * D2->m22,
+      between_2 = between_2c + between_2d;
+  const double between_3a = D1->m00 * apart_0, between_3b = D1->m10 * apart_1,
+      between_3c = between_3a + between_3b, between_3d = D1->m20 * apart_2,
+      between_3 = between_3c + between_3d;
+  const double between_4a = D1->m01 * D2->m00, between_4b = D1->m11 * D2->m10,
+      between_4c = between_4a + between_4b, between_4d = D1->m21 * D2->m20,
+      between_4 = between_4c + between_4d;
+  const double between_5a = D1->m01 * D2->m01, between_5b = D1->m11 * D2->m11,
+      between_5c = between_5a + between_5b, between_5d = D1->m21 * D2->m21,
+      between_5 = between_5c + between_5d;
+  const double between_6a = D1->m01 * D2->m02, between_6b = D1->m11 * D2->m12,
+      between_6c = between_6a + between_6b, between_6d = D1->m21 * D2->m22,
+      between_6 = between_6c + between_6d;
+  const double between_7a = D1->m01 * apart_0, between_7b = D1->m11 * apart_1,
+      between_7c = between_7a + between_7b, between_7d = D1->m21 * apart_2,
+      between_7 = between_7c + between_7d;
+  const double between_8a = D1->m02 * D2->m00, between_8b = D1->m12 * D2->m10,
+      between_8c = between_8a + between_8b, between_8d = D1->m22 * D2->m20,
+      between_8 = between_8c + between_8d;
+  const double between_9a = D1->m02 * D2->m01, between_9b = D1->m12 * D2->m11,
+      between_9c = between_9a + between_9b, between_9d = D1->m22 * D2->m21,
+      between_9 = between_9c + between_9d;
+  const double between_10a = D1->m02 * D2->m02, between_10b = D1->m12 * D2->m12,
+      between_10c = between_10a + between_10b, between_10d = D1->m22 * D2->m22,
+      between_10 = between_10c + between_10d;
+  const double between_11a = D1->m02 * apart_0, between_11b = D1->m12 * apart_1,
+      between_11c = between_11a + between_11b, between_11d = D1->m22 * apart_2,
+      between_11 = between_11c + between_11d;
+  const double log_p_0 = between_9 - between_6;
+  const double log_p_1 = between_2 - between_8;
+  const double log_p_2 = between_4 - between_1;
+  const double log_s_0 = between_6 + between_9;
+  const double log_s_1 = between_2 + between_8;
+  const double log_s_2 = between_1 + between_4;
+  const double log_d_0a = between_0 + between_5, log_d_0b = log_d_0a + between_10,
+      log_d_0 = log_d_0b + 1.0;
+  const double log_d_1a = between_0 - between_5, log_d_1b = log_d_1a - between_10,
+      log_d_1 = log_d_1b + 1.0;
+  const double log_d_2a = between_5 - between_0, log_d_2b = log_d_2a - between_10,
+      log_d_2 = log_d_2b + 1.0;
+  const double log_d_3a = between_10 - between_0, log_d_3b = log_d_3a - between_5,
+      log_d_3 = log_d_3b + 1.0;
+  const double log_low_0 = between_5 < between_0 ? log_p_0 : log_p_1;
+  const double log_low_1 = between_5 < between_0 ? log_d_1 : log_s_2;
+  const double log_low_2 = between_5 < between_0 ? log_s_2 : log_d_2;
+  const double log_low_3 = between_5 < between_0 ? log_s_1 : log_s_0;
+  const double log_high_0a = -between_5, log_high_0 = between_0 < log_high_0a ? log_p_2 : log_d_0;
+  const double log_high_1 = between_0 < log_high_0a ? log_s_1 : log_p_0;
+  const double log_high_2 = between_0 < log_high_0a ? log_s_0 : log_p_1;
+  const double log_high_3 = between_0 < log_high_0a ? log_d_3 : log_p_2;
+  const double log_column_0 = between_10 < 0.0 ? log_low_0 : log_high_0;
+  const double log_column_1 = between_10 < 0.0 ? log_low_1 : log_high_1;
+  const double log_column_2 = between_10 < 0.0 ? log_low_2 : log_high_2;
+  const double log_column_3 = between_10 < 0.0 ? log_low_3 : log_high_3;
+  const double log_upper_0a = -log_column_0,
+      log_upper_0 = log_column_0 < 0.0 ? log_upper_0a : log_column_0;
+  const double log_upper_1a = -log_column_1,
+      log_upper_1 = log_column_0 < 0.0 ? log_upper_1a : log_column_1;
+  const double log_upper_2a = -log_column_2,
+      log_upper_2 = log_column_0 < 0.0 ? log_upper_2a : log_column_2;
+  const double log_upper_3a = -log_column_3,
+      log_upper_3 = log_column_0 < 0.0 ? log_upper_3a : log_column_3;
+  const double log_v_s_size_0 = fabs(log_upper_1);
+  const double log_v_s_size_1 = fabs(log_upper_2);
+  const double log_v_s_size_2 = fabs(log_upper_3);
+  const double log_v_s_largest1 = log_v_s_size_0 < log_v_s_size_1 ? log_v_s_size_1 : log_v_s_size_0;
+  const double log_v_s_largest2 = log_v_s_largest1 < log_v_s_size_2 ? log_v_s_size_2 : log_v_s_largest1;
+  const double log_v_s_b = 6.703903964971299e+153 < log_v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      log_v_s = log_v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : log_v_s_b;
+  const double log_v_y_0 = log_upper_1 * log_v_s;
+  const double log_v_y_1 = log_upper_2 * log_v_s;
+  const double log_v_y_2 = log_upper_3 * log_v_s;
+  const double log_v_n_a = log_v_y_0 * log_v_y_0, log_v_n_b = log_v_y_1 * log_v_y_1,
+      log_v_n_c = log_v_n_a + log_v_n_b, log_v_n_d = log_v_y_2 * log_v_y_2,
+      log_v_n_e = log_v_n_c + log_v_n_d, log_v_n = sqrt(log_v_n_e);
+  const double log_v_r_b = log_v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      log_v_r = 1.0 < log_v_s ? 2.409919865102884e-181 : log_v_r_b;
+  const double log_n = log_v_n * log_v_r;
+  const double log_half = atan2(log_n, log_upper_0);
+  const double log_divisor = log_n == 0.0 ? 1.0 : log_n;
+  const double log_theta = 2.0 * log_half;
+  const double log_k = log_theta / log_divisor;
+  const double log_vector_0 = log_upper_1 * log_k;
+  const double log_vector_1 = log_upper_2 * log_k;
+  const double log_vector_2 = log_upper_3 * log_k;
+  const double log_x = log_theta * log_theta;
+  const double log_far_sine = log_x < 4.0 ? 1.0 : log_n;
+  const double log_cotangent = log_upper_0 / log_far_sine;
+  const double log_u_0a = between_11 * log_vector_1, log_u_0b = between_7 * log_vector_2,
+      log_u_0 = log_u_0a - log_u_0b;
+  const double log_u_1a = between_3 * log_vector_2, log_u_1b = between_11 * log_vector_0,
+      log_u_1 = log_u_1a - log_u_1b;
+  const double log_u_2a = between_7 * log_vector_0, log_u_2b = between_3 * log_vector_1,
+      log_u_2 = log_u_2a - log_u_2b;
+  const double log_b_rest_a = 0.5 * log_theta, log_b_rest_b = log_b_rest_a * log_cotangent,
+      log_b_rest = 1.0 - log_b_rest_b;
+  const double log_b_divisor = log_x < 4.0 ? 4.0 : log_x;
+  const double log_closed_b = log_b_rest / log_b_divisor;
+  const double log_b_a = 1.455172475614865e-27 * log_x, log_b_b = log_b_a + 5.744790668872202e-26,
+      log_b_c = log_x * log_b_b, log_b_d = log_b_c + 2.267952452337683e-24,
+      log_b_e = log_x * log_b_d, log_b_f = log_b_e + 8.953517427037546e-23,
+      log_b_g = log_x * log_b_f, log_b_h = log_b_g + 3.534707039629467e-21,
+      log_b_i = log_x * log_b_h, log_b_j = log_b_i + 1.3954464685812522e-19,
+      log_b_k = log_x * log_b_j, log_b_l = log_b_k + 5.5090028283602295e-18,
+      log_b_m = log_x * log_b_l, log_b_n = log_b_m + 2.174868698558062e-16,
+      log_b_o = log_x * log_b_n, log_b_p = log_b_o + 8.586062056277845e-15,
+      log_b_q = log_x * log_b_p, log_b_r = log_b_q + 3.3896802963225827e-13,
+      log_b_s = log_x * log_b_r, log_b_t = log_b_s + 1.3382536530684679e-11,
+      log_b_u = log_x * log_b_t, log_b_v = log_b_u + 5.284190138687493e-10,
+      log_b_w = log_x * log_b_v, log_b_x = log_b_w + 2.08767569878681e-08,
+      log_b_y = log_x * log_b_x, log_b_z = log_b_y + 8.267195767195768e-07,
+      log_b_aa = log_x * log_b_z, log_b_ab = log_b_aa + 3.306878306878307e-05,
+      log_b_ac = log_x * log_b_ab, log_b_ad = log_b_ac + 0.001388888888888889,
+      log_b_ae = log_x * log_b_ad, log_b_af = log_b_ae + 0.08333333333333333,
+      log_b = log_x < 4.0 ? log_b_af : log_closed_b;
+  const double log_uu_0a = log_vector_1 * log_u_2, log_uu_0b = log_vector_2 * log_u_1,
+      log_uu_0 = log_uu_0a - log_uu_0b;
+  const double log_uu_1a = log_vector_2 * log_u_0, log_uu_1b = log_vector_0 * log_u_2,
+      log_uu_1 = log_uu_1a - log_uu_1b;
+  const double log_uu_2a = log_vector_0 * log_u_1, log_uu_2b = log_vector_1 * log_u_0,
+      log_uu_2 = log_uu_2a - log_uu_2b;
+  const double log_small_0a = log_b * log_uu_0, log_small_0b = 0.5 * log_u_0,
+      log_small_0 = log_small_0a - log_small_0b;
+  const double log_small_1a = log_b * log_uu_1, log_small_1b = 0.5 * log_u_1,
+      log_small_1 = log_small_1a - log_small_1b;
+  const double log_small_2a = log_b * log_uu_2, log_small_2b = 0.5 * log_u_2,
+      log_small_2 = log_small_2a - log_small_2b;
+  const double whole_0 = between_3 + log_small_0;
+  const double whole_1 = between_7 + log_small_1;
+  const double whole_2 = between_11 + log_small_2;
+  const double screw_0 = k * whole_0;
+  const double screw_1 = k * whole_1;
+  const double screw_2 = k * whole_2;
+  const double screw_3 = k * log_vector_0;
+  const double screw_4 = k * log_vector_1;
+  const double screw_5 = k * log_vector_2;
+  const double exp_shifted_0 = screw_3 + 1610612736.0;
+  const double exp_shifted_1 = screw_4 + 1610612736.0;
+  const double exp_shifted_2 = screw_5 + 1610612736.0;
+  const double exp_high_0 = exp_shifted_0 - 1610612736.0;
+  const double exp_high_1 = exp_shifted_1 - 1610612736.0;
+  const double exp_high_2 = exp_shifted_2 - 1610612736.0;
+  const double exp_low_0 = screw_3 - exp_high_0;
+  const double exp_low_1 = screw_4 - exp_high_1;
+  const double exp_low_2 = screw_5 - exp_high_2;
+  const double exp_sum_0 = screw_3 + exp_high_0;
+  const double exp_sum_1 = screw_4 + exp_high_1;
+  const double exp_sum_2 = screw_5 + exp_high_2;
+  const double exp_squares_a = exp_high_0 * exp_high_0, exp_squares_b = exp_high_1 * exp_high_1,
+      exp_squares_c = exp_squares_a + exp_squares_b, exp_squares_d = exp_high_2 * exp_high_2,
+      exp_squares = exp_squares_c + exp_squares_d;
+  const double exp_cross_a = exp_low_0 * exp_sum_0, exp_cross_b = exp_low_1 * exp_sum_1,
+      exp_cross_c = exp_cross_a + exp_cross_b, exp_cross_d = exp_low_2 * exp_sum_2,
+      exp_cross = exp_cross_c + exp_cross_d;
+  const double exp_x = exp_squares + exp_cross;
+  const double exp_theta_a = sqrt(exp_x), exp_theta = exp_x < 4.0 ? 2.0 : exp_theta_a;
+  const double exp_theta_shifted = exp_theta + 1610612736.0;
+  const double exp_theta_high = exp_theta_shifted - 1610612736.0;
+  const double exp_theta_low = exp_theta - exp_theta_high;
+  const double exp_theta_sum = exp_theta + exp_theta_high;
+  const double exp_cross_rest_a = exp_theta_low * exp_theta_sum,
+      exp_cross_rest = exp_cross - exp_cross_rest_a;
+  const double exp_exact_a = exp_theta_high * exp_theta_high, exp_exact = exp_squares - exp_exact_a;
+  const double exp_residual = exp_cross_rest + exp_exact;
+  const double exp_delta_a = 0.5 * exp_residual, exp_delta = exp_delta_a / exp_theta;
+  const double exp_far_sine_a = sin(exp_theta), exp_far_sine = exp_x < 4.0 ? 1.0 : exp_far_sine_a;
+  const double exp_far_cosine_a = cos(exp_theta),
+      exp_far_cosine = exp_x < 4.0 ? 0.0 : exp_far_cosine_a;
+  const double exp_sine_a = exp_delta * exp_far_cosine, exp_sine = exp_sine_a + exp_far_sine;
+  const double exp_cosine_a = exp_delta * exp_far_sine, exp_cosine = exp_far_cosine - exp_cosine_a;
+  const double exp_far_x = exp_x < 4.0 ? 4.0 : exp_x;
+  const double exp_closed1 = exp_sine / exp_theta;
+  const double exp_versine = 1.0 - exp_cosine;
+  const double exp_closed2 = exp_versine / exp_far_x;
+  const double exp_rest3 = 1.0 - exp_closed1;
+  const double exp_closed3 = exp_rest3 / exp_far_x;
+  const double exp_g1a = 6.446950284384474e-26 * exp_x, exp_g1b = exp_g1a - 3.868170170630684e-23,
+      exp_g1c = exp_x * exp_g1b, exp_g1d = exp_g1c + 1.9572941063391263e-20,
+      exp_g1e = exp_x * exp_g1d, exp_g1f = exp_g1e - 8.22063524662433e-18,
+      exp_g1g = exp_x * exp_g1f, exp_g1h = exp_g1g + 2.8114572543455206e-15,
+      exp_g1i = exp_x * exp_g1h, exp_g1j = exp_g1i - 7.647163731819816e-13,
+      exp_g1k = exp_x * exp_g1j, exp_g1l = exp_g1k + 1.6059043836821613e-10,
+      exp_g1m = exp_x * exp_g1l, exp_g1n = exp_g1m - 2.505210838544172e-08,
+      exp_g1o = exp_x * exp_g1n, exp_g1p = exp_g1o + 2.7557319223985893e-06,
+      exp_g1q = exp_x * exp_g1p, exp_g1r = exp_g1q - 0.0001984126984126984,
+      exp_g1s = exp_x * exp_g1r, exp_g1t = exp_g1s + 0.008333333333333333,
+      exp_g1u = exp_x * exp_g1t, exp_g1v = exp_g1u - 0.16666666666666666, exp_g1w = exp_x * exp_g1v,
+      exp_g1x = exp_g1w + 1.0, exp_g1 = exp_x < 4.0 ? exp_g1x : exp_closed1;
+  const double exp_g2a = 2.4795962632247976e-27 * exp_x, exp_g2b = exp_g2a - 1.6117375710961184e-24,
+      exp_g2c = exp_x * exp_g2b, exp_g2d = exp_g2c + 8.896791392450574e-22,
+      exp_g2e = exp_x * exp_g2d, exp_g2f = exp_g2e - 4.110317623312165e-19,
+      exp_g2g = exp_x * exp_g2f, exp_g2h = exp_g2g + 1.5619206968586225e-16,
+      exp_g2i = exp_x * exp_g2h, exp_g2j = exp_g2i - 4.779477332387385e-14,
+      exp_g2k = exp_x * exp_g2j, exp_g2l = exp_g2k + 1.1470745597729725e-11,
+      exp_g2m = exp_x * exp_g2l, exp_g2n = exp_g2m - 2.08767569878681e-09,
+      exp_g2o = exp_x * exp_g2n, exp_g2p = exp_g2o + 2.755731922398589e-07,
+      exp_g2q = exp_x * exp_g2p, exp_g2r = exp_g2q - 2.48015873015873e-05,
+      exp_g2s = exp_x * exp_g2r, exp_g2t = exp_g2s + 0.001388888888888889,
+      exp_g2u = exp_x * exp_g2t, exp_g2v = exp_g2u - 0.041666666666666664,
+      exp_g2w = exp_x * exp_g2v, exp_g2x = exp_g2w + 0.5,
+      exp_g2 = exp_x < 4.0 ? exp_g2x : exp_closed2;
+  const double exp_g3a = 9.183689863795546e-29 * exp_x, exp_g3b = exp_g3a - 6.446950284384474e-26,
+      exp_g3c = exp_x * exp_g3b, exp_g3d = exp_g3c + 3.868170170630684e-23,
+      exp_g3e = exp_x * exp_g3d, exp_g3f = exp_g3e - 1.9572941063391263e-20,
+      exp_g3g = exp_x * exp_g3f, exp_g3h = exp_g3g + 8.22063524662433e-18,
+      exp_g3i = exp_x * exp_g3h, exp_g3j = exp_g3i - 2.8114572543455206e-15,
+      exp_g3k = exp_x * exp_g3j, exp_g3l = exp_g3k + 7.647163731819816e-13,
+      exp_g3m = exp_x * exp_g3l, exp_g3n = exp_g3m - 1.6059043836821613e-10,
+      exp_g3o = exp_x * exp_g3n, exp_g3p = exp_g3o + 2.505210838544172e-08,
+      exp_g3q = exp_x * exp_g3p, exp_g3r = exp_g3q - 2.7557319223985893e-06,
+      exp_g3s = exp_x * exp_g3r, exp_g3t = exp_g3s + 0.0001984126984126984,
+      exp_g3u = exp_x * exp_g3t, exp_g3v = exp_g3u - 0.008333333333333333,
+      exp_g3w = exp_x * exp_g3v, exp_g3x = exp_g3w + 0.16666666666666666,
+      exp_g3 = exp_x < 4.0 ? exp_g3x : exp_closed3;
+  const double exp_g0a = exp_x * exp_g2, exp_g0b = 1.0 - exp_g0a,
+      exp_g0 = exp_x < 4.0 ? exp_g0b : exp_cosine;
+  const double exp_u_0a = screw_2 * screw_4, exp_u_0b = screw_1 * screw_5,
+      exp_u_0 = exp_u_0a - exp_u_0b;
+  const double exp_u_1a = screw_0 * screw_5, exp_u_1b = screw_2 * screw_3,
+      exp_u_1 = exp_u_1a - exp_u_1b;
+  const double exp_u_2a = screw_1 * screw_3, exp_u_2b = screw_0 * screw_4,
+      exp_u_2 = exp_u_2a - exp_u_2b;
+  const double exp_turned_0 = exp_g2 * exp_u_0;
+  const double exp_turned_1 = exp_g2 * exp_u_1;
+  const double exp_turned_2 = exp_g2 * exp_u_2;
+  const double exp_wv_a = screw_0 * screw_3, exp_wv_b = screw_1 * screw_4,
+      exp_wv_c = exp_wv_a + exp_wv_b, exp_wv_d = screw_2 * screw_5, exp_wv = exp_wv_c + exp_wv_d;
+  const double exp_pitch = exp_g3 * exp_wv;
+  const double exp_along_0 = screw_3 * exp_pitch;
+  const double exp_along_1 = screw_4 * exp_pitch;
+  const double exp_along_2 = screw_5 * exp_pitch;
+  const double exp_beta_v_0 = screw_3 * exp_g2;
+  const double exp_beta_v_1 = screw_4 * exp_g2;
+  const double exp_beta_v_2 = screw_5 * exp_g2;
+  const double exp_m_0 = screw_3 * exp_beta_v_0;
+  const double exp_m_1 = screw_4 * exp_beta_v_1;
+  const double exp_m_2 = screw_5 * exp_beta_v_2;
+  const double exp_m_3 = screw_4 * exp_beta_v_0;
+  const double exp_m_4 = screw_5 * exp_beta_v_0;
+  const double exp_m_5 = screw_5 * exp_beta_v_1;
+  const double exp_others_0 = exp_m_1 + exp_m_2;
+  const double exp_others_1 = exp_m_0 + exp_m_2;
+  const double exp_others_2 = exp_m_0 + exp_m_1;
+  const double exp_diagonal0a = 1.0 - exp_others_0, exp_diagonal0b = exp_g0 + exp_m_0,
+      exp_diagonal0 = exp_m_0 < exp_others_0 ? exp_diagonal0b : exp_diagonal0a;
+  const double exp_diagonal1a = 1.0 - exp_others_1, exp_diagonal1b = exp_g0 + exp_m_1,
+      exp_diagonal1 = exp_m_1 < exp_others_1 ? exp_diagonal1b : exp_diagonal1a;
+  const double exp_diagonal2a = 1.0 - exp_others_2, exp_diagonal2b = exp_g0 + exp_m_2,
+      exp_diagonal2 = exp_m_2 < exp_others_2 ? exp_diagonal2b : exp_diagonal2a;
+  const double exp_alpha_v_0 = screw_3 * exp_g1;
+  const double exp_alpha_v_1 = screw_4 * exp_g1;
+  const double exp_alpha_v_2 = screw_5 * exp_g1;
+  const double exp_across_axis_0 = exp_turned_0 + exp_along_0;
+  const double exp_across_axis_1 = exp_turned_1 + exp_along_1;
+  const double exp_across_axis_2 = exp_turned_2 + exp_along_2;
+  const double step_1 = exp_m_3 - exp_alpha_v_2;
+  const double step_2 = exp_m_4 + exp_alpha_v_1;
+  const double step_3a = screw_0 * exp_g1, step_3 = step_3a + exp_across_axis_0;
+  const double step_4 = exp_m_3 + exp_alpha_v_2;
+  const double step_6 = exp_m_5 - exp_alpha_v_0;
+  const double step_7a = screw_1 * exp_g1, step_7 = step_7a + exp_across_axis_1;
+  const double step_8 = exp_m_4 - exp_alpha_v_1;
+  const double step_9 = exp_m_5 + exp_alpha_v_0;
+  const double step_11a = screw_2 * exp_g1, step_11 = step_11a + exp_across_axis_2;
+  const double Do_00a = D1->m00 * exp_diagonal0, Do_00b = D1->m01 * step_4,
+      Do_00c = D1->m02 * step_8, Do_00d = Do_00b + Do_00c, Do_00 = Do_00a + Do_00d;
+  const double Do_01a = D1->m00 * step_1, Do_01b = D1->m02 * step_9, Do_01c = Do_01a + Do_01b,
+      Do_01d = D1->m01 * exp_diagonal1, Do_01 = Do_01c + Do_01d;
+  const double Do_02a = D1->m00 * step_2, Do_02b = D1->m01 * step_6, Do_02c = Do_02a + Do_02b,
+      Do_02d = D1->m02 * exp_diagonal2, Do_02 = Do_02c + Do_02d;
+  const double Do_03a = D1->m00 * step_3, Do_03b = D1->m01 * step_7, Do_03c = Do_03a + Do_03b,
+      Do_03d = D1->m02 * step_11, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D1->m03;
+  const double Do_10a = D1->m10 * exp_diagonal0, Do_10b = D1->m11 * step_4,
+      Do_10c = D1->m12 * step_8, Do_10d = Do_10b + Do_10c, Do_10 = Do_10a + Do_10d;
+  const double Do_11a = D1->m10 * step_1, Do_11b = D1->m12 * step_9, Do_11c = Do_11a + Do_11b,
+      Do_11d = D1->m11 * exp_diagonal1, Do_11 = Do_11c + Do_11d;
+  const double Do_12a = D1->m10 * step_2, Do_12b = D1->m11 * step_6, Do_12c = Do_12a + Do_12b,
+      Do_12d = D1->m12 * exp_diagonal2, Do_12 = Do_12c + Do_12d;
+  const double Do_13a = D1->m10 * step_3, Do_13b = D1->m11 * step_7, Do_13c = Do_13a + Do_13b,
+      Do_13d = D1->m12 * step_11, Do_13e = Do_13c + Do_13d, Do_13 = Do_13e + D1->m13;
+  const double Do_20a = D1->m20 * exp_diagonal0, Do_20b = D1->m21 * step_4,
+      Do_20c = D1->m22 * step_8, Do_20d = Do_20b + Do_20c, Do_20 = Do_20a + Do_20d;
+  const double Do_21a = D1->m20 * step_1, Do_21b = D1->m22 * step_9, Do_21c = Do_21a + Do_21b,
+      Do_21d = D1->m21 * exp_diagonal1, Do_21 = Do_21c + Do_21d;
+  const double Do_22a = D1->m20 * step_2, Do_22b = D1->m21 * step_6, Do_22c = Do_22a + Do_22b,
+      Do_22d = D1->m22 * exp_diagonal2, Do_22 = Do_22c + Do_22d;
+  const double Do_23a = D1->m20 * step_3, Do_23b = D1->m21 * step_7, Do_23c = Do_23a + Do_23b,
+      Do_23d = D1->m22 * step_11, Do_23e = Do_23c + Do_23d, Do_23 = Do_23e + D1->m23;
+  Do->m00 = Do_00;
+  Do->m01 = Do_01;
+  Do->m02 = Do_02;
+  Do->m03 = Do_03;
+  Do->m10 = Do_10;
+  Do->m11 = Do_11;
+  Do->m12 = Do_12;
+  Do->m13 = Do_13;
+  Do->m20 = Do_20;
+  Do->m21 = Do_21;
+  Do->m22 = Do_22;
+  Do->m23 = Do_23;
+}
+
+/* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
+   v: vector; R: rotation or other 3×3 matrix.
+   48 mul, 67 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select. */
+static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
+  const float shifted_0 = v->x + 49152.0f;
+  const float shifted_1 = v->y + 49152.0f;
+  const float shifted_2 = v->z + 49152.0f;
+  const float high_0 = shifted_0 - 49152.0f;
+  const float high_1 = shifted_1 - 49152.0f;
+  const float high_2 = shifted_2 - 49152.0f;
+  const float low_0 = v->x - high_0;
+  const float low_1 = v->y - high_1;
+  const float low_2 = v->z - high_2;
+  const float sum_0 = v->x + high_0;
+  const float sum_1 = v->y + high_1;
+  const float sum_2 = v->z + high_2;
+  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float x = squares + cross;
+  const float theta_a = sqrtf(x), theta = x < 4.0f ? 2.0f : theta_a;
+  const float theta_shifted = theta + 49152.0f;
+  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_low = theta - theta_high;
+  const float theta_sum = theta + theta_high;
+  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float residual = cross_rest + exact;
+  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float far_sine_a = sinf(theta), far_sine = x < 4.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 4.0f ? 0.0f : far_cosine_a;
+  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float far_x = x < 4.0f ? 4.0f : x;
+  const float closed1 = sine / theta;
+  const float versine = 1.0f - cosine;
+  const float closed2 = versine / far_x;
+  const float g1a = 6.4469503e-26f * x, g1b = g1a - 3.8681703e-23f, g1c = x * g1b,
+      g1d = g1c + 1.9572942e-20f, g1e = x * g1d, g1f = g1e - 8.220635e-18f, g1g = x * g1f,
+      g1h = g1g + 2.8114574e-15f, g1i = x * g1h, g1j = g1i - 7.6471636e-13f, g1k = x * g1j,
+      g1l = g1k + 1.6059044e-10f, g1m = x * g1l, g1n = g1m - 2.5052108e-08f, g1o = x * g1n,
+      g1p = g1o + 2.7557319e-06f, g1q = x * g1p, g1r = g1q - 0.0001984127f, g1s = x * g1r,
+      g1t = g1s + 0.008333334f, g1u = x * g1t, g1v = g1u - 0.16666667f, g1w = x * g1v,
+      g1x = g1w + 1.0f, g1 = x < 4.0f ? g1x : closed1;
+  const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
+      g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
+      g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
+      g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
+      g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
+      g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
+      g2x = g2w + 0.5f, g2 = x < 4.0f ? g2x : closed2;
+  const float g0a = x * g2, g0b = 1.0f - g0a, g0 = x < 4.0f ? g0b : cosine;
+  const float beta_v_0 = v->x * g2;
+  const float beta_v_1 = v->y * g2;
+  const float beta_v_2 = v->z * g2;
+  const float m_0 = v->x * beta_v_0;
+  const float m_1 = v->y * beta_v_1;
+  const float m_2 = v->z * beta_v_2;
+  const float m_3 = v->y * beta_v_0;
+  const float m_4 = v->z * beta_v_0;
+  const float m_5 = v->z * beta_v_1;
+  const float others_0 = m_1 + m_2;
+  const float others_1 = m_0 + m_2;
+  const float others_2 = m_0 + m_1;
+  const float diagonal0a = 1.0f - others_0, diagonal0b = g0 + m_0,
+      diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
+  const float diagonal1a = 1.0f - others_1, diagonal1b = g0 + m_1,
+      diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
+  const float diagonal2a = 1.0f - others_2, diagonal2b = g0 + m_2,
+      diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
+  const float alpha_v_0 = v->x * g1;
+  const float alpha_v_1 = v->y * g1;
+  const float alpha_v_2 = v->z * g1;
+  const float R_01 = m_3 - alpha_v_2;
+  const float R_02 = m_4 + alpha_v_1;
+  const float R_10 = m_3 + alpha_v_2;
+  const float R_12 = m_5 - alpha_v_0;
+  const float R_20 = m_4 - alpha_v_1;
+  const float R_21 = m_5 + alpha_v_0;
+  R->m00 = diagonal0;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = diagonal1;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = diagonal2;
+}
+
+/* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
+   R: rotation or other 3×3 matrix; vo: vector.
+   11 mul, 20 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select. */
+static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
+  const float p_0 = R->m21 - R->m12;
+  const float p_1 = R->m02 - R->m20;
+  const float p_2 = R->m10 - R->m01;
+  const float s_0 = R->m12 + R->m21;
+  const float s_1 = R->m02 + R->m20;
+  const float s_2 = R->m01 + R->m10;
+  const float d_0a = R->m00 + R->m11, d_0b = d_0a + R->m22, d_0 = d_0b + 1.0f;
+  const float d_1a = R->m00 - R->m11, d_1b = d_1a - R->m22, d_1 = d_1b + 1.0f;
+  const float d_2a = R->m11 - R->m00, d_2b = d_2a - R->m22, d_2 = d_2b + 1.0f;
+  const float d_3a = R->m22 - R->m00, d_3b = d_3a - R->m11, d_3 = d_3b + 1.0f;
+  const float low_0 = R->m11 < R->m00 ? p_0 : p_1;
+  const float low_1 = R->m11 < R->m00 ? d_1 : s_2;
+  const float low_2 = R->m11 < R->m00 ? s_2 : d_2;
+  const float low_3 = R->m11 < R->m00 ? s_1 : s_0;
+  const float high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0;
+  const float high_1 = R->m00 < high_0a ? s_1 : p_0;
+  const float high_2 = R->m00 < high_0a ? s_0 : p_1;
+  const float high_3 = R->m00 < high_0a ? d_3 : p_2;
+  const float column_0 = R->m22 < 0.0f ? low_0 : high_0;
+  const float column_1 = R->m22 < 0.0f ? low_1 : high_1;
+  const float column_2 = R->m22 < 0.0f ? low_2 : high_2;
+  const float column_3 = R->m22 < 0.0f ? low_3 : high_3;
+  const float upper_0a = -column_0, upper_0 = column_0 < 0.0f ? upper_0a : column_0;
+  const float upper_1a = -column_1, upper_1 = column_0 < 0.0f ? upper_1a : column_1;
+  const float upper_2a = -column_2, upper_2 = column_0 < 0.0f ? upper_2a : column_2;
+  const float upper_3a = -column_3, upper_3 = column_0 < 0.0f ? upper_3a : column_3;
+  const float v_s_size_0 = fabsf(upper_1);
+  const float v_s_size_1 = fabsf(upper_2);
+  const float v_s_size_2 = fabsf(upper_3);
+  const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
+      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
+  const float v_y_0 = upper_1 * v_s;
+  const float v_y_1 = upper_2 * v_s;
+  const float v_y_2 = upper_3 * v_s;
+  const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
+  const float n = v_n * v_r;
+  const float half = atan2f(n, upper_0);
+  const float divisor = n == 0.0f ? 1.0f : n;
+  const float theta = 2.0f * half;
+  const float k = theta / divisor;
+  const float vector_0 = upper_1 * k;
+  const float vector_1 = upper_2 * k;
+  const float vector_2 = upper_3 * k;
+  vo->x = vector_0;
+  vo->y = vector_1;
+  vo->z = vector_2;
+}
+
+/* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
+   v: vector; R: rotation or other 3×3 matrix.
+   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select. */
+static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
+  const float shifted_0 = v->x + 49152.0f;
+  const float shifted_1 = v->y + 49152.0f;
+  const float shifted_2 = v->z + 49152.0f;
+  const float high_0 = shifted_0 - 49152.0f;
+  const float high_1 = shifted_1 - 49152.0f;
+  const float high_2 = shifted_2 - 49152.0f;
+  const float low_0 = v->x - high_0;
+  const float low_1 = v->y - high_1;
+  const float low_2 = v->z - high_2;
+  const float sum_0 = v->x + high_0;
+  const float sum_1 = v->y + high_1;
+  const float sum_2 = v->z + high_2;
+  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float x = squares + cross;
+  const float theta_a = sqrtf(x), theta = x < 4.0f ? 2.0f : theta_a;
+  const float theta_shifted = theta + 49152.0f;
+  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_low = theta - theta_high;
+  const float theta_sum = theta + theta_high;
+  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float residual = cross_rest + exact;
+  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float far_sine_a = sinf(theta), far_sine = x < 4.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 4.0f ? 0.0f : far_cosine_a;
+  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float far_x = x < 4.0f ? 4.0f : x;
+  const float closed1 = sine / theta;
+  const float versine = 1.0f - cosine;
+  const float closed2 = versine / far_x;
+  const float rest3 = 1.0f - closed1;
+  const float closed3 = rest3 / far_x;
+  const float g1a = 6.4469503e-26f * x, g1b = g1a - 3.8681703e-23f, g1c = x * g1b,
+      g1d = g1c + 1.9572942e-20f, g1e = x * g1d, g1f = g1e - 8.220635e-18f, g1g = x * g1f,
+      g1h = g1g + 2.8114574e-15f, g1i = x * g1h, g1j = g1i - 7.6471636e-13f, g1k = x * g1j,
+      g1l = g1k + 1.6059044e-10f, g1m = x * g1l, g1n = g1m - 2.5052108e-08f, g1o = x * g1n,
+      g1p = g1o + 2.7557319e-06f, g1q = x * g1p, g1r = g1q - 0.0001984127f, g1s = x * g1r,
+      g1t = g1s + 0.008333334f, g1u = x * g1t, g1v = g1u - 0.16666667f, g1w = x * g1v,
+      g1x = g1w + 1.0f, g1 = x < 4.0f ? g1x : closed1;
+  const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
+      g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
+      g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
+      g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
+      g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
+      g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
+      g2x = g2w + 0.5f, g2 = x < 4.0f ? g2x : closed2;
+  const float g3a = 9.18369e-29f * x, g3b = g3a - 6.4469503e-26f, g3c = x * g3b,
+      g3d = g3c + 3.8681703e-23f, g3e = x * g3d, g3f = g3e - 1.9572942e-20f, g3g = x * g3f,
+      g3h = g3g + 8.220635e-18f, g3i = x * g3h, g3j = g3i - 2.8114574e-15f, g3k = x * g3j,
+      g3l = g3k + 7.6471636e-13f, g3m = x * g3l, g3n = g3m - 1.6059044e-10f, g3o = x * g3n,
+      g3p = g3o + 2.5052108e-08f, g3q = x * g3p, g3r = g3q - 2.7557319e-06f, g3s = x * g3r,
+      g3t = g3s + 0.0001984127f, g3u = x * g3t, g3v = g3u - 0.008333334f, g3w = x * g3v,
+      g3x = g3w + 0.16666667f, g3 = x < 4.0f ? g3x : closed3;
+  const float beta_v_0 = v->x * g3;
+  const float beta_v_1 = v->y * g3;
+  const float beta_v_2 = v->z * g3;
+  const float m_0 = v->x * beta_v_0;
+  const float m_1 = v->y * beta_v_1;
+  const float m_2 = v->z * beta_v_2;
+  const float m_3 = v->y * beta_v_0;
+  const float m_4 = v->z * beta_v_0;
+  const float m_5 = v->z * beta_v_1;
+  const float others_0 = m_1 + m_2;
+  const float others_1 = m_0 + m_2;
+  const float others_2 = m_0 + m_1;
+  const float diagonal0a = 1.0f - others_0, diagonal0b = g1 + m_0,
+      diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
+  const float diagonal1a = 1.0f - others_1, diagonal1b = g1 + m_1,
+      diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
+  const float diagonal2a = 1.0f - others_2, diagonal2b = g1 + m_2,
+      diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
+  const float alpha_v_0 = v->x * g2;
+  const float alpha_v_1 = v->y * g2;
+  const float alpha_v_2 = v->z * g2;
+  const float R_01 = m_3 - alpha_v_2;
+  const float R_02 = m_4 + alpha_v_1;
+  const float R_10 = m_3 + alpha_v_2;
+  const float R_12 = m_5 - alpha_v_0;
+  const float R_20 = m_4 - alpha_v_1;
+  const float R_21 = m_5 + alpha_v_0;
+  R->m00 = diagonal0;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = diagonal1;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = diagonal2;
+}
+
+/* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
+   v: vector; R: rotation or other 3×3 matrix.
+   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 less, 10 select. */
+static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
+  const float shifted_0 = v->x + 49152.0f;
+  const float shifted_1 = v->y + 49152.0f;
+  const float shifted_2 = v->z + 49152.0f;
+  const float high_0 = shifted_0 - 49152.0f;
+  const float high_1 = shifted_1 - 49152.0f;
+  const float high_2 = shifted_2 - 49152.0f;
+  const float low_0 = v->x - high_0;
+  const float low_1 = v->y - high_1;
+  const float low_2 = v->z - high_2;
+  const float sum_0 = v->x + high_0;
+  const float sum_1 = v->y + high_1;
+  const float sum_2 = v->z + high_2;
+  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float x = squares + cross;
+  const float theta_a = sqrtf(x), theta = x < 4.0f ? 2.0f : theta_a;
+  const float theta_shifted = theta + 49152.0f;
+  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_low = theta - theta_high;
+  const float theta_sum = theta + theta_high;
+  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float residual = cross_rest + exact;
+  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float far_sine_a = sinf(theta), far_sine = x < 4.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 4.0f ? 0.0f : far_cosine_a;
+  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float far_x = x < 4.0f ? 4.0f : x;
+  const float closed1 = sine / theta;
+  const float versine = 1.0f - cosine;
+  const float closed2 = versine / far_x;
+  const float rest3 = 1.0f - closed1;
+  const float closed3 = rest3 / far_x;
+  const float g1a = 6.4469503e-26f * x, g1b = g1a - 3.8681703e-23f, g1c = x * g1b,
+      g1d = g1c + 1.9572942e-20f, g1e = x * g1d, g1f = g1e - 8.220635e-18f, g1g = x * g1f,
+      g1h = g1g + 2.8114574e-15f, g1i = x * g1h, g1j = g1i - 7.6471636e-13f, g1k = x * g1j,
+      g1l = g1k + 1.6059044e-10f, g1m = x * g1l, g1n = g1m - 2.5052108e-08f, g1o = x * g1n,
+      g1p = g1o + 2.7557319e-06f, g1q = x * g1p, g1r = g1q - 0.0001984127f, g1s = x * g1r,
+      g1t = g1s + 0.008333334f, g1u = x * g1t, g1v = g1u - 0.16666667f, g1w = x * g1v,
+      g1x = g1w + 1.0f, g1 = x < 4.0f ? g1x : closed1;
+  const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
+      g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
+      g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
+      g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
+      g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
+      g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
+      g2x = g2w + 0.5f, g2 = x < 4.0f ? g2x : closed2;
+  const float g3a = 9.18369e-29f * x, g3b = g3a - 6.4469503e-26f, g3c = x * g3b,
+      g3d = g3c + 3.8681703e-23f, g3e = x * g3d, g3f = g3e - 1.9572942e-20f, g3g = x * g3f,
+      g3h = g3g + 8.220635e-18f, g3i = x * g3h, g3j = g3i - 2.8114574e-15f, g3k = x * g3j,
+      g3l = g3k + 7.6471636e-13f, g3m = x * g3l, g3n = g3m - 1.6059044e-10f, g3o = x * g3n,
+      g3p = g3o + 2.5052108e-08f, g3q = x * g3p, g3r = g3q - 2.7557319e-06f, g3s = x * g3r,
+      g3t = g3s + 0.0001984127f, g3u = x * g3t, g3v = g3u - 0.008333334f, g3w = x * g3v,
+      g3x = g3w + 0.16666667f, g3 = x < 4.0f ? g3x : closed3;
+  const float beta_v_0 = v->x * g3;
+  const float beta_v_1 = v->y * g3;
+  const float beta_v_2 = v->z * g3;
+  const float m_0 = v->x * beta_v_0;
+  const float m_1 = v->y * beta_v_1;
+  const float m_2 = v->z * beta_v_2;
+  const float m_3 = v->y * beta_v_0;
+  const float m_4 = v->z * beta_v_0;
+  const float m_5 = v->z * beta_v_1;
+  const float others_0 = m_1 + m_2;
+  const float others_1 = m_0 + m_2;
+  const float others_2 = m_0 + m_1;
+  const float diagonal0a = 1.0f - others_0, diagonal0b = g1 + m_0,
+      diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
+  const float diagonal1a = 1.0f - others_1, diagonal1b = g1 + m_1,
+      diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
+  const float diagonal2a = 1.0f - others_2, diagonal2b = g1 + m_2,
+      diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
+  const float alpha_v_0a = v->x * g2, alpha_v_0 = -alpha_v_0a;
+  const float alpha_v_1a = v->y * g2, alpha_v_1 = -alpha_v_1a;
+  const float alpha_v_2a = v->z * g2, alpha_v_2 = -alpha_v_2a;
+  const float R_01 = m_3 - alpha_v_2;
+  const float R_02 = m_4 + alpha_v_1;
+  const float R_10 = m_3 + alpha_v_2;
+  const float R_12 = m_5 - alpha_v_0;
+  const float R_20 = m_4 - alpha_v_1;
+  const float R_21 = m_5 + alpha_v_0;
+  R->m00 = diagonal0;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = diagonal1;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = diagonal2;
+}
+
+/* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
+     but 0.
+   v: vector; R: rotation or other 3×3 matrix.
+   41 mul, 57 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 2 less, 7 select. */
+static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
+  const float shifted_0 = v->x + 49152.0f;
+  const float shifted_1 = v->y + 49152.0f;
+  const float shifted_2 = v->z + 49152.0f;
+  const float high_0 = shifted_0 - 49152.0f;
+  const float high_1 = shifted_1 - 49152.0f;
+  const float high_2 = shifted_2 - 49152.0f;
+  const float low_0 = v->x - high_0;
+  const float low_1 = v->y - high_1;
+  const float low_2 = v->z - high_2;
+  const float sum_0 = v->x + high_0;
+  const float sum_1 = v->y + high_1;
+  const float sum_2 = v->z + high_2;
+  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float x = squares + cross;
+  const float theta_a = sqrtf(x), theta = x < 4.0f ? 2.0f : theta_a;
+  const float theta_shifted = theta + 49152.0f;
+  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_low = theta - theta_high;
+  const float theta_sum = theta + theta_high;
+  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float residual = cross_rest + exact;
+  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float far_sine_a = sinf(theta), far_sine = x < 4.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 4.0f ? 0.0f : far_cosine_a;
+  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float above_a = cosine + 1.0f, above = cosine < 0.0f ? sine : above_a;
+  const float below_a = 1.0f - cosine, below = cosine < 0.0f ? below_a : sine;
+  const float cotangent = above / below;
+  const float b_rest_a = 0.5f * theta, b_rest_b = b_rest_a * cotangent, b_rest = 1.0f - b_rest_b;
+  const float b_divisor = x < 4.0f ? 4.0f : x;
+  const float closed_b = b_rest / b_divisor;
+  const float b_a = 1.4551725e-27f * x, b_b = b_a + 5.744791e-26f, b_c = x * b_b,
+      b_d = b_c + 2.2679524e-24f, b_e = x * b_d, b_f = b_e + 8.9535176e-23f, b_g = x * b_f,
+      b_h = b_g + 3.534707e-21f, b_i = x * b_h, b_j = b_i + 1.3954465e-19f, b_k = x * b_j,
+      b_l = b_k + 5.509003e-18f, b_m = x * b_l, b_n = b_m + 2.1748687e-16f, b_o = x * b_n,
+      b_p = b_o + 8.586062e-15f, b_q = x * b_p, b_r = b_q + 3.3896803e-13f, b_s = x * b_r,
+      b_t = b_s + 1.3382536e-11f, b_u = x * b_t, b_v = b_u + 5.2841903e-10f, b_w = x * b_v,
+      b_x = b_w + 2.0876756e-08f, b_y = x * b_x, b_z = b_y + 8.267196e-07f, b_aa = x * b_z,
+      b_ab = b_aa + 3.3068784e-05f, b_ac = x * b_ab, b_ad = b_ac + 0.0013888889f, b_ae = x * b_ad,
+      b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
+  const float beta_v_0 = v->x * b;
+  const float beta_v_1 = v->y * b;
+  const float beta_v_2 = v->z * b;
+  const float m_0 = v->x * beta_v_0;
+  const float m_1 = v->y * beta_v_1;
+  const float m_2 = v->z * beta_v_2;
+  const float m_3 = v->y * beta_v_0;
+  const float m_4 = v->z * beta_v_0;
+  const float m_5 = v->z * beta_v_1;
+  const float others_0 = m_1 + m_2;
+  const float others_1 = m_0 + m_2;
+  const float others_2 = m_0 + m_1;
+  const float alpha_v_0a = 0.5f * v->x, alpha_v_0 = -alpha_v_0a;
+  const float alpha_v_1a = 0.5f * v->y, alpha_v_1 = -alpha_v_1a;
+  const float alpha_v_2a = 0.5f * v->z, alpha_v_2 = -alpha_v_2a;
+  const float R_00 = 1.0f - others_0;
+  const float R_01 = m_3 - alpha_v_2;
+  const float R_02 = m_4 + alpha_v_1;
+  const float R_10 = m_3 + alpha_v_2;
+  const float R_11 = 1.0f - others_1;
+  const float R_12 = m_5 - alpha_v_0;
+  const float R_20 = m_4 - alpha_v_1;
+  const float R_21 = m_5 + alpha_v_0;
+  const float R_22 = 1.0f - others_2;
+  R->m00 = R_00;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = R_11;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = R_22;
+}
+
+/* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
+     but 0.
+   v: vector; R: rotation or other 3×3 matrix.
+   41 mul, 57 add, 3 div, 1 sqrt, 1 sin, 1 cos, 2 less, 7 select. */
+static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
+  const float shifted_0 = v->x + 49152.0f;
+  const float shifted_1 = v->y + 49152.0f;
+  const float shifted_2 = v->z + 49152.0f;
+  const float high_0 = shifted_0 - 49152.0f;
+  const float high_1 = shifted_1 - 49152.0f;
+  const float high_2 = shifted_2 - 49152.0f;
+  const float low_0 = v->x - high_0;
+  const float low_1 = v->y - high_1;
+  const float low_2 = v->z - high_2;
+  const float sum_0 = v->x + high_0;
+  const float sum_1 = v->y + high_1;
+  const float sum_2 = v->z + high_2;
+  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float x = squares + cross;
+  const float theta_a = sqrtf(x), theta = x < 4.0f ? 2.0f : theta_a;
+  const float theta_shifted = theta + 49152.0f;
+  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_low = theta - theta_high;
+  const float theta_sum = theta + theta_high;
+  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float residual = cross_rest + exact;
+  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float far_sine_a = sinf(theta), far_sine = x < 4.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 4.0f ? 0.0f : far_cosine_a;
+  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float above_a = cosine + 1.0f, above = cosine < 0.0f ? sine : above_a;
+  const float below_a = 1.0f - cosine, below = cosine < 0.0f ? below_a : sine;
+  const float cotangent = above / below;
+  const float b_rest_a = 0.5f * theta, b_rest_b = b_rest_a * cotangent, b_rest = 1.0f - b_rest_b;
+  const float b_divisor = x < 4.0f ? 4.0f : x;
+  const float closed_b = b_rest / b_divisor;
+  const float b_a = 1.4551725e-27f * x, b_b = b_a + 5.744791e-26f, b_c = x * b_b,
+      b_d = b_c + 2.2679524e-24f, b_e = x * b_d, b_f = b_e + 8.9535176e-23f, b_g = x * b_f,
+      b_h = b_g + 3.534707e-21f, b_i = x * b_h, b_j = b_i + 1.3954465e-19f, b_k = x * b_j,
+      b_l = b_k + 5.509003e-18f, b_m = x * b_l, b_n = b_m + 2.1748687e-16f, b_o = x * b_n,
+      b_p = b_o + 8.586062e-15f, b_q = x * b_p, b_r = b_q + 3.3896803e-13f, b_s = x * b_r,
+      b_t = b_s + 1.3382536e-11f, b_u = x * b_t, b_v = b_u + 5.2841903e-10f, b_w = x * b_v,
+      b_x = b_w + 2.0876756e-08f, b_y = x * b_x, b_z = b_y + 8.267196e-07f, b_aa = x * b_z,
+      b_ab = b_aa + 3.3068784e-05f, b_ac = x * b_ab, b_ad = b_ac + 0.0013888889f, b_ae = x * b_ad,
+      b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
+  const float beta_v_0 = v->x * b;
+  const float beta_v_1 = v->y * b;
+  const float beta_v_2 = v->z * b;
+  const float m_0 = v->x * beta_v_0;
+  const float m_1 = v->y * beta_v_1;
+  const float m_2 = v->z * beta_v_2;
+  const float m_3 = v->y * beta_v_0;
+  const float m_4 = v->z * beta_v_0;
+  const float m_5 = v->z * beta_v_1;
+  const float others_0 = m_1 + m_2;
+  const float others_1 = m_0 + m_2;
+  const float others_2 = m_0 + m_1;
+  const float alpha_v_0 = 0.5f * v->x;
+  const float alpha_v_1 = 0.5f * v->y;
+  const float alpha_v_2 = 0.5f * v->z;
+  const float R_00 = 1.0f - others_0;
+  const float R_01 = m_3 - alpha_v_2;
+  const float R_02 = m_4 + alpha_v_1;
+  const float R_10 = m_3 + alpha_v_2;
+  const float R_11 = 1.0f - others_1;
+  const float R_12 = m_5 - alpha_v_0;
+  const float R_20 = m_4 - alpha_v_1;
+  const float R_21 = m_5 + alpha_v_0;
+  const float R_22 = 1.0f - others_2;
+  R->m00 = R_00;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = R_11;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = R_22;
+}
+
+/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
+   axis: vector; angle: number; R: rotation or other 3×3 matrix.
+   15 mul, 12 add, 2 sin. */
+static inline void ksl_mat3x3f_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
+    ksl_mat3x3f_t *R) {
+  const float half = 0.5f * angle;
+  const float h = sinf(half);
+  const float sine = sinf(angle);
+  const float versine_a = h * h, versine = 2.0f * versine_a;
+  const float beta_v_0 = axis->x * versine;
+  const float beta_v_1 = axis->y * versine;
+  const float beta_v_2 = axis->z * versine;
+  const float m_0 = axis->x * beta_v_0;
+  const float m_1 = axis->y * beta_v_1;
+  const float m_2 = axis->z * beta_v_2;
+  const float m_3 = axis->y * beta_v_0;
+  const float m_4 = axis->z * beta_v_0;
+  const float m_5 = axis->z * beta_v_1;
+  const float others_0 = m_1 + m_2;
+  const float others_1 = m_0 + m_2;
+  const float others_2 = m_0 + m_1;
+  const float alpha_v_0 = axis->x * sine;
+  const float alpha_v_1 = axis->y * sine;
+  const float alpha_v_2 = axis->z * sine;
+  const float R_00 = 1.0f - others_0;
+  const float R_01 = m_3 - alpha_v_2;
+  const float R_02 = m_4 + alpha_v_1;
+  const float R_10 = m_3 + alpha_v_2;
+  const float R_11 = 1.0f - others_1;
+  const float R_12 = m_5 - alpha_v_0;
+  const float R_20 = m_4 - alpha_v_1;
+  const float R_21 = m_5 + alpha_v_0;
+  const float R_22 = 1.0f - others_2;
+  R->m00 = R_00;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = R_11;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = R_22;
+}
+
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
+   R: rotation or other 3×3 matrix; axis: vector.
+   8 mul, 20 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select. */
+static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *axis) {
+  const float p_0 = R->m21 - R->m12;
+  const float p_1 = R->m02 - R->m20;
+  const float p_2 = R->m10 - R->m01;
+  const float s_0 = R->m12 + R->m21;
+  const float s_1 = R->m02 + R->m20;
+  const float s_2 = R->m01 + R->m10;
+  const float d_0a = R->m00 + R->m11, d_0b = d_0a + R->m22, d_0 = d_0b + 1.0f;
+  const float d_1a = R->m00 - R->m11, d_1b = d_1a - R->m22, d_1 = d_1b + 1.0f;
+  const float d_2a = R->m11 - R->m00, d_2b = d_2a - R->m22, d_2 = d_2b + 1.0f;
+  const float d_3a = R->m22 - R->m00, d_3b = d_3a - R->m11, d_3 = d_3b + 1.0f;
+  const float low_0 = R->m11 < R->m00 ? p_0 : p_1;
+  const float low_1 = R->m11 < R->m00 ? d_1 : s_2;
+  const float low_2 = R->m11 < R->m00 ? s_2 : d_2;
+  const float low_3 = R->m11 < R->m00 ? s_1 : s_0;
+  const float high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0;
+  const float high_1 = R->m00 < high_0a ? s_1 : p_0;
+  const float high_2 = R->m00 < high_0a ? s_0 : p_1;
+  const float high_3 = R->m00 < high_0a ? d_3 : p_2;
+  const float column_0 = R->m22 < 0.0f ? low_0 : high_0;
+  const float column_1 = R->m22 < 0.0f ? low_1 : high_1;
+  const float column_2 = R->m22 < 0.0f ? low_2 : high_2;
+  const float column_3 = R->m22 < 0.0f ? low_3 : high_3;
+  const float upper_0a = -column_0, upper_0 = column_0 < 0.0f ? upper_0a : column_0;
+  const float upper_1a = -column_1, upper_1 = column_0 < 0.0f ? upper_1a : column_1;
+  const float upper_2a = -column_2, upper_2 = column_0 < 0.0f ? upper_2a : column_2;
+  const float upper_3a = -column_3, upper_3 = column_0 < 0.0f ? upper_3a : column_3;
+  const float v_s_size_0 = fabsf(upper_1);
+  const float v_s_size_1 = fabsf(upper_2);
+  const float v_s_size_2 = fabsf(upper_3);
+  const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
+      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
+  const float v_y_0 = upper_1 * v_s;
+  const float v_y_1 = upper_2 * v_s;
+  const float v_y_2 = upper_3 * v_s;
+  const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
+  const float n = v_n * v_r;
+  const float half = atan2f(n, upper_0);
+  const float divisor = n == 0.0f ? 1.0f : n;
+  const float unit_0 = upper_1 / divisor;
+  const float unit_1 = upper_2 / divisor;
+  const float unit_2 = upper_3 / divisor;
+  const float angle = 2.0f * half;
+  const float axis_0 = n == 0.0f ? 1.0f : unit_0;
+  return angle;
+}
+
+/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+   self: rotation or other 3×3 matrix.
+   51 mul, 42 add, 3 neg.
+   Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_mat3x3f_orthonormalize(ksl_mat3x3f_t *self) {
+  const float defect_0a = self->m00 * self->m00, defect_0b = 1.0f - defect_0a,
+      defect_0c = self->m10 * self->m10, defect_0d = defect_0b - defect_0c,
+      defect_0e = self->m20 * self->m20, defect_0 = defect_0d - defect_0e;
+  const float defect_1a = self->m01 * self->m01, defect_1b = 1.0f - defect_1a,
+      defect_1c = self->m11 * self->m11, defect_1d = defect_1b - defect_1c,
+      defect_1e = self->m21 * self->m21, defect_1 = defect_1d - defect_1e;
+  const float defect_2a = self->m02 * self->m02, defect_2b = 1.0f - defect_2a,
+      defect_2c = self->m12 * self->m12, defect_2d = defect_2b - defect_2c,
+      defect_2e = self->m22 * self->m22, defect_2 = defect_2d - defect_2e;
+  const float defect_3a = self->m00 * self->m01, defect_3b = self->m10 * self->m11,
+      defect_3c = defect_3a + defect_3b, defect_3d = self->m20 * self->m21,
+      defect_3e = defect_3c + defect_3d, defect_3 = -defect_3e;
+  const float defect_4a = self->m00 * self->m02, defect_4b = self->m10 * self->m12,
+      defect_4c = defect_4a + defect_4b, defect_4d = self->m20 * self->m22,
+      defect_4e = defect_4c + defect_4d, defect_4 = -defect_4e;
+  const float defect_5a = self->m01 * self->m02, defect_5b = self->m11 * self->m12,
+      defect_5c = defect_5a + defect_5b, defect_5d = self->m21 * self->m22,
+      defect_5e = defect_5c + defect_5d, defect_5 = -defect_5e;
+  const float correction_0 = 0.5f * defect_0;
+  const float correction_1 = 0.5f * defect_1;
+  const float correction_2 = 0.5f * defect_2;
+  const float correction_3 = 0.5f * defect_3;
+  const float correction_4 = 0.5f * defect_4;
+  const float correction_5 = 0.5f * defect_5;
+  const float self_00_new_a = self->m00 * correction_0, self_00_new_b = self->m01 * correction_3,
+      self_00_new_c = self_00_new_a + self_00_new_b, self_00_new_d = self->m02 * correction_4,
+      self_00_new_e = self_00_new_c + self_00_new_d, self_00_new = self->m00 + self_00_new_e;
+  const float self_01_new_a = self->m00 * correction_3, self_01_new_b = self->m01 * correction_1,
+      self_01_new_c = self_01_new_a + self_01_new_b, self_01_new_d = self->m02 * correction_5,
+      self_01_new_e = self_01_new_c + self_01_new_d, self_01_new = self_01_new_e + self->m01;
+  const float self_02_new_a = self->m00 * correction_4, self_02_new_b = self->m01 * correction_5,
+      self_02_new_c = self_02_new_a + self_02_new_b, self_02_new_d = self->m02 * correction_2,
+      self_02_new_e = self_02_new_c + self_02_new_d, self_02_new = self_02_new_e + self->m02;
+  const float self_10_new_a = self->m10 * correction_0, self_10_new_b = self->m11 * correction_3,
+      self_10_new_c = self_10_new_a + self_10_new_b, self_10_new_d = self->m12 * correction_4,
+      self_10_new_e = self_10_new_c + self_10_new_d, self_10_new = self->m10 + self_10_new_e;
+  const float self_11_new_a = self->m10 * correction_3, self_11_new_b = self->m11 * correction_1,
+      self_11_new_c = self_11_new_a + self_11_new_b, self_11_new_d = self->m12 * correction_5,
+      self_11_new_e = self_11_new_c + self_11_new_d, self_11_new = self_11_new_e + self->m11;
+  const float self_12_new_a = self->m10 * correction_4, self_12_new_b = self->m11 * correction_5,
+      self_12_new_c = self_12_new_a + self_12_new_b, self_12_new_d = self->m12 * correction_2,
+      self_12_new_e = self_12_new_c + self_12_new_d, self_12_new = self_12_new_e + self->m12;
+  const float self_20_new_a = self->m20 * correction_0, self_20_new_b = self->m21 * correction_3,
+      self_20_new_c = self_20_new_a + self_20_new_b, self_20_new_d = self->m22 * correction_4,
+      self_20_new_e = self_20_new_c + self_20_new_d, self_20_new = self->m20 + self_20_new_e;
+  const float self_21_new_a = self->m20 * correction_3, self_21_new_b = self->m21 * correction_1,
+      self_21_new_c = self_21_new_a + self_21_new_b, self_21_new_d = self->m22 * correction_5,
+      self_21_new_e = self_21_new_c + self_21_new_d, self_21_new = self_21_new_e + self->m21;
+  const float self_22_new_a = self->m20 * correction_4, self_22_new_b = self->m21 * correction_5,
+      self_22_new_c = self_22_new_a + self_22_new_b, self_22_new_d = self->m22 * correction_2,
+      self_22_new_e = self_22_new_c + self_22_new_d, self_22_new = self_22_new_e + self->m22;
+  self->m00 = self_00_new;
+  self->m01 = self_01_new;
+  self->m02 = self_02_new;
+  self->m10 = self_10_new;
+  self->m11 = self_11_new;
+  self->m12 = self_12_new;
+  self->m20 = self_20_new;
+  self->m21 = self_21_new;
+  self->m22 = self_22_new;
+}
+
+/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+   R, Ro: rotation or other 3×3 matrix.
+   51 mul, 42 add, 3 neg.
+   Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_mat3x3f_orthonormalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
+  const float defect_0a = R->m00 * R->m00, defect_0b = 1.0f - defect_0a,
+      defect_0c = R->m10 * R->m10, defect_0d = defect_0b - defect_0c, defect_0e = R->m20 * R->m20,
+      defect_0 = defect_0d - defect_0e;
+  const float defect_1a = R->m01 * R->m01, defect_1b = 1.0f - defect_1a,
+      defect_1c = R->m11 * R->m11, defect_1d = defect_1b - defect_1c, defect_1e = R->m21 * R->m21,
+      defect_1 = defect_1d - defect_1e;
+  const float defect_2a = R->m02 * R->m02, defect_2b = 1.0f - defect_2a,
+      defect_2c = R->m12 * R->m12, defect_2d = defect_2b - defect_2c, defect_2e = R->m22 * R->m22,
+      defect_2 = defect_2d - defect_2e;
+  const float defect_3a = R->m00 * R->m01, defect_3b = R->m10 * R->m11,
+      defect_3c = defect_3a + defect_3b, defect_3d = R->m20 * R->m21,
+      defect_3e = defect_3c + defect_3d, defect_3 = -defect_3e;
+  const float defect_4a = R->m00 * R->m02, defect_4b = R->m10 * R->m12,
+      defect_4c = defect_4a + defect_4b, defect_4d = R->m20 * R->m22,
+      defect_4e = defect_4c + defect_4d, defect_4 = -defect_4e;
+  const float defect_5a = R->m01 * R->m02, defect_5b = R->m11 * R->m12,
+      defect_5c = defect_5a + defect_5b, defect_5d = R->m21 * R->m22,
+      defect_5e = defect_5c + defect_5d, defect_5 = -defect_5e;
+  const float correction_0 = 0.5f * defect_0;
+  const float correction_1 = 0.5f * defect_1;
+  const float correction_2 = 0.5f * defect_2;
+  const float correction_3 = 0.5f * defect_3;
+  const float correction_4 = 0.5f * defect_4;
+  const float correction_5 = 0.5f * defect_5;
+  const float Ro_00a = R->m00 * correction_0, Ro_00b = R->m01 * correction_3,
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = R->m02 * correction_4, Ro_00e = Ro_00c + Ro_00d,
+      Ro_00 = R->m00 + Ro_00e;
+  const float Ro_01a = R->m00 * correction_3, Ro_01b = R->m01 * correction_1,
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = R->m02 * correction_5, Ro_01e = Ro_01c + Ro_01d,
+      Ro_01 = Ro_01e + R->m01;
+  const float Ro_02a = R->m00 * correction_4, Ro_02b = R->m01 * correction_5,
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = R->m02 * correction_2, Ro_02e = Ro_02c + Ro_02d,
+      Ro_02 = Ro_02e + R->m02;
+  const float Ro_10a = R->m10 * correction_0, Ro_10b = R->m11 * correction_3,
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = R->m12 * correction_4, Ro_10e = Ro_10c + Ro_10d,
+      Ro_10 = R->m10 + Ro_10e;
+  const float Ro_11a = R->m10 * correction_3, Ro_11b = R->m11 * correction_1,
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = R->m12 * correction_5, Ro_11e = Ro_11c + Ro_11d,
+      Ro_11 = Ro_11e + R->m11;
+  const float Ro_12a = R->m10 * correction_4, Ro_12b = R->m11 * correction_5,
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = R->m12 * correction_2, Ro_12e = Ro_12c + Ro_12d,
+      Ro_12 = Ro_12e + R->m12;
+  const float Ro_20a = R->m20 * correction_0, Ro_20b = R->m21 * correction_3,
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = R->m22 * correction_4, Ro_20e = Ro_20c + Ro_20d,
+      Ro_20 = R->m20 + Ro_20e;
+  const float Ro_21a = R->m20 * correction_3, Ro_21b = R->m21 * correction_1,
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = R->m22 * correction_5, Ro_21e = Ro_21c + Ro_21d,
+      Ro_21 = Ro_21e + R->m21;
+  const float Ro_22a = R->m20 * correction_4, Ro_22b = R->m21 * correction_5,
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = R->m22 * correction_2, Ro_22e = Ro_22c + Ro_22d,
+      Ro_22 = Ro_22e + R->m22;
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+}
+
+/* D = exp s = [exp ω~ | J_l(ω) v].
+   s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
+   79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 less, 11 select. */
+static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
+  const float shifted_0 = s->m3 + 49152.0f;
+  const float shifted_1 = s->m4 + 49152.0f;
+  const float shifted_2 = s->m5 + 49152.0f;
+  const float high_0 = shifted_0 - 49152.0f;
+  const float high_1 = shifted_1 - 49152.0f;
+  const float high_2 = shifted_2 - 49152.0f;
+  const float low_0 = s->m3 - high_0;
+  const float low_1 = s->m4 - high_1;
+  const float low_2 = s->m5 - high_2;
+  const float sum_0 = s->m3 + high_0;
+  const float sum_1 = s->m4 + high_1;
+  const float sum_2 = s->m5 + high_2;
+  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float x = squares + cross;
+  const float theta_a = sqrtf(x), theta = x < 4.0f ? 2.0f : theta_a;
+  const float theta_shifted = theta + 49152.0f;
+  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_low = theta - theta_high;
+  const float theta_sum = theta + theta_high;
+  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float residual = cross_rest + exact;
+  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float far_sine_a = sinf(theta), far_sine = x < 4.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 4.0f ? 0.0f : far_cosine_a;
+  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float far_x = x < 4.0f ? 4.0f : x;
+  const float closed1 = sine / theta;
+  const float versine = 1.0f - cosine;
+  const float closed2 = versine / far_x;
+  const float rest3 = 1.0f - closed1;
+  const float closed3 = rest3 / far_x;
+  const float g1a = 6.4469503e-26f * x, g1b = g1a - 3.8681703e-23f, g1c = x * g1b,
+      g1d = g1c + 1.9572942e-20f, g1e = x * g1d, g1f = g1e - 8.220635e-18f, g1g = x * g1f,
+      g1h = g1g + 2.8114574e-15f, g1i = x * g1h, g1j = g1i - 7.6471636e-13f, g1k = x * g1j,
+      g1l = g1k + 1.6059044e-10f, g1m = x * g1l, g1n = g1m - 2.5052108e-08f, g1o = x * g1n,
+      g1p = g1o + 2.7557319e-06f, g1q = x * g1p, g1r = g1q - 0.0001984127f, g1s = x * g1r,
+      g1t = g1s + 0.008333334f, g1u = x * g1t, g1v = g1u - 0.16666667f, g1w = x * g1v,
+      g1x = g1w + 1.0f, g1 = x < 4.0f ? g1x : closed1;
+  const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
+      g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
+      g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
+      g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
+      g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
+      g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
+      g2x = g2w + 0.5f, g2 = x < 4.0f ? g2x : closed2;
+  const float g3a = 9.18369e-29f * x, g3b = g3a - 6.4469503e-26f, g3c = x * g3b,
+      g3d = g3c + 3.8681703e-23f, g3e = x * g3d, g3f = g3e - 1.9572942e-20f, g3g = x * g3f,
+      g3h = g3g + 8.220635e-18f, g3i = x * g3h, g3j = g3i - 2.8114574e-15f, g3k = x * g3j,
+      g3l = g3k + 7.6471636e-13f, g3m = x * g3l, g3n = g3m - 1.6059044e-10f, g3o = x * g3n,
+      g3p = g3o + 2.5052108e-08f, g3q = x * g3p, g3r = g3q - 2.7557319e-06f, g3s = x * g3r,
+      g3t = g3s + 0.0001984127f, g3u = x * g3t, g3v = g3u - 0.008333334f, g3w = x * g3v,
+      g3x = g3w + 0.16666667f, g3 = x < 4.0f ? g3x : closed3;
+  const float g0a = x * g2, g0b = 1.0f - g0a, g0 = x < 4.0f ? g0b : cosine;
+  const float u_0a = s->m2 * s->m4, u_0b = s->m1 * s->m5, u_0 = u_0a - u_0b;
+  const float u_1a = s->m0 * s->m5, u_1b = s->m2 * s->m3, u_1 = u_1a - u_1b;
+  const float u_2a = s->m1 * s->m3, u_2b = s->m0 * s->m4, u_2 = u_2a - u_2b;
+  const float turned_0 = g2 * u_0;
+  const float turned_1 = g2 * u_1;
+  const float turned_2 = g2 * u_2;
+  const float wv_a = s->m0 * s->m3, wv_b = s->m1 * s->m4, wv_c = wv_a + wv_b, wv_d = s->m2 * s->m5,
+      wv = wv_c + wv_d;
+  const float pitch = g3 * wv;
+  const float along_0 = s->m3 * pitch;
+  const float along_1 = s->m4 * pitch;
+  const float along_2 = s->m5 * pitch;
+  const float beta_v_0 = s->m3 * g2;
+  const float beta_v_1 = s->m4 * g2;
+  const float beta_v_2 = s->m5 * g2;
+  const float m_0 = s->m3 * beta_v_0;
+  const float m_1 = s->m4 * beta_v_1;
+  const float m_2 = s->m5 * beta_v_2;
+  const float m_3 = s->m4 * beta_v_0;
+  const float m_4 = s->m5 * beta_v_0;
+  const float m_5 = s->m5 * beta_v_1;
+  const float others_0 = m_1 + m_2;
+  const float others_1 = m_0 + m_2;
+  const float others_2 = m_0 + m_1;
+  const float diagonal0a = 1.0f - others_0, diagonal0b = g0 + m_0,
+      diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
+  const float diagonal1a = 1.0f - others_1, diagonal1b = g0 + m_1,
+      diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
+  const float diagonal2a = 1.0f - others_2, diagonal2b = g0 + m_2,
+      diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
+  const float alpha_v_0 = s->m3 * g1;
+  const float alpha_v_1 = s->m4 * g1;
+  const float alpha_v_2 = s->m5 * g1;
+  const float across_axis_0 = turned_0 + along_0;
+  const float across_axis_1 = turned_1 + along_1;
+  const float across_axis_2 = turned_2 + along_2;
+  const float D_01 = m_3 - alpha_v_2;
+  const float D_02 = m_4 + alpha_v_1;
+  const float D_03a = s->m0 * g1, D_03 = D_03a + across_axis_0;
+  const float D_10 = m_3 + alpha_v_2;
+  const float D_12 = m_5 - alpha_v_0;
+  const float D_13a = s->m1 * g1, D_13 = D_13a + across_axis_1;
+  const float D_20 = m_4 - alpha_v_1;
+  const float D_21 = m_5 + alpha_v_0;
+  const float D_23a = s->m2 * g1, D_23 = D_23a + across_axis_2;
+  D->m00 = diagonal0;
+  D->m01 = D_01;
+  D->m02 = D_02;
+  D->m03 = D_03;
+  D->m10 = D_10;
+  D->m11 = diagonal1;
+  D->m12 = D_12;
+  D->m13 = D_13;
+  D->m20 = D_20;
+  D->m21 = D_21;
+  D->m22 = diagonal2;
+  D->m23 = D_23;
+}
+
+/* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
+   D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+   48 mul, 49 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 11 less, 1 equal, 26 select. */
+static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
+  const float p_0 = D->m21 - D->m12;
+  const float p_1 = D->m02 - D->m20;
+  const float p_2 = D->m10 - D->m01;
+  const float s_0 = D->m12 + D->m21;
+  const float s_1 = D->m02 + D->m20;
+  const float s_2 = D->m01 + D->m10;
+  const float d_0a = D->m00 + D->m11, d_0b = d_0a + D->m22, d_0 = d_0b + 1.0f;
+  const float d_1a = D->m00 - D->m11, d_1b = d_1a - D->m22, d_1 = d_1b + 1.0f;
+  const float d_2a = D->m11 - D->m00, d_2b = d_2a - D->m22, d_2 = d_2b + 1.0f;
+  const float d_3a = D->m22 - D->m00, d_3b = d_3a - D->m11, d_3 = d_3b + 1.0f;
+  const float low_0 = D->m11 < D->m00 ? p_0 : p_1;
+  const float low_1 = D->m11 < D->m00 ? d_1 : s_2;
+  const float low_2 = D->m11 < D->m00 ? s_2 : d_2;
+  const float low_3 = D->m11 < D->m00 ? s_1 : s_0;
+  const float high_0a = -D->m11, high_0 = D->m00 < high_0a ? p_2 : d_0;
+  const float high_1 = D->m00 < high_0a ? s_1 : p_0;
+  const float high_2 = D->m00 < high_0a ? s_0 : p_1;
+  const float high_3 = D->m00 < high_0a ? d_3 : p_2;
+  const float column_0 = D->m22 < 0.0f ? low_0 : high_0;
+  const float column_1 = D->m22 < 0.0f ? low_1 : high_1;
+  const float column_2 = D->m22 < 0.0f ? low_2 : high_2;
+  const float column_3 = D->m22 < 0.0f ? low_3 : high_3;
+  const float upper_0a = -column_0, upper_0 = column_0 < 0.0f ? upper_0a : column_0;
+  const float upper_1a = -column_1, upper_1 = column_0 < 0.0f ? upper_1a : column_1;
+  const float upper_2a = -column_2, upper_2 = column_0 < 0.0f ? upper_2a : column_2;
+  const float upper_3a = -column_3, upper_3 = column_0 < 0.0f ? upper_3a : column_3;
+  const float v_s_size_0 = fabsf(upper_1);
+  const float v_s_size_1 = fabsf(upper_2);
+  const float v_s_size_2 = fabsf(upper_3);
+  const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
+      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
+  const float v_y_0 = upper_1 * v_s;
+  const float v_y_1 = upper_2 * v_s;
+  const float v_y_2 = upper_3 * v_s;
+  const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
+  const float n = v_n * v_r;
+  const float half = atan2f(n, upper_0);
+  const float divisor = n == 0.0f ? 1.0f : n;
+  const float theta = 2.0f * half;
+  const float k = theta / divisor;
+  const float vector_0 = upper_1 * k;
+  const float vector_1 = upper_2 * k;
+  const float vector_2 = upper_3 * k;
+  const float x = theta * theta;
+  const float far_sine = x < 4.0f ? 1.0f : n;
+  const float cotangent = upper_0 / far_sine;
+  const float u_0a = D->m23 * vector_1, u_0b = D->m13 * vector_2, u_0 = u_0a - u_0b;
+  const float u_1a = D->m03 * vector_2, u_1b = D->m23 * vector_0, u_1 = u_1a - u_1b;
+  const float u_2a = D->m13 * vector_0, u_2b = D->m03 * vector_1, u_2 = u_2a - u_2b;
+  const float b_rest_a = 0.5f * theta, b_rest_b = b_rest_a * cotangent, b_rest = 1.0f - b_rest_b;
+  const float b_divisor = x < 4.0f ? 4.0f : x;
+  const float closed_b = b_rest / b_divisor;
+  const float b_a = 1.4551725e-27f * x, b_b = b_a + 5.744791e-26f, b_c = x * b_b,
+      b_d = b_c + 2.2679524e-24f, b_e = x * b_d, b_f = b_e + 8.9535176e-23f, b_g = x * b_f,
+      b_h = b_g + 3.534707e-21f, b_i = x * b_h, b_j = b_i + 1.3954465e-19f, b_k = x * b_j,
+      b_l = b_k + 5.509003e-18f, b_m = x * b_l, b_n = b_m + 2.1748687e-16f, b_o = x * b_n,
+      b_p = b_o + 8.586062e-15f, b_q = x * b_p, b_r = b_q + 3.3896803e-13f, b_s = x * b_r,
+      b_t = b_s + 1.3382536e-11f, b_u = x * b_t, b_v = b_u + 5.2841903e-10f, b_w = x * b_v,
+      b_x = b_w + 2.0876756e-08f, b_y = x * b_x, b_z = b_y + 8.267196e-07f, b_aa = x * b_z,
+      b_ab = b_aa + 3.3068784e-05f, b_ac = x * b_ab, b_ad = b_ac + 0.0013888889f, b_ae = x * b_ad,
+      b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
+  const float uu_0a = vector_1 * u_2, uu_0b = vector_2 * u_1, uu_0 = uu_0a - uu_0b;
+  const float uu_1a = vector_2 * u_0, uu_1b = vector_0 * u_2, uu_1 = uu_1a - uu_1b;
+  const float uu_2a = vector_0 * u_1, uu_2b = vector_1 * u_0, uu_2 = uu_2a - uu_2b;
+  const float small_0a = b * uu_0, small_0b = 0.5f * u_0, small_0 = small_0a - small_0b;
+  const float small_1a = b * uu_1, small_1b = 0.5f * u_1, small_1 = small_1a - small_1b;
+  const float small_2a = b * uu_2, small_2b = 0.5f * u_2, small_2 = small_2a - small_2b;
+  const float so_0 = D->m03 + small_0;
+  const float so_1 = D->m13 + small_1;
+  const float so_2 = D->m23 + small_2;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = vector_0;
+  so->m4 = vector_1;
+  so->m5 = vector_2;
+}
+
+/* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
+   s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+   120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 4 less, 12 select. */
+static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
+  const float shifted_0 = s->m3 + 49152.0f;
+  const float shifted_1 = s->m4 + 49152.0f;
+  const float shifted_2 = s->m5 + 49152.0f;
+  const float high_0 = shifted_0 - 49152.0f;
+  const float high_1 = shifted_1 - 49152.0f;
+  const float high_2 = shifted_2 - 49152.0f;
+  const float low_0 = s->m3 - high_0;
+  const float low_1 = s->m4 - high_1;
+  const float low_2 = s->m5 - high_2;
+  const float sum_0 = s->m3 + high_0;
+  const float sum_1 = s->m4 + high_1;
+  const float sum_2 = s->m5 + high_2;
+  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float x = squares + cross;
+  const float theta_a = sqrtf(x), theta = x < 4.0f ? 2.0f : theta_a;
+  const float theta_shifted = theta + 49152.0f;
+  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_low = theta - theta_high;
+  const float theta_sum = theta + theta_high;
+  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float residual = cross_rest + exact;
+  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float far_sine_a = sinf(theta), far_sine = x < 4.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 4.0f ? 0.0f : far_cosine_a;
+  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float far_x = x < 4.0f ? 4.0f : x;
+  const float closed1 = sine / theta;
+  const float versine = 1.0f - cosine;
+  const float closed2 = versine / far_x;
+  const float rest3 = 1.0f - closed1;
+  const float closed3 = rest3 / far_x;
+  const float rest4 = 0.5f - closed2;
+  const float closed4 = rest4 / far_x;
+  const float rest5 = 0.16666667f - closed3;
+  const float closed5 = rest5 / far_x;
+  const float g1a = 6.4469503e-26f * x, g1b = g1a - 3.8681703e-23f, g1c = x * g1b,
+      g1d = g1c + 1.9572942e-20f, g1e = x * g1d, g1f = g1e - 8.220635e-18f, g1g = x * g1f,
+      g1h = g1g + 2.8114574e-15f, g1i = x * g1h, g1j = g1i - 7.6471636e-13f, g1k = x * g1j,
+      g1l = g1k + 1.6059044e-10f, g1m = x * g1l, g1n = g1m - 2.5052108e-08f, g1o = x * g1n,
+      g1p = g1o + 2.7557319e-06f, g1q = x * g1p, g1r = g1q - 0.0001984127f, g1s = x * g1r,
+      g1t = g1s + 0.008333334f, g1u = x * g1t, g1v = g1u - 0.16666667f, g1w = x * g1v,
+      g1x = g1w + 1.0f, g1 = x < 4.0f ? g1x : closed1;
+  const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
+      g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
+      g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
+      g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
+      g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
+      g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
+      g2x = g2w + 0.5f, g2 = x < 4.0f ? g2x : closed2;
+  const float g3a = 9.18369e-29f * x, g3b = g3a - 6.4469503e-26f, g3c = x * g3b,
+      g3d = g3c + 3.8681703e-23f, g3e = x * g3d, g3f = g3e - 1.9572942e-20f, g3g = x * g3f,
+      g3h = g3g + 8.220635e-18f, g3i = x * g3h, g3j = g3i - 2.8114574e-15f, g3k = x * g3j,
+      g3l = g3k + 7.6471636e-13f, g3m = x * g3l, g3n = g3m - 1.6059044e-10f, g3o = x * g3n,
+      g3p = g3o + 2.5052108e-08f, g3q = x * g3p, g3r = g3q - 2.7557319e-06f, g3s = x * g3r,
+      g3t = g3s + 0.0001984127f, g3u = x * g3t, g3v = g3u - 0.008333334f, g3w = x * g3v,
+      g3x = g3w + 0.16666667f, g3 = x < 4.0f ? g3x : closed3;
+  const float g4a = 3.279889e-30f * x, g4b = g4a - 2.4795963e-27f, g4c = x * g4b,
+      g4d = g4c + 1.6117376e-24f, g4e = x * g4d, g4f = g4e - 8.896791e-22f, g4g = x * g4f,
+      g4h = g4g + 4.1103176e-19f, g4i = x * g4h, g4j = g4i - 1.5619207e-16f, g4k = x * g4j,
+      g4l = g4k + 4.7794773e-14f, g4m = x * g4l, g4n = g4m - 1.1470745e-11f, g4o = x * g4n,
+      g4p = g4o + 2.0876756e-09f, g4q = x * g4p, g4r = g4q - 2.755732e-07f, g4s = x * g4r,
+      g4t = g4s + 2.4801588e-05f, g4u = x * g4t, g4v = g4u - 0.0013888889f, g4w = x * g4v,
+      g4x = g4w + 0.041666668f, g4 = x < 4.0f ? g4x : closed4;
+  const float g5a = 1.1309962e-31f * x, g5b = g5a - 9.18369e-29f, g5c = x * g5b,
+      g5d = g5c + 6.4469503e-26f, g5e = x * g5d, g5f = g5e - 3.8681703e-23f, g5g = x * g5f,
+      g5h = g5g + 1.9572942e-20f, g5i = x * g5h, g5j = g5i - 8.220635e-18f, g5k = x * g5j,
+      g5l = g5k + 2.8114574e-15f, g5m = x * g5l, g5n = g5m - 7.6471636e-13f, g5o = x * g5n,
+      g5p = g5o + 1.6059044e-10f, g5q = x * g5p, g5r = g5q - 2.5052108e-08f, g5s = x * g5r,
+      g5t = g5s + 2.7557319e-06f, g5u = x * g5t, g5v = g5u - 0.0001984127f, g5w = x * g5v,
+      g5x = g5w + 0.008333334f, g5 = x < 4.0f ? g5x : closed5;
+  const float beta_v_0 = s->m3 * g3;
+  const float beta_v_1 = s->m4 * g3;
+  const float beta_v_2 = s->m5 * g3;
+  const float m_0 = s->m3 * beta_v_0;
+  const float m_1 = s->m4 * beta_v_1;
+  const float m_2 = s->m5 * beta_v_2;
+  const float m_3 = s->m4 * beta_v_0;
+  const float m_4 = s->m5 * beta_v_0;
+  const float m_5 = s->m5 * beta_v_1;
+  const float others_0 = m_1 + m_2;
+  const float others_1 = m_0 + m_2;
+  const float others_2 = m_0 + m_1;
+  const float diagonal0a = 1.0f - others_0, diagonal0b = g1 + m_0,
+      diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
+  const float diagonal1a = 1.0f - others_1, diagonal1b = g1 + m_1,
+      diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
+  const float diagonal2a = 1.0f - others_2, diagonal2b = g1 + m_2,
+      diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
+  const float alpha_v_0 = s->m3 * g2;
+  const float alpha_v_1 = s->m4 * g2;
+  const float alpha_v_2 = s->m5 * g2;
+  const float J_1 = m_3 - alpha_v_2;
+  const float J_2 = m_4 + alpha_v_1;
+  const float J_3 = m_3 + alpha_v_2;
+  const float J_5 = m_5 - alpha_v_0;
+  const float J_6 = m_4 - alpha_v_1;
+  const float J_7 = m_5 + alpha_v_0;
+  const float vw_a = s->m0 * s->m3, vw_b = s->m1 * s->m4, vw_c = vw_a + vw_b, vw_d = s->m2 * s->m5,
+      vw = vw_c + vw_d;
+  const float turn_rate_a = 2.0f * g4, turn_rate = turn_rate_a - g3;
+  const float turn = vw * turn_rate;
+  const float bend_rate_a = 3.0f * g5, bend_rate = g4 - bend_rate_a;
+  const float bend = vw * bend_rate;
+  const float q_0a = s->m0 * g2, q_0b = s->m3 * turn, q_0 = q_0a + q_0b;
+  const float q_1a = s->m1 * g2, q_1b = s->m4 * turn, q_1 = q_1a + q_1b;
+  const float q_2a = s->m2 * g2, q_2b = s->m5 * turn, q_2 = q_2a + q_2b;
+  const float g3_v_0 = s->m0 * g3;
+  const float g3_v_1 = s->m1 * g3;
+  const float g3_v_2 = s->m2 * g3;
+  const float bend_w_0 = s->m3 * bend;
+  const float bend_w_1 = s->m4 * bend;
+  const float bend_w_2 = s->m5 * bend;
+  const float symmetric_0a = s->m3 * g3_v_1, symmetric_0b = s->m4 * g3_v_0,
+      symmetric_0c = symmetric_0a + symmetric_0b, symmetric_0d = s->m4 * bend_w_0,
+      symmetric_0 = symmetric_0c - symmetric_0d;
+  const float symmetric_1a = s->m3 * g3_v_2, symmetric_1b = s->m5 * g3_v_0,
+      symmetric_1c = symmetric_1a + symmetric_1b, symmetric_1d = s->m5 * bend_w_0,
+      symmetric_1 = symmetric_1c - symmetric_1d;
+  const float symmetric_2a = s->m4 * g3_v_2, symmetric_2b = s->m5 * g3_v_1,
+      symmetric_2c = symmetric_2a + symmetric_2b, symmetric_2d = s->m5 * bend_w_1,
+      symmetric_2 = symmetric_2c - symmetric_2d;
+  const float diagonal_0a = s->m4 * bend_w_1, diagonal_0b = s->m5 * bend_w_2,
+      diagonal_0c = diagonal_0a + diagonal_0b, diagonal_0d = 2.0f * s->m4,
+      diagonal_0e = diagonal_0d * g3_v_1, diagonal_0f = 2.0f * s->m5,
+      diagonal_0g = diagonal_0f * g3_v_2, diagonal_0h = diagonal_0e + diagonal_0g,
+      diagonal_0 = diagonal_0c - diagonal_0h;
+  const float diagonal_1a = s->m3 * bend_w_0, diagonal_1b = diagonal_1a + diagonal_0b,
+      diagonal_1c = 2.0f * s->m3, diagonal_1d = diagonal_1c * g3_v_0,
+      diagonal_1e = diagonal_1d + diagonal_0g, diagonal_1 = diagonal_1b - diagonal_1e;
+  const float diagonal_2a = diagonal_1a + diagonal_0a, diagonal_2b = diagonal_1d + diagonal_0e,
+      diagonal_2 = diagonal_2a - diagonal_2b;
+  const float M_04 = symmetric_0 - q_2;
+  const float M_05 = q_1 + symmetric_1;
+  const float M_13 = q_2 + symmetric_0;
+  const float M_15 = symmetric_2 - q_0;
+  const float M_23 = symmetric_1 - q_1;
+  const float M_24 = q_0 + symmetric_2;
+  M->at[0][0] = diagonal0;
+  M->at[1][0] = J_1;
+  M->at[2][0] = J_2;
+  M->at[3][0] = diagonal_0;
+  M->at[4][0] = M_04;
+  M->at[5][0] = M_05;
+  M->at[0][1] = J_3;
+  M->at[1][1] = diagonal1;
+  M->at[2][1] = J_5;
+  M->at[3][1] = M_13;
+  M->at[4][1] = diagonal_1;
+  M->at[5][1] = M_15;
+  M->at[0][2] = J_6;
+  M->at[1][2] = J_7;
+  M->at[2][2] = diagonal2;
+  M->at[3][2] = M_23;
+  M->at[4][2] = M_24;
+  M->at[5][2] = diagonal_2;
+  M->at[0][3] = 0.0f;
+  M->at[1][3] = 0.0f;
+  M->at[2][3] = 0.0f;
+  M->at[3][3] = diagonal0;
+  M->at[4][3] = J_1;
+  M->at[5][3] = J_2;
+  M->at[0][4] = 0.0f;
+  M->at[1][4] = 0.0f;
+  M->at[2][4] = 0.0f;
+  M->at[3][4] = J_3;
+  M->at[4][4] = diagonal1;
+  M->at[5][4] = J_5;
+  M->at[0][5] = 0.0f;
+  M->at[1][5] = 0.0f;
+  M->at[2][5] = 0.0f;
+  M->at[3][5] = J_6;
+  M->at[4][5] = J_7;
+  M->at[5][5] = diagonal2;
+}
+
+/* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
+   s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+   120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 4 less, 12 select. */
+static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
+  const float shifted_0 = s->m3 + 49152.0f;
+  const float shifted_1 = s->m4 + 49152.0f;
+  const float shifted_2 = s->m5 + 49152.0f;
+  const float high_0 = shifted_0 - 49152.0f;
+  const float high_1 = shifted_1 - 49152.0f;
+  const float high_2 = shifted_2 - 49152.0f;
+  const float low_0 = s->m3 - high_0;
+  const float low_1 = s->m4 - high_1;
+  const float low_2 = s->m5 - high_2;
+  const float sum_0 = s->m3 + high_0;
+  const float sum_1 = s->m4 + high_1;
+  const float sum_2 = s->m5 + high_2;
+  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float x = squares + cross;
+  const float theta_a = sqrtf(x), theta = x < 4.0f ? 2.0f : theta_a;
+  const float theta_shifted = theta + 49152.0f;
+  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_low = theta - theta_high;
+  const float theta_sum = theta + theta_high;
+  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float residual = cross_rest + exact;
+  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float far_sine_a = sinf(theta), far_sine = x < 4.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 4.0f ? 0.0f : far_cosine_a;
+  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float far_x = x < 4.0f ? 4.0f : x;
+  const float closed1 = sine / theta;
+  const float versine = 1.0f - cosine;
+  const float closed2 = versine / far_x;
+  const float rest3 = 1.0f - closed1;
+  const float closed3 = rest3 / far_x;
+  const float rest4 = 0.5f - closed2;
+  const float closed4 = rest4 / far_x;
+  const float rest5 = 0.16666667f - closed3;
+  const float closed5 = rest5 / far_x;
+  const float g1a = 6.4469503e-26f * x, g1b = g1a - 3.8681703e-23f, g1c = x * g1b,
+      g1d = g1c + 1.9572942e-20f, g1e = x * g1d, g1f = g1e - 8.220635e-18f, g1g = x * g1f,
+      g1h = g1g + 2.8114574e-15f, g1i = x * g1h, g1j = g1i - 7.6471636e-13f, g1k = x * g1j,
+      g1l = g1k + 1.6059044e-10f, g1m = x * g1l, g1n = g1m - 2.5052108e-08f, g1o = x * g1n,
+      g1p = g1o + 2.7557319e-06f, g1q = x * g1p, g1r = g1q - 0.0001984127f, g1s = x * g1r,
+      g1t = g1s + 0.008333334f, g1u = x * g1t, g1v = g1u - 0.16666667f, g1w = x * g1v,
+      g1x = g1w + 1.0f, g1 = x < 4.0f ? g1x : closed1;
+  const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
+      g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
+      g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
+      g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
+      g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
+      g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
+      g2x = g2w + 0.5f, g2 = x < 4.0f ? g2x : closed2;
+  const float g3a = 9.18369e-29f * x, g3b = g3a - 6.4469503e-26f, g3c = x * g3b,
+      g3d = g3c + 3.8681703e-23f, g3e = x * g3d, g3f = g3e - 1.9572942e-20f, g3g = x * g3f,
+      g3h = g3g + 8.220635e-18f, g3i = x * g3h, g3j = g3i - 2.8114574e-15f, g3k = x * g3j,
+      g3l = g3k + 7.6471636e-13f, g3m = x * g3l, g3n = g3m - 1.6059044e-10f, g3o = x * g3n,
+      g3p = g3o + 2.5052108e-08f, g3q = x * g3p, g3r = g3q - 2.7557319e-06f, g3s = x * g3r,
+      g3t = g3s + 0.0001984127f, g3u = x * g3t, g3v = g3u - 0.008333334f, g3w = x * g3v,
+      g3x = g3w + 0.16666667f, g3 = x < 4.0f ? g3x : closed3;
+  const float g4a = 3.279889e-30f * x, g4b = g4a - 2.4795963e-27f, g4c = x * g4b,
+      g4d = g4c + 1.6117376e-24f, g4e = x * g4d, g4f = g4e - 8.896791e-22f, g4g = x * g4f,
+      g4h = g4g + 4.1103176e-19f, g4i = x * g4h, g4j = g4i - 1.5619207e-16f, g4k = x * g4j,
+      g4l = g4k + 4.7794773e-14f, g4m = x * g4l, g4n = g4m - 1.1470745e-11f, g4o = x * g4n,
+      g4p = g4o + 2.0876756e-09f, g4q = x * g4p, g4r = g4q - 2.755732e-07f, g4s = x * g4r,
+      g4t = g4s + 2.4801588e-05f, g4u = x * g4t, g4v = g4u - 0.0013888889f, g4w = x * g4v,
+      g4x = g4w + 0.041666668f, g4 = x < 4.0f ? g4x : closed4;
+  const float g5a = 1.1309962e-31f * x, g5b = g5a - 9.18369e-29f, g5c = x * g5b,
+      g5d = g5c + 6.4469503e-26f, g5e = x * g5d, g5f = g5e - 3.8681703e-23f, g5g = x * g5f,
+      g5h = g5g + 1.9572942e-20f, g5i = x * g5h, g5j = g5i - 8.220635e-18f, g5k = x * g5j,
+      g5l = g5k + 2.8114574e-15f, g5m = x * g5l, g5n = g5m - 7.6471636e-13f, g5o = x * g5n,
+      g5p = g5o + 1.6059044e-10f, g5q = x * g5p, g5r = g5q - 2.5052108e-08f, g5s = x * g5r,
+      g5t = g5s + 2.7557319e-06f, g5u = x * g5t, g5v = g5u - 0.0001984127f, g5w = x * g5v,
+      g5x = g5w + 0.008333334f, g5 = x < 4.0f ? g5x : closed5;
+  const float beta_v_0 = s->m3 * g3;
+  const float beta_v_1 = s->m4 * g3;
+  const float beta_v_2 = s->m5 * g3;
+  const float m_0 = s->m3 * beta_v_0;
+  const float m_1 = s->m4 * beta_v_1;
+  const float m_2 = s->m5 * beta_v_2;
+  const float m_3 = s->m4 * beta_v_0;
+  const float m_4 = s->m5 * beta_v_0;
+  const float m_5 = s->m5 * beta_v_1;
+  const float others_0 = m_1 + m_2;
+  const float others_1 = m_0 + m_2;
+  const float others_2 = m_0 + m_1;
+  const float diagonal0a = 1.0f - others_0, diagonal0b = g1 + m_0,
+      diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
+  const float diagonal1a = 1.0f - others_1, diagonal1b = g1 + m_1,
+      diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
+  const float diagonal2a = 1.0f - others_2, diagonal2b = g1 + m_2,
+      diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
+  const float alpha_v_0a = s->m3 * g2, alpha_v_0 = -alpha_v_0a;
+  const float alpha_v_1a = s->m4 * g2, alpha_v_1 = -alpha_v_1a;
+  const float alpha_v_2a = s->m5 * g2, alpha_v_2 = -alpha_v_2a;
+  const float J_1 = m_3 - alpha_v_2;
+  const float J_2 = m_4 + alpha_v_1;
+  const float J_3 = m_3 + alpha_v_2;
+  const float J_5 = m_5 - alpha_v_0;
+  const float J_6 = m_4 - alpha_v_1;
+  const float J_7 = m_5 + alpha_v_0;
+  const float vw_a = s->m0 * s->m3, vw_b = s->m1 * s->m4, vw_c = vw_a + vw_b, vw_d = s->m2 * s->m5,
+      vw = vw_c + vw_d;
+  const float turn_rate_a = 2.0f * g4, turn_rate = turn_rate_a - g3;
+  const float turn = vw * turn_rate;
+  const float bend_rate_a = 3.0f * g5, bend_rate = g4 - bend_rate_a;
+  const float bend = vw * bend_rate;
+  const float q_0a = s->m0 * g2, q_0b = s->m3 * turn, q_0c = q_0a + q_0b, q_0 = -q_0c;
+  const float q_1a = s->m1 * g2, q_1b = s->m4 * turn, q_1c = q_1a + q_1b, q_1 = -q_1c;
+  const float q_2a = s->m2 * g2, q_2b = s->m5 * turn, q_2c = q_2a + q_2b, q_2 = -q_2c;
+  const float g3_v_0a = s->m0 * g3, g3_v_0 = -g3_v_0a;
+  const float g3_v_1a = s->m1 * g3, g3_v_1 = -g3_v_1a;
+  const float g3_v_2a = s->m2 * g3, g3_v_2 = -g3_v_2a;
+  const float bend_w_0a = s->m3 * bend, bend_w_0 = -bend_w_0a;
+  const float bend_w_1a = s->m4 * bend, bend_w_1 = -bend_w_1a;
+  const float bend_w_2a = s->m5 * bend, bend_w_2 = -bend_w_2a;
+  const float symmetric_0a = s->m4 * bend_w_0, symmetric_0b = s->m3 * g3_v_1,
+      symmetric_0c = s->m4 * g3_v_0, symmetric_0d = symmetric_0b + symmetric_0c,
+      symmetric_0 = symmetric_0a - symmetric_0d;
+  const float symmetric_1a = s->m5 * bend_w_0, symmetric_1b = s->m3 * g3_v_2,
+      symmetric_1c = s->m5 * g3_v_0, symmetric_1d = symmetric_1b + symmetric_1c,
+      symmetric_1 = symmetric_1a - symmetric_1d;
+  const float symmetric_2a = s->m5 * bend_w_1, symmetric_2b = s->m4 * g3_v_2,
+      symmetric_2c = s->m5 * g3_v_1, symmetric_2d = symmetric_2b + symmetric_2c,
+      symmetric_2 = symmetric_2a - symmetric_2d;
+  const float diagonal_0a = 2.0f * s->m4, diagonal_0b = diagonal_0a * g3_v_1,
+      diagonal_0c = 2.0f * s->m5, diagonal_0d = diagonal_0c * g3_v_2,
+      diagonal_0e = diagonal_0b + diagonal_0d, diagonal_0f = s->m4 * bend_w_1,
+      diagonal_0g = s->m5 * bend_w_2, diagonal_0h = diagonal_0f + diagonal_0g,
+      diagonal_0 = diagonal_0e - diagonal_0h;
+  const float diagonal_1a = 2.0f * s->m3, diagonal_1b = diagonal_1a * g3_v_0,
+      diagonal_1c = diagonal_1b + diagonal_0d, diagonal_1d = s->m3 * bend_w_0,
+      diagonal_1e = diagonal_1d + diagonal_0g, diagonal_1 = diagonal_1c - diagonal_1e;
+  const float diagonal_2a = diagonal_1b + diagonal_0b, diagonal_2b = diagonal_1d + diagonal_0f,
+      diagonal_2 = diagonal_2a - diagonal_2b;
+  const float M_04 = symmetric_0 - q_2;
+  const float M_05 = q_1 + symmetric_1;
+  const float M_13 = q_2 + symmetric_0;
+  const float M_15 = symmetric_2 - q_0;
+  const float M_23 = symmetric_1 - q_1;
+  const float M_24 = q_0 + symmetric_2;
+  M->at[0][0] = diagonal0;
+  M->at[1][0] = J_1;
+  M->at[2][0] = J_2;
+  M->at[3][0] = diagonal_0;
+  M->at[4][0] = M_04;
+  M->at[5][0] = M_05;
+  M->at[0][1] = J_3;
+  M->at[1][1] = diagonal1;
+  M->at[2][1] = J_5;
+  M->at[3][1] = M_13;
+  M->at[4][1] = diagonal_1;
+  M->at[5][1] = M_15;
+  M->at[0][2] = J_6;
+  M->at[1][2] = J_7;
+  M->at[2][2] = diagonal2;
+  M->at[3][2] = M_23;
+  M->at[4][2] = M_24;
+  M->at[5][2] = diagonal_2;
+  M->at[0][3] = 0.0f;
+  M->at[1][3] = 0.0f;
+  M->at[2][3] = 0.0f;
+  M->at[3][3] = diagonal0;
+  M->at[4][3] = J_1;
+  M->at[5][3] = J_2;
+  M->at[0][4] = 0.0f;
+  M->at[1][4] = 0.0f;
+  M->at[2][4] = 0.0f;
+  M->at[3][4] = J_3;
+  M->at[4][4] = diagonal1;
+  M->at[5][4] = J_5;
+  M->at[0][5] = 0.0f;
+  M->at[1][5] = 0.0f;
+  M->at[2][5] = 0.0f;
+  M->at[3][5] = J_6;
+  M->at[4][5] = J_7;
+  M->at[5][5] = diagonal2;
+}
+
+/* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
+   s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+   180 mul, 172 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 2 less, 11 select. */
+static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
+  const float shifted_0 = s->m3 + 49152.0f;
+  const float shifted_1 = s->m4 + 49152.0f;
+  const float shifted_2 = s->m5 + 49152.0f;
+  const float high_0 = shifted_0 - 49152.0f;
+  const float high_1 = shifted_1 - 49152.0f;
+  const float high_2 = shifted_2 - 49152.0f;
+  const float low_0 = s->m3 - high_0;
+  const float low_1 = s->m4 - high_1;
+  const float low_2 = s->m5 - high_2;
+  const float sum_0 = s->m3 + high_0;
+  const float sum_1 = s->m4 + high_1;
+  const float sum_2 = s->m5 + high_2;
+  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float x = squares + cross;
+  const float theta_a = sqrtf(x), theta = x < 4.0f ? 2.0f : theta_a;
+  const float theta_shifted = theta + 49152.0f;
+  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_low = theta - theta_high;
+  const float theta_sum = theta + theta_high;
+  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float residual = cross_rest + exact;
+  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float far_sine_a = sinf(theta), far_sine = x < 4.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 4.0f ? 0.0f : far_cosine_a;
+  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float above_a = cosine + 1.0f, above = cosine < 0.0f ? sine : above_a;
+  const float below_a = 1.0f - cosine, below = cosine < 0.0f ? below_a : sine;
+  const float cotangent = above / below;
+  const float b_rest_a = 0.5f * theta, b_rest_b = b_rest_a * cotangent, b_rest = 1.0f - b_rest_b;
+  const float b_divisor = x < 4.0f ? 4.0f : x;
+  const float closed_b = b_rest / b_divisor;
+  const float b_a = 1.4551725e-27f * x, b_b = b_a + 5.744791e-26f, b_c = x * b_b,
+      b_d = b_c + 2.2679524e-24f, b_e = x * b_d, b_f = b_e + 8.9535176e-23f, b_g = x * b_f,
+      b_h = b_g + 3.534707e-21f, b_i = x * b_h, b_j = b_i + 1.3954465e-19f, b_k = x * b_j,
+      b_l = b_k + 5.509003e-18f, b_m = x * b_l, b_n = b_m + 2.1748687e-16f, b_o = x * b_n,
+      b_p = b_o + 8.586062e-15f, b_q = x * b_p, b_r = b_q + 3.3896803e-13f, b_s = x * b_r,
+      b_t = b_s + 1.3382536e-11f, b_u = x * b_t, b_v = b_u + 5.2841903e-10f, b_w = x * b_v,
+      b_x = b_w + 2.0876756e-08f, b_y = x * b_x, b_z = b_y + 8.267196e-07f, b_aa = x * b_z,
+      b_ab = b_aa + 3.3068784e-05f, b_ac = x * b_ab, b_ad = b_ac + 0.0013888889f, b_ae = x * b_ad,
+      b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
+  const float beta_v_0 = s->m3 * b;
+  const float beta_v_1 = s->m4 * b;
+  const float beta_v_2 = s->m5 * b;
+  const float m_0 = s->m3 * beta_v_0;
+  const float m_1 = s->m4 * beta_v_1;
+  const float m_2 = s->m5 * beta_v_2;
+  const float m_3 = s->m4 * beta_v_0;
+  const float m_4 = s->m5 * beta_v_0;
+  const float m_5 = s->m5 * beta_v_1;
+  const float others_0 = m_1 + m_2;
+  const float others_1 = m_0 + m_2;
+  const float others_2 = m_0 + m_1;
+  const float alpha_v_0a = 0.5f * s->m3, alpha_v_0 = -alpha_v_0a;
+  const float alpha_v_1a = 0.5f * s->m4, alpha_v_1 = -alpha_v_1a;
+  const float alpha_v_2a = 0.5f * s->m5, alpha_v_2 = -alpha_v_2a;
+  const float J_0 = 1.0f - others_0;
+  const float J_1 = m_3 - alpha_v_2;
+  const float J_2 = m_4 + alpha_v_1;
+  const float J_3 = m_3 + alpha_v_2;
+  const float J_4 = 1.0f - others_1;
+  const float J_5 = m_5 - alpha_v_0;
+  const float J_6 = m_4 - alpha_v_1;
+  const float J_7 = m_5 + alpha_v_0;
+  const float J_8 = 1.0f - others_2;
+  const float closed1 = sine / theta;
+  const float closed2 = below_a / b_divisor;
+  const float rest3 = 1.0f - closed1;
+  const float closed3 = rest3 / b_divisor;
+  const float rest4 = 0.5f - closed2;
+  const float closed4 = rest4 / b_divisor;
+  const float rest5 = 0.16666667f - closed3;
+  const float closed5 = rest5 / b_divisor;
+  const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
+      g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
+      g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
+      g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
+      g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
+      g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
+      g2x = g2w + 0.5f, g2 = x < 4.0f ? g2x : closed2;
+  const float g3a = 9.18369e-29f * x, g3b = g3a - 6.4469503e-26f, g3c = x * g3b,
+      g3d = g3c + 3.8681703e-23f, g3e = x * g3d, g3f = g3e - 1.9572942e-20f, g3g = x * g3f,
+      g3h = g3g + 8.220635e-18f, g3i = x * g3h, g3j = g3i - 2.8114574e-15f, g3k = x * g3j,
+      g3l = g3k + 7.6471636e-13f, g3m = x * g3l, g3n = g3m - 1.6059044e-10f, g3o = x * g3n,
+      g3p = g3o + 2.5052108e-08f, g3q = x * g3p, g3r = g3q - 2.7557319e-06f, g3s = x * g3r,
+      g3t = g3s + 0.0001984127f, g3u = x * g3t, g3v = g3u - 0.008333334f, g3w = x * g3v,
+      g3x = g3w + 0.16666667f, g3 = x < 4.0f ? g3x : closed3;
+  const float g4a = 3.279889e-30f * x, g4b = g4a - 2.4795963e-27f, g4c = x * g4b,
+      g4d = g4c + 1.6117376e-24f, g4e = x * g4d, g4f = g4e - 8.896791e-22f, g4g = x * g4f,
+      g4h = g4g + 4.1103176e-19f, g4i = x * g4h, g4j = g4i - 1.5619207e-16f, g4k = x * g4j,
+      g4l = g4k + 4.7794773e-14f, g4m = x * g4l, g4n = g4m - 1.1470745e-11f, g4o = x * g4n,
+      g4p = g4o + 2.0876756e-09f, g4q = x * g4p, g4r = g4q - 2.755732e-07f, g4s = x * g4r,
+      g4t = g4s + 2.4801588e-05f, g4u = x * g4t, g4v = g4u - 0.0013888889f, g4w = x * g4v,
+      g4x = g4w + 0.041666668f, g4 = x < 4.0f ? g4x : closed4;
+  const float g5a = 1.1309962e-31f * x, g5b = g5a - 9.18369e-29f, g5c = x * g5b,
+      g5d = g5c + 6.4469503e-26f, g5e = x * g5d, g5f = g5e - 3.8681703e-23f, g5g = x * g5f,
+      g5h = g5g + 1.9572942e-20f, g5i = x * g5h, g5j = g5i - 8.220635e-18f, g5k = x * g5j,
+      g5l = g5k + 2.8114574e-15f, g5m = x * g5l, g5n = g5m - 7.6471636e-13f, g5o = x * g5n,
+      g5p = g5o + 1.6059044e-10f, g5q = x * g5p, g5r = g5q - 2.5052108e-08f, g5s = x * g5r,
+      g5t = g5s + 2.7557319e-06f, g5u = x * g5t, g5v = g5u - 0.0001984127f, g5w = x * g5v,
+      g5x = g5w + 0.008333334f, g5 = x < 4.0f ? g5x : closed5;
+  const float vw_a = s->m0 * s->m3, vw_b = s->m1 * s->m4, vw_c = vw_a + vw_b, vw_d = s->m2 * s->m5,
+      vw = vw_c + vw_d;
+  const float turn_rate_a = 2.0f * g4, turn_rate = turn_rate_a - g3;
+  const float turn = vw * turn_rate;
+  const float bend_rate_a = 3.0f * g5, bend_rate = g4 - bend_rate_a;
+  const float bend = vw * bend_rate;
+  const float q_0a = s->m0 * g2, q_0b = s->m3 * turn, q_0 = q_0a + q_0b;
+  const float q_1a = s->m1 * g2, q_1b = s->m4 * turn, q_1 = q_1a + q_1b;
+  const float q_2a = s->m2 * g2, q_2b = s->m5 * turn, q_2 = q_2a + q_2b;
+  const float g3_v_0 = s->m0 * g3;
+  const float g3_v_1 = s->m1 * g3;
+  const float g3_v_2 = s->m2 * g3;
+  const float bend_w_0 = s->m3 * bend;
+  const float bend_w_1 = s->m4 * bend;
+  const float bend_w_2 = s->m5 * bend;
+  const float symmetric_0a = s->m3 * g3_v_1, symmetric_0b = s->m4 * g3_v_0,
+      symmetric_0c = symmetric_0a + symmetric_0b, symmetric_0d = s->m4 * bend_w_0,
+      symmetric_0 = symmetric_0c - symmetric_0d;
+  const float symmetric_1a = s->m3 * g3_v_2, symmetric_1b = s->m5 * g3_v_0,
+      symmetric_1c = symmetric_1a + symmetric_1b, symmetric_1d = s->m5 * bend_w_0,
+      symmetric_1 = symmetric_1c - symmetric_1d;
+  const float symmetric_2a = s->m4 * g3_v_2, symmetric_2b = s->m5 * g3_v_1,
+      symmetric_2c = symmetric_2a + symmetric_2b, symmetric_2d = s->m5 * bend_w_1,
+      symmetric_2 = symmetric_2c - symmetric_2d;
+  const float diagonal_0a = s->m4 * bend_w_1, diagonal_0b = s->m5 * bend_w_2,
+      diagonal_0c = diagonal_0a + diagonal_0b, diagonal_0d = 2.0f * s->m4,
+      diagonal_0e = diagonal_0d * g3_v_1, diagonal_0f = 2.0f * s->m5,
+      diagonal_0g = diagonal_0f * g3_v_2, diagonal_0h = diagonal_0e + diagonal_0g,
+      diagonal_0 = diagonal_0c - diagonal_0h;
+  const float diagonal_1a = s->m3 * bend_w_0, diagonal_1b = diagonal_1a + diagonal_0b,
+      diagonal_1c = 2.0f * s->m3, diagonal_1d = diagonal_1c * g3_v_0,
+      diagonal_1e = diagonal_1d + diagonal_0g, diagonal_1 = diagonal_1b - diagonal_1e;
+  const float diagonal_2a = diagonal_1a + diagonal_0a, diagonal_2b = diagonal_1d + diagonal_0e,
+      diagonal_2 = diagonal_2a - diagonal_2b;
+  const float Q_1 = symmetric_0 - q_2;
+  const float Q_2 = q_1 + symmetric_1;
+  const float Q_3 = q_2 + symmetric_0;
+  const float Q_5 = symmetric_2 - q_0;
+  const float Q_6 = symmetric_1 - q_1;
+  const float Q_7 = q_0 + symmetric_2;
+  const float QJ_0a = J_0 * diagonal_0, QJ_0b = J_3 * Q_1, QJ_0c = J_6 * Q_2, QJ_0d = QJ_0b + QJ_0c,
+      QJ_0 = QJ_0a + QJ_0d;
+  const float QJ_1a = J_1 * diagonal_0, QJ_1b = J_4 * Q_1, QJ_1c = J_7 * Q_2, QJ_1d = QJ_1b + QJ_1c,
+      QJ_1 = QJ_1a + QJ_1d;
+  const float QJ_2a = J_2 * diagonal_0, QJ_2b = J_5 * Q_1, QJ_2c = J_8 * Q_2, QJ_2d = QJ_2b + QJ_2c,
+      QJ_2 = QJ_2a + QJ_2d;
+  const float QJ_3a = J_0 * Q_3, QJ_3b = J_6 * Q_5, QJ_3c = QJ_3a + QJ_3b, QJ_3d = J_3 * diagonal_1,
+      QJ_3 = QJ_3c + QJ_3d;
+  const float QJ_4a = J_1 * Q_3, QJ_4b = J_7 * Q_5, QJ_4c = QJ_4a + QJ_4b, QJ_4d = J_4 * diagonal_1,
+      QJ_4 = QJ_4c + QJ_4d;
+  const float QJ_5a = J_2 * Q_3, QJ_5b = J_8 * Q_5, QJ_5c = QJ_5a + QJ_5b, QJ_5d = J_5 * diagonal_1,
+      QJ_5 = QJ_5c + QJ_5d;
+  const float QJ_6a = J_0 * Q_6, QJ_6b = J_3 * Q_7, QJ_6c = QJ_6a + QJ_6b, QJ_6d = J_6 * diagonal_2,
+      QJ_6 = QJ_6c + QJ_6d;
+  const float QJ_7a = J_1 * Q_6, QJ_7b = J_4 * Q_7, QJ_7c = QJ_7a + QJ_7b, QJ_7d = J_7 * diagonal_2,
+      QJ_7 = QJ_7c + QJ_7d;
+  const float QJ_8a = J_2 * Q_6, QJ_8b = J_5 * Q_7, QJ_8c = QJ_8a + QJ_8b, QJ_8d = J_8 * diagonal_2,
+      QJ_8 = QJ_8c + QJ_8d;
+  const float M_03a = J_0 * QJ_0, M_03b = J_1 * QJ_3, M_03c = M_03a + M_03b, M_03d = J_2 * QJ_6,
+      M_03e = M_03c + M_03d, M_03 = -M_03e;
+  const float M_04a = J_0 * QJ_1, M_04b = J_1 * QJ_4, M_04c = M_04a + M_04b, M_04d = J_2 * QJ_7,
+      M_04e = M_04c + M_04d, M_04 = -M_04e;
+  const float M_05a = J_0 * QJ_2, M_05b = J_1 * QJ_5, M_05c = M_05a + M_05b, M_05d = J_2 * QJ_8,
+      M_05e = M_05c + M_05d, M_05 = -M_05e;
+  const float M_13a = J_3 * QJ_0, M_13b = J_4 * QJ_3, M_13c = M_13a + M_13b, M_13d = J_5 * QJ_6,
+      M_13e = M_13c + M_13d, M_13 = -M_13e;
+  const float M_14a = J_3 * QJ_1, M_14b = J_4 * QJ_4, M_14c = M_14a + M_14b, M_14d = J_5 * QJ_7,
+      M_14e = M_14c + M_14d, M_14 = -M_14e;
+  const float M_15a = J_3 * QJ_2, M_15b = J_4 * QJ_5, M_15c = M_15a + M_15b, M_15d = J_5 * QJ_8,
+      M_15e = M_15c + M_15d, M_15 = -M_15e;
+  const float M_23a = J_6 * QJ_0, M_23b = J_7 * QJ_3, M_23c = M_23a + M_23b, M_23d = J_8 * QJ_6,
+      M_23e = M_23c + M_23d, M_23 = -M_23e;
+  const float M_24a = J_6 * QJ_1, M_24b = J_7 * QJ_4, M_24c = M_24a + M_24b, M_24d = J_8 * QJ_7,
+      M_24e = M_24c + M_24d, M_24 = -M_24e;
+  const float M_25a = J_6 * QJ_2, M_25b = J_7 * QJ_5, M_25c = M_25a + M_25b, M_25d = J_8 * QJ_8,
+      M_25e = M_25c + M_25d, M_25 = -M_25e;
+  M->at[0][0] = J_0;
+  M->at[1][0] = J_1;
+  M->at[2][0] = J_2;
+  M->at[3][0] = M_03;
+  M->at[4][0] = M_04;
+  M->at[5][0] = M_05;
+  M->at[0][1] = J_3;
+  M->at[1][1] = J_4;
+  M->at[2][1] = J_5;
+  M->at[3][1] = M_13;
+  M->at[4][1] = M_14;
+  M->at[5][1] = M_15;
+  M->at[0][2] = J_6;
+  M->at[1][2] = J_7;
+  M->at[2][2] = J_8;
+  M->at[3][2] = M_23;
+  M->at[4][2] = M_24;
+  M->at[5][2] = M_25;
+  M->at[0][3] = 0.0f;
+  M->at[1][3] = 0.0f;
+  M->at[2][3] = 0.0f;
+  M->at[3][3] = J_0;
+  M->at[4][3] = J_1;
+  M->at[5][3] = J_2;
+  M->at[0][4] = 0.0f;
+  M->at[1][4] = 0.0f;
+  M->at[2][4] = 0.0f;
+  M->at[3][4] = J_3;
+  M->at[4][4] = J_4;
+  M->at[5][4] = J_5;
+  M->at[0][5] = 0.0f;
+  M->at[1][5] = 0.0f;
+  M->at[2][5] = 0.0f;
+  M->at[3][5] = J_6;
+  M->at[4][5] = J_7;
+  M->at[5][5] = J_8;
+}
+
+/* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
+   s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+   180 mul, 172 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 2 less, 11 select. */
+static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
+  const float shifted_0 = s->m3 + 49152.0f;
+  const float shifted_1 = s->m4 + 49152.0f;
+  const float shifted_2 = s->m5 + 49152.0f;
+  const float high_0 = shifted_0 - 49152.0f;
+  const float high_1 = shifted_1 - 49152.0f;
+  const float high_2 = shifted_2 - 49152.0f;
+  const float low_0 = s->m3 - high_0;
+  const float low_1 = s->m4 - high_1;
+  const float low_2 = s->m5 - high_2;
+  const float sum_0 = s->m3 + high_0;
+  const float sum_1 = s->m4 + high_1;
+  const float sum_2 = s->m5 + high_2;
+  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float x = squares + cross;
+  const float theta_a = sqrtf(x), theta = x < 4.0f ? 2.0f : theta_a;
+  const float theta_shifted = theta + 49152.0f;
+  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_low = theta - theta_high;
+  const float theta_sum = theta + theta_high;
+  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float residual = cross_rest + exact;
+  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float far_sine_a = sinf(theta), far_sine = x < 4.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 4.0f ? 0.0f : far_cosine_a;
+  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float above_a = cosine + 1.0f, above = cosine < 0.0f ? sine : above_a;
+  const float below_a = 1.0f - cosine, below = cosine < 0.0f ? below_a : sine;
+  const float cotangent = above / below;
+  const float b_rest_a = 0.5f * theta, b_rest_b = b_rest_a * cotangent, b_rest = 1.0f - b_rest_b;
+  const float b_divisor = x < 4.0f ? 4.0f : x;
+  const float closed_b = b_rest / b_divisor;
+  const float b_a = 1.4551725e-27f * x, b_b = b_a + 5.744791e-26f, b_c = x * b_b,
+      b_d = b_c + 2.2679524e-24f, b_e = x * b_d, b_f = b_e + 8.9535176e-23f, b_g = x * b_f,
+      b_h = b_g + 3.534707e-21f, b_i = x * b_h, b_j = b_i + 1.3954465e-19f, b_k = x * b_j,
+      b_l = b_k + 5.509003e-18f, b_m = x * b_l, b_n = b_m + 2.1748687e-16f, b_o = x * b_n,
+      b_p = b_o + 8.586062e-15f, b_q = x * b_p, b_r = b_q + 3.3896803e-13f, b_s = x * b_r,
+      b_t = b_s + 1.3382536e-11f, b_u = x * b_t, b_v = b_u + 5.2841903e-10f, b_w = x * b_v,
+      b_x = b_w + 2.0876756e-08f, b_y = x * b_x, b_z = b_y + 8.267196e-07f, b_aa = x * b_z,
+      b_ab = b_aa + 3.3068784e-05f, b_ac = x * b_ab, b_ad = b_ac + 0.0013888889f, b_ae = x * b_ad,
+      b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
+  const float beta_v_0 = s->m3 * b;
+  const float beta_v_1 = s->m4 * b;
+  const float beta_v_2 = s->m5 * b;
+  const float m_0 = s->m3 * beta_v_0;
+  const float m_1 = s->m4 * beta_v_1;
+  const float m_2 = s->m5 * beta_v_2;
+  const float m_3 = s->m4 * beta_v_0;
+  const float m_4 = s->m5 * beta_v_0;
+  const float m_5 = s->m5 * beta_v_1;
+  const float others_0 = m_1 + m_2;
+  const float others_1 = m_0 + m_2;
+  const float others_2 = m_0 + m_1;
+  const float alpha_v_0 = 0.5f * s->m3;
+  const float alpha_v_1 = 0.5f * s->m4;
+  const float alpha_v_2 = 0.5f * s->m5;
+  const float J_0 = 1.0f - others_0;
+  const float J_1 = m_3 - alpha_v_2;
+  const float J_2 = m_4 + alpha_v_1;
+  const float J_3 = m_3 + alpha_v_2;
+  const float J_4 = 1.0f - others_1;
+  const float J_5 = m_5 - alpha_v_0;
+  const float J_6 = m_4 - alpha_v_1;
+  const float J_7 = m_5 + alpha_v_0;
+  const float J_8 = 1.0f - others_2;
+  const float closed1 = sine / theta;
+  const float closed2 = below_a / b_divisor;
+  const float rest3 = 1.0f - closed1;
+  const float closed3 = rest3 / b_divisor;
+  const float rest4 = 0.5f - closed2;
+  const float closed4 = rest4 / b_divisor;
+  const float rest5 = 0.16666667f - closed3;
+  const float closed5 = rest5 / b_divisor;
+  const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
+      g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
+      g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
+      g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
+      g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
+      g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
+      g2x = g2w + 0.5f, g2 = x < 4.0f ? g2x : closed2;
+  const float g3a = 9.18369e-29f * x, g3b = g3a - 6.4469503e-26f, g3c = x * g3b,
+      g3d = g3c + 3.8681703e-23f, g3e = x * g3d, g3f = g3e - 1.9572942e-20f, g3g = x * g3f,
+      g3h = g3g + 8.220635e-18f, g3i = x * g3h, g3j = g3i - 2.8114574e-15f, g3k = x * g3j,
+      g3l = g3k + 7.6471636e-13f, g3m = x * g3l, g3n = g3m - 1.6059044e-10f, g3o = x * g3n,
+      g3p = g3o + 2.5052108e-08f, g3q = x * g3p, g3r = g3q - 2.7557319e-06f, g3s = x * g3r,
+      g3t = g3s + 0.0001984127f, g3u = x * g3t, g3v = g3u - 0.008333334f, g3w = x * g3v,
+      g3x = g3w + 0.16666667f, g3 = x < 4.0f ? g3x : closed3;
+  const float g4a = 3.279889e-30f * x, g4b = g4a - 2.4795963e-27f, g4c = x * g4b,
+      g4d = g4c + 1.6117376e-24f, g4e = x * g4d, g4f = g4e - 8.896791e-22f, g4g = x * g4f,
+      g4h = g4g + 4.1103176e-19f, g4i = x * g4h, g4j = g4i - 1.5619207e-16f, g4k = x * g4j,
+      g4l = g4k + 4.7794773e-14f, g4m = x * g4l, g4n = g4m - 1.1470745e-11f, g4o = x * g4n,
+      g4p = g4o + 2.0876756e-09f, g4q = x * g4p, g4r = g4q - 2.755732e-07f, g4s = x * g4r,
+      g4t = g4s + 2.4801588e-05f, g4u = x * g4t, g4v = g4u - 0.0013888889f, g4w = x * g4v,
+      g4x = g4w + 0.041666668f, g4 = x < 4.0f ? g4x : closed4;
+  const float g5a = 1.1309962e-31f * x, g5b = g5a - 9.18369e-29f, g5c = x * g5b,
+      g5d = g5c + 6.4469503e-26f, g5e = x * g5d, g5f = g5e - 3.8681703e-23f, g5g = x * g5f,
+      g5h = g5g + 1.9572942e-20f, g5i = x * g5h, g5j = g5i - 8.220635e-18f, g5k = x * g5j,
+      g5l = g5k + 2.8114574e-15f, g5m = x * g5l, g5n = g5m - 7.6471636e-13f, g5o = x * g5n,
+      g5p = g5o + 1.6059044e-10f, g5q = x * g5p, g5r = g5q - 2.5052108e-08f, g5s = x * g5r,
+      g5t = g5s + 2.7557319e-06f, g5u = x * g5t, g5v = g5u - 0.0001984127f, g5w = x * g5v,
+      g5x = g5w + 0.008333334f, g5 = x < 4.0f ? g5x : closed5;
+  const float vw_a = s->m0 * s->m3, vw_b = s->m1 * s->m4, vw_c = vw_a + vw_b, vw_d = s->m2 * s->m5,
+      vw = vw_c + vw_d;
+  const float turn_rate_a = 2.0f * g4, turn_rate = turn_rate_a - g3;
+  const float turn = vw * turn_rate;
+  const float bend_rate_a = 3.0f * g5, bend_rate = g4 - bend_rate_a;
+  const float bend = vw * bend_rate;
+  const float q_0a = s->m0 * g2, q_0b = s->m3 * turn, q_0c = q_0a + q_0b, q_0 = -q_0c;
+  const float q_1a = s->m1 * g2, q_1b = s->m4 * turn, q_1c = q_1a + q_1b, q_1 = -q_1c;
+  const float q_2a = s->m2 * g2, q_2b = s->m5 * turn, q_2c = q_2a + q_2b, q_2 = -q_2c;
+  const float g3_v_0a = s->m0 * g3, g3_v_0 = -g3_v_0a;
+  const float g3_v_1a = s->m1 * g3, g3_v_1 = -g3_v_1a;
+  const float g3_v_2a = s->m2 * g3, g3_v_2 = -g3_v_2a;
+  const float bend_w_0a = s->m3 * bend, bend_w_0 = -bend_w_0a;
+  const float bend_w_1a = s->m4 * bend, bend_w_1 = -bend_w_1a;
+  const float bend_w_2a = s->m5 * bend, bend_w_2 = -bend_w_2a;
+  const float symmetric_0a = s->m4 * bend_w_0, symmetric_0b = s->m3 * g3_v_1,
+      symmetric_0c = s->m4 * g3_v_0, symmetric_0d = symmetric_0b + symmetric_0c,
+      symmetric_0 = symmetric_0a - symmetric_0d;
+  const float symmetric_1a = s->m5 * bend_w_0, symmetric_1b = s->m3 * g3_v_2,
+      symmetric_1c = s->m5 * g3_v_0, symmetric_1d = symmetric_1b + symmetric_1c,
+      symmetric_1 = symmetric_1a - symmetric_1d;
+  const float symmetric_2a = s->m5 * bend_w_1, symmetric_2b = s->m4 * g3_v_2,
+      symmetric_2c = s->m5 * g3_v_1, symmetric_2d = symmetric_2b + symmetric_2c,
+      symmetric_2 = symmetric_2a - symmetric_2d;
+  const float diagonal_0a = 2.0f * s->m4, diagonal_0b = diagonal_0a * g3_v_1,
+      diagonal_0c = 2.0f * s->m5, diagonal_0d = diagonal_0c * g3_v_2,
+      diagonal_0e = diagonal_0b + diagonal_0d, diagonal_0f = s->m4 * bend_w_1,
+      diagonal_0g = s->m5 * bend_w_2, diagonal_0h = diagonal_0f + diagonal_0g,
+      diagonal_0 = diagonal_0e - diagonal_0h;
+  const float diagonal_1a = 2.0f * s->m3, diagonal_1b = diagonal_1a * g3_v_0,
+      diagonal_1c = diagonal_1b + diagonal_0d, diagonal_1d = s->m3 * bend_w_0,
+      diagonal_1e = diagonal_1d + diagonal_0g, diagonal_1 = diagonal_1c - diagonal_1e;
+  const float diagonal_2a = diagonal_1b + diagonal_0b, diagonal_2b = diagonal_1d + diagonal_0f,
+      diagonal_2 = diagonal_2a - diagonal_2b;
+  const float Q_1 = symmetric_0 - q_2;
+  const float Q_2 = q_1 + symmetric_1;
+  const float Q_3 = q_2 + symmetric_0;
+  const float Q_5 = symmetric_2 - q_0;
+  const float Q_6 = symmetric_1 - q_1;
+  const float Q_7 = q_0 + symmetric_2;
+  const float QJ_0a = J_0 * diagonal_0, QJ_0b = J_3 * Q_1, QJ_0c = J_6 * Q_2, QJ_0d = QJ_0b + QJ_0c,
+      QJ_0 = QJ_0a + QJ_0d;
+  const float QJ_1a = J_1 * diagonal_0, QJ_1b = J_4 * Q_1, QJ_1c = J_7 * Q_2, QJ_1d = QJ_1b + QJ_1c,
+      QJ_1 = QJ_1a + QJ_1d;
+  const float QJ_2a = J_2 * diagonal_0, QJ_2b = J_5 * Q_1, QJ_2c = J_8 * Q_2, QJ_2d = QJ_2b + QJ_2c,
+      QJ_2 = QJ_2a + QJ_2d;
+  const float QJ_3a = J_0 * Q_3, QJ_3b = J_6 * Q_5, QJ_3c = QJ_3a + QJ_3b, QJ_3d = J_3 * diagonal_1,
+      QJ_3 = QJ_3c + QJ_3d;
+  const float QJ_4a = J_1 * Q_3, QJ_4b = J_7 * Q_5, QJ_4c = QJ_4a + QJ_4b, QJ_4d = J_4 * diagonal_1,
+      QJ_4 = QJ_4c + QJ_4d;
+  const float QJ_5a = J_2 * Q_3, QJ_5b = J_8 * Q_5, QJ_5c = QJ_5a + QJ_5b, QJ_5d = J_5 * diagonal_1,
+      QJ_5 = QJ_5c + QJ_5d;
+  const float QJ_6a = J_0 * Q_6, QJ_6b = J_3 * Q_7, QJ_6c = QJ_6a + QJ_6b, QJ_6d = J_6 * diagonal_2,
+      QJ_6 = QJ_6c + QJ_6d;
+  const float QJ_7a = J_1 * Q_6, QJ_7b = J_4 * Q_7, QJ_7c = QJ_7a + QJ_7b, QJ_7d = J_7 * diagonal_2,
+      QJ_7 = QJ_7c + QJ_7d;
+  const float QJ_8a = J_2 * Q_6, QJ_8b = J_5 * Q_7, QJ_8c = QJ_8a + QJ_8b, QJ_8d = J_8 * diagonal_2,
+      QJ_8 = QJ_8c + QJ_8d;
+  const float M_03a = J_0 * QJ_0, M_03b = J_1 * QJ_3, M_03c = M_03a + M_03b, M_03d = J_2 * QJ_6,
+      M_03e = M_03c + M_03d, M_03 = -M_03e;
+  const float M_04a = J_0 * QJ_1, M_04b = J_1 * QJ_4, M_04c = M_04a + M_04b, M_04d = J_2 * QJ_7,
+      M_04e = M_04c + M_04d, M_04 = -M_04e;
+  const float M_05a = J_0 * QJ_2, M_05b = J_1 * QJ_5, M_05c = M_05a + M_05b, M_05d = J_2 * QJ_8,
+      M_05e = M_05c + M_05d, M_05 = -M_05e;
+  const float M_13a = J_3 * QJ_0, M_13b = J_4 * QJ_3, M_13c = M_13a + M_13b, M_13d = J_5 * QJ_6,
+      M_13e = M_13c + M_13d, M_13 = -M_13e;
+  const float M_14a = J_3 * QJ_1, M_14b = J_4 * QJ_4, M_14c = M_14a + M_14b, M_14d = J_5 * QJ_7,
+      M_14e = M_14c + M_14d, M_14 = -M_14e;
+  const float M_15a = J_3 * QJ_2, M_15b = J_4 * QJ_5, M_15c = M_15a + M_15b, M_15d = J_5 * QJ_8,
+      M_15e = M_15c + M_15d, M_15 = -M_15e;
+  const float M_23a = J_6 * QJ_0, M_23b = J_7 * QJ_3, M_23c = M_23a + M_23b, M_23d = J_8 * QJ_6,
+      M_23e = M_23c + M_23d, M_23 = -M_23e;
+  const float M_24a = J_6 * QJ_1, M_24b = J_7 * QJ_4, M_24c = M_24a + M_24b, M_24d = J_8 * QJ_7,
+      M_24e = M_24c + M_24d, M_24 = -M_24e;
+  const float M_25a = J_6 * QJ_2, M_25b = J_7 * QJ_5, M_25c = M_25a + M_25b, M_25d = J_8 * QJ_8,
+      M_25e = M_25c + M_25d, M_25 = -M_25e;
+  M->at[0][0] = J_0;
+  M->at[1][0] = J_1;
+  M->at[2][0] = J_2;
+  M->at[3][0] = M_03;
+  M->at[4][0] = M_04;
+  M->at[5][0] = M_05;
+  M->at[0][1] = J_3;
+  M->at[1][1] = J_4;
+  M->at[2][1] = J_5;
+  M->at[3][1] = M_13;
+  M->at[4][1] = M_14;
+  M->at[5][1] = M_15;
+  M->at[0][2] = J_6;
+  M->at[1][2] = J_7;
+  M->at[2][2] = J_8;
+  M->at[3][2] = M_23;
+  M->at[4][2] = M_24;
+  M->at[5][2] = M_25;
+  M->at[0][3] = 0.0f;
+  M->at[1][3] = 0.0f;
+  M->at[2][3] = 0.0f;
+  M->at[3][3] = J_0;
+  M->at[4][3] = J_1;
+  M->at[5][3] = J_2;
+  M->at[0][4] = 0.0f;
+  M->at[1][4] = 0.0f;
+  M->at[2][4] = 0.0f;
+  M->at[3][4] = J_3;
+  M->at[4][4] = J_4;
+  M->at[5][4] = J_5;
+  M->at[0][5] = 0.0f;
+  M->at[1][5] = 0.0f;
+  M->at[2][5] = 0.0f;
+  M->at[3][5] = J_6;
+  M->at[4][5] = J_7;
+  M->at[5][5] = J_8;
+}
+
+/* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
+   D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
+   205 mul, 194 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 15 less, 1 equal, 37
+     select. */
+static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
+    const float k, ksl_SE3f_t *Do) {
+  const float apart_0 = D2->m03 - D1->m03;
+  const float apart_1 = D2->m13 - D1->m13;
+  const float apart_2 = D2->m23 - D1->m23;
+  const float between_0a = D1->m00 * D2->m00, between_0b = D1->m10 * D2->m10,
+      between_0c = between_0a + between_0b, between_0d = D1->m20 * D2->m20,
+      between_0 = between_0c + between_0d;
+  const float between_1a = D1->m00 * D2->m01, between_1b = D1->m10 * D2->m11,
+      between_1c = between_1a + between_1b, between_1d = D1->m20 * D2->m21,
+      between_1 = between_1c + between_1d;
+  const float between_2a = D1->m00 * D2->m02, between_2b = D1->m10 * D2->m12,
+      between_2c = between_2a + between_2b, between_2d = D1->m20 * D2->m22,
+      between_2 = between_2c + between_2d;
+  const float between_3a = D1->m00 * apart_0, between_3b = D1->m10 * apart_1,
+      between_3c = between_3a + between_3b, between_3d = D1->m20 * apart_2,
+      between_3 = between_3c + between_3d;
+  const float between_4a = D1->m01 * D2->m00, between_4b = D1->m11 * D2->m10,
+      between_4c = between_4a + between_4b, between_4d = D1->m21 * D2->m20,
+      between_4 = between_4c + between_4d;
+  const float between_5a = D1->m01 * D2->m01, between_5b = D1->m11 * D2->m11,
+      between_5c = between_5a + between_5b, between_5d = D1->m21 * D2->m21,
+      between_5 = between_5c + between_5d;
+  const float between_6a = D1->m01 * D2->m02, between_6b = D1->m11 * D2->m12,
+      between_6c = between_6a + between_6b, between_6d = D1->m21 * D2->m22,
+      between_6 = between_6c + between_6d;
+  const float between_7a = D1->m01 * apart_0, between_7b = D1->m11 * apart_1,
+      between_7c = between_7a + between_7b, between_7d = D1->m21 * apart_2,
+      between_7 = between_7c + between_7d;
+  const float between_8a = D1->m02 * D2->m00, between_8b = D1->m12 * D2->m10,
+      between_8c = between_8a + between_8b, between_8d = D1->m22 * D2->m20,
+      between_8 = between_8c + between_8d;
+  const float between_9a = D1->m02 * D2->m01, between_9b = D1->m12 * D2->m11,
+      between_9c = between_9a + between_9b, between_9d = D1->m22 * D2->m21,
+      between_9 = between_9c + between_9d;
+  const float between_10a = D1->m02 * D2->m02, between_10b = D1->m12 * D2->m12,
+      between_10c = between_10a + between_10b, between_10d = D1->m22 * D2->m22,
+      between_10 = between_10c + between_10d;
+  const float between_11a = D1->m02 * apart_0, between_11b = D1->m12 * apart_1,
+      between_11c = between_11a + between_11b, between_11d = D1->m22 * apart_2,
+      between_11 = between_11c + between_11d;
+  const float log_p_0 = between_9 - between_6;
+  const float log_p_1 = between_2 - between_8;
+  const float log_p_2 = between_4 - between_1;
+  const float log_s_0 = between_6 + between_9;
+  const float log_s_1 = between_2 + between_8;
+  const float log_s_2 = between_1 + between_4;
+  const float log_d_0a = between_0 + between_5, log_d_0b = log_d_0a + between_10,
+      log_d_0 = log_d_0b + 1.0f;
+  const float log_d_1a = between_0 - between_5, log_d_1b = log_d_1a - between_10,
+      log_d_1 = log_d_1b + 1.0f;
+  const float log_d_2a = between_5 - between_0, log_d_2b = log_d_2a - between_10,
+      log_d_2 = log_d_2b + 1.0f;
+  const float log_d_3a = between_10 - between_0, log_d_3b = log_d_3a - between_5,
+      log_d_3 = log_d_3b + 1.0f;
+  const float log_low_0 = between_5 < between_0 ? log_p_0 : log_p_1;
+  const float log_low_1 = between_5 < between_0 ? log_d_1 : log_s_2;
+  const float log_low_2 = between_5 < between_0 ? log_s_2 : log_d_2;
+  const float log_low_3 = between_5 < between_0 ? log_s_1 : log_s_0;
+  const float log_high_0a = -between_5, log_high_0 = between_0 < log_high_0a ? log_p_2 : log_d_0;
+  const float log_high_1 = between_0 < log_high_0a ? log_s_1 : log_p_0;
+  const float log_high_2 = between_0 < log_high_0a ? log_s_0 : log_p_1;
+  const float log_high_3 = between_0 < log_high_0a ? log_d_3 : log_p_2;
+  const float log_column_0 = between_10 < 0.0f ? log_low_0 : log_high_0;
+  const float log_column_1 = between_10 < 0.0f ? log_low_1 : log_high_1;
+  const float log_column_2 = between_10 < 0.0f ? log_low_2 : log_high_2;
+  const float log_column_3 = between_10 < 0.0f ? log_low_3 : log_high_3;
+  const float log_upper_0a = -log_column_0,
+      log_upper_0 = log_column_0 < 0.0f ? log_upper_0a : log_column_0;
+  const float log_upper_1a = -log_column_1,
+      log_upper_1 = log_column_0 < 0.0f ? log_upper_1a : log_column_1;
+  const float log_upper_2a = -log_column_2,
+      log_upper_2 = log_column_0 < 0.0f ? log_upper_2a : log_column_2;
+  const float log_upper_3a = -log_column_3,
+      log_upper_3 = log_column_0 < 0.0f ? log_upper_3a : log_column_3;
+  const float log_v_s_size_0 = fabsf(log_upper_1);
+  const float log_v_s_size_1 = fabsf(log_upper_2);
+  const float log_v_s_size_2 = fabsf(log_upper_3);
+  const float log_v_s_largest1 = log_v_s_size_0 < log_v_s_size_1 ? log_v_s_size_1 : log_v_s_size_0;
+  const float log_v_s_largest2 = log_v_s_largest1 < log_v_s_size_2 ? log_v_s_size_2 : log_v_s_largest1;
+  const float log_v_s_b = 4.611686e+18f < log_v_s_largest2 ? 2.7105054e-20f : 1.0f,
+      log_v_s = log_v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : log_v_s_b;
+  const float log_v_y_0 = log_upper_1 * log_v_s;
+  const float log_v_y_1 = log_upper_2 * log_v_s;
+  const float log_v_y_2 = log_upper_3 * log_v_s;
+  const float log_v_n_a = log_v_y_0 * log_v_y_0, log_v_n_b = log_v_y_1 * log_v_y_1,
+      log_v_n_c = log_v_n_a + log_v_n_b, log_v_n_d = log_v_y_2 * log_v_y_2,
+      log_v_n_e = log_v_n_c + log_v_n_d, log_v_n = sqrtf(log_v_n_e);
+  const float log_v_r_b = log_v_s < 1.0f ? 3.689349e+19f : 1.0f,
+      log_v_r = 1.0f < log_v_s ? 7.888609e-31f : log_v_r_b;
+  const float log_n = log_v_n * log_v_r;
+  const float log_half = atan2f(log_n, log_upper_0);
+  const float log_divisor = log_n == 0.0f ? 1.0f : log_n;
+  const float log_theta = 2.0f * log_half;
+  const float log_k = log_theta / log_divisor;
+  const float log_vector_0 = log_upper_1 * log_k;
+  const float log_vector_1 = log_upper_2 * log_k;
+  const float log_vector_2 = log_upper_3 * log_k;
+  const float log_x = log_theta * log_theta;
+  const float log_far_sine = log_x < 4.0f ? 1.0f : log_n;
+  const float log_cotangent = log_upper_0 / log_far_sine;
+  const float log_u_0a = between_11 * log_vector_1, log_u_0b = between_7 * log_vector_2,
+      log_u_0 = log_u_0a - log_u_0b;
+  const float log_u_1a = between_3 * log_vector_2, log_u_1b = between_11 * log_vector_0,
+      log_u_1 = log_u_1a - log_u_1b;
+  const float log_u_2a = between_7 * log_vector_0, log_u_2b = between_3 * log_vector_1,
+      log_u_2 = log_u_2a - log_u_2b;
+  const float log_b_rest_a = 0.5f * log_theta, log_b_rest_b = log_b_rest_a * log_cotangent,
+      log_b_rest = 1.0f - log_b_rest_b;
+  const float log_b_divisor = log_x < 4.0f ? 4.0f : log_x;
+  const float log_closed_b = log_b_rest / log_b_divisor;
+  const float log_b_a = 1.4551725e-27f * log_x, log_b_b = log_b_a + 5.744791e-26f,
+      log_b_c = log_x * log_b_b, log_b_d = log_b_c + 2.2679524e-24f, log_b_e = log_x * log_b_d,
+      log_b_f = log_b_e + 8.9535176e-23f, log_b_g = log_x * log_b_f,
+      log_b_h = log_b_g + 3.534707e-21f, log_b_i = log_x * log_b_h,
+      log_b_j = log_b_i + 1.3954465e-19f, log_b_k = log_x * log_b_j,
+      log_b_l = log_b_k + 5.509003e-18f, log_b_m = log_x * log_b_l,
+      log_b_n = log_b_m + 2.1748687e-16f, log_b_o = log_x * log_b_n,
+      log_b_p = log_b_o + 8.586062e-15f, log_b_q = log_x * log_b_p,
+      log_b_r = log_b_q + 3.3896803e-13f, log_b_s = log_x * log_b_r,
+      log_b_t = log_b_s + 1.3382536e-11f, log_b_u = log_x * log_b_t,
+      log_b_v = log_b_u + 5.2841903e-10f, log_b_w = log_x * log_b_v,
+      log_b_x = log_b_w + 2.0876756e-08f, log_b_y = log_x * log_b_x,
+      log_b_z = log_b_y + 8.267196e-07f, log_b_aa = log_x * log_b_z,
+      log_b_ab = log_b_aa + 3.3068784e-05f, log_b_ac = log_x * log_b_ab,
+      log_b_ad = log_b_ac + 0.0013888889f, log_b_ae = log_x * log_b_ad,
+      log_b_af = log_b_ae + 0.083333336f, log_b = log_x < 4.0f ? log_b_af : log_closed_b;
+  const float log_uu_0a = log_vector_1 * log_u_2, log_uu_0b = log_vector_2 * log_u_1,
+      log_uu_0 = log_uu_0a - log_uu_0b;
+  const float log_uu_1a = log_vector_2 * log_u_0, log_uu_1b = log_vector_0 * log_u_2,
+      log_uu_1 = log_uu_1a - log_uu_1b;
+  const float log_uu_2a = log_vector_0 * log_u_1, log_uu_2b = log_vector_1 * log_u_0,
+      log_uu_2 = log_uu_2a - log_uu_2b;
+  const float log_small_0a = log_b * log_uu_0, log_small_0b = 0.5f * log_u_0,
+      log_small_0 = log_small_0a - log_small_0b;
+  const float log_small_1a = log_b * log_uu_1, log_small_1b = 0.5f * log_u_1,
+      log_small_1 = log_small_1a - log_small_1b;
+  const float log_small_2a = log_b * log_uu_2, log_small_2b = 0.5f * log_u_2,
+      log_small_2 = log_small_2a - log_small_2b;
+  const float whole_0 = between_3 + log_small_0;
+  const float whole_1 = between_7 + log_small_1;
+  const float whole_2 = between_11 + log_small_2;
+  const float screw_0 = k * whole_0;
+  const float screw_1 = k * whole_1;
+  const float screw_2 = k * whole_2;
+  const float screw_3 = k * log_vector_0;
+  const float screw_4 = k * log_vector_1;
+  const float screw_5 = k * log_vector_2;
+  const float exp_shifted_0 = screw_3 + 49152.0f;
+  const float exp_shifted_1 = screw_4 + 49152.0f;
+  const float exp_shifted_2 = screw_5 + 49152.0f;
+  const float exp_high_0 = exp_shifted_0 - 49152.0f;
+  const float exp_high_1 = exp_shifted_1 - 49152.0f;
+  const float exp_high_2 = exp_shifted_2 - 49152.0f;
+  const float exp_low_0 = screw_3 - exp_high_0;
+  const float exp_low_1 = screw_4 - exp_high_1;
+  const float exp_low_2 = screw_5 - exp_high_2;
+  const float exp_sum_0 = screw_3 + exp_high_0;
+  const float exp_sum_1 = screw_4 + exp_high_1;
+  const float exp_sum_2 = screw_5 + exp_high_2;
+  const float exp_squares_a = exp_high_0 * exp_high_0, exp_squares_b = exp_high_1 * exp_high_1,
+      exp_squares_c = exp_squares_a + exp_squares_b, exp_squares_d = exp_high_2 * exp_high_2,
+      exp_squares = exp_squares_c + exp_squares_d;
+  const float exp_cross_a = exp_low_0 * exp_sum_0, exp_cross_b = exp_low_1 * exp_sum_1,
+      exp_cross_c = exp_cross_a + exp_cross_b, exp_cross_d = exp_low_2 * exp_sum_2,
+      exp_cross = exp_cross_c + exp_cross_d;
+  const float exp_x = exp_squares + exp_cross;
+  const float exp_theta_a = sqrtf(exp_x), exp_theta = exp_x < 4.0f ? 2.0f : exp_theta_a;
+  const float exp_theta_shifted = exp_theta + 49152.0f;
+  const float exp_theta_high = exp_theta_shifted - 49152.0f;
+  const float exp_theta_low = exp_theta - exp_theta_high;
+  const float exp_theta_sum = exp_theta + exp_theta_high;
+  const float exp_cross_rest_a = exp_theta_low * exp_theta_sum,
+      exp_cross_rest = exp_cross - exp_cross_rest_a;
+  const float exp_exact_a = exp_theta_high * exp_theta_high, exp_exact = exp_squares - exp_exact_a;
+  const float exp_residual = exp_cross_rest + exp_exact;
+  const float exp_delta_a = 0.5f * exp_residual, exp_delta = exp_delta_a / exp_theta;
+  const float exp_far_sine_a = sinf(exp_theta), exp_far_sine = exp_x < 4.0f ? 1.0f : exp_far_sine_a;
+  const float exp_far_cosine_a = cosf(exp_theta),
+      exp_far_cosine = exp_x < 4.0f ? 0.0f : exp_far_cosine_a;
+  const float exp_sine_a = exp_delta * exp_far_cosine, exp_sine = exp_sine_a + exp_far_sine;
+  const float exp_cosine_a = exp_delta * exp_far_sine, exp_cosine = exp_far_cosine - exp_cosine_a;
+  const float exp_far_x = exp_x < 4.0f ? 4.0f : exp_x;
+  const float exp_closed1 = exp_sine / exp_theta;
+  const float exp_versine = 1.0f - exp_cosine;
+  const float exp_closed2 = exp_versine / exp_far_x;
+  const float exp_rest3 = 1.0f - exp_closed1;
+  const float exp_closed3 = exp_rest3 / exp_far_x;
+  const float exp_g1a = 6.4469503e-26f * exp_x, exp_g1b = exp_g1a - 3.8681703e-23f,
+      exp_g1c = exp_x * exp_g1b, exp_g1d = exp_g1c + 1.9572942e-20f, exp_g1e = exp_x * exp_g1d,
+      exp_g1f = exp_g1e - 8.220635e-18f, exp_g1g = exp_x * exp_g1f,
+      exp_g1h = exp_g1g + 2.8114574e-15f, exp_g1i = exp_x * exp_g1h,
+      exp_g1j = exp_g1i - 7.6471636e-13f, exp_g1k = exp_x * exp_g1j,
+      exp_g1l = exp_g1k + 1.6059044e-10f, exp_g1m = exp_x * exp_g1l,
+      exp_g1n = exp_g1m - 2.5052108e-08f, exp_g1o = exp_x * exp_g1n,
+      exp_g1p = exp_g1o + 2.7557319e-06f, exp_g1q = exp_x * exp_g1p,
+      exp_g1r = exp_g1q - 0.0001984127f, exp_g1s = exp_x * exp_g1r,
+      exp_g1t = exp_g1s + 0.008333334f, exp_g1u = exp_x * exp_g1t, exp_g1v = exp_g1u - 0.16666667f,
+      exp_g1w = exp_x * exp_g1v, exp_g1x = exp_g1w + 1.0f,
+      exp_g1 = exp_x < 4.0f ? exp_g1x : exp_closed1;
+  const float exp_g2a = 2.4795963e-27f * exp_x, exp_g2b = exp_g2a - 1.6117376e-24f,
+      exp_g2c = exp_x * exp_g2b, exp_g2d = exp_g2c + 8.896791e-22f, exp_g2e = exp_x * exp_g2d,
+      exp_g2f = exp_g2e - 4.1103176e-19f, exp_g2g = exp_x * exp_g2f,
+      exp_g2h = exp_g2g + 1.5619207e-16f, exp_g2i = exp_x * exp_g2h,
+      exp_g2j = exp_g2i - 4.7794773e-14f, exp_g2k = exp_x * exp_g2j,
+      exp_g2l = exp_g2k + 1.1470745e-11f, exp_g2m = exp_x * exp_g2l,
+      exp_g2n = exp_g2m - 2.0876756e-09f, exp_g2o = exp_x * exp_g2n,
+      exp_g2p = exp_g2o + 2.755732e-07f, exp_g2q = exp_x * exp_g2p,
+      exp_g2r = exp_g2q - 2.4801588e-05f, exp_g2s = exp_x * exp_g2r,
+      exp_g2t = exp_g2s + 0.0013888889f, exp_g2u = exp_x * exp_g2t,
+      exp_g2v = exp_g2u - 0.041666668f, exp_g2w = exp_x * exp_g2v, exp_g2x = exp_g2w + 0.5f,
+      exp_g2 = exp_x < 4.0f ? exp_g2x : exp_closed2;
+  const float exp_g3a = 9.18369e-29f * exp_x, exp_g3b = exp_g3a - 6.4469503e-26f,
+      exp_g3c = exp_x * exp_g3b, exp_g3d = exp_g3c + 3.8681703e-23f, exp_g3e = exp_x * exp_g3d,
+      exp_g3f = exp_g3e - 1.9572942e-20f, exp_g3g = exp_x * exp_g3f,
+      exp_g3h = exp_g3g + 8.220635e-18f, exp_g3i = exp_x * exp_g3h,
+      exp_g3j = exp_g3i - 2.8114574e-15f, exp_g3k = exp_x * exp_g3j,
+      exp_g3l = exp_g3k + 7.6471636e-13f, exp_g3m = exp_x * exp_g3l,
+      exp_g3n = exp_g3m - 1.6059044e-10f, exp_g3o = exp_x * exp_g3n,
+      exp_g3p = exp_g3o + 2.5052108e-08f, exp_g3q = exp_x * exp_g3p,
+      exp_g3r = exp_g3q - 2.7557319e-06f, exp_g3s = exp_x * exp_g3r,
+      exp_g3t = exp_g3s + 0.0001984127f, exp_g3u = exp_x * exp_g3t,
+      exp_g3v = exp_g3u - 0.008333334f, exp_g3w = exp_x * exp_g3v, exp_g3x = exp_g3w + 0.16666667f,
+      exp_g3 = exp_x < 4.0f ? exp_g3x : exp_closed3;
+  const float exp_g0a = exp_x * exp_g2, exp_g0b = 1.0f - exp_g0a,
+      exp_g0 = exp_x < 4.0f ? exp_g0b : exp_cosine;
+  const float exp_u_0a = screw_2 * screw_4, exp_u_0b = screw_1 * screw_5,
+      exp_u_0 = exp_u_0a - exp_u_0b;
+  const float exp_u_1a = screw_0 * screw_5, exp_u_1b = screw_2 * screw_3,
+      exp_u_1 = exp_u_1a - exp_u_1b;
+  const float exp_u_2a = screw_1 * screw_3, exp_u_2b = screw_0 * screw_4,
+      exp_u_2 = exp_u_2a - exp_u_2b;
+  const float exp_turned_0 = exp_g2 * exp_u_0;
+  const float exp_turned_1 = exp_g2 * exp_u_1;
+  const float exp_turned_2 = exp_g2 * exp_u_2;
+  const float exp_wv_a = screw_0 * screw_3, exp_wv_b = screw_1 * screw_4,
+      exp_wv_c = exp_wv_a + exp_wv_b, exp_wv_d = screw_2 * screw_5, exp_wv = exp_wv_c + exp_wv_d;
+  const float exp_pitch = exp_g3 * exp_wv;
+  const float exp_along_0 = screw_3 * exp_pitch;
+  const float exp_along_1 = screw_4 * exp_pitch;
+  const float exp_along_2 = screw_5 * exp_pitch;
+  const float exp_beta_v_0 = screw_3 * exp_g2;
+  const float exp_beta_v_1 = screw_4 * exp_g2;
+  const float exp_beta_v_2 = screw_5 * exp_g2;
+  const float exp_m_0 = screw_3 * exp_beta_v_0;
+  const float exp_m_1 = screw_4 * exp_beta_v_1;
+  const float exp_m_2 = screw_5 * exp_beta_v_2;
+  const float exp_m_3 = screw_4 * exp_beta_v_0;
+  const float exp_m_4 = screw_5 * exp_beta_v_0;
+  const float exp_m_5 = screw_5 * exp_beta_v_1;
+  const float exp_others_0 = exp_m_1 + exp_m_2;
+  const float exp_others_1 = exp_m_0 + exp_m_2;
+  const float exp_others_2 = exp_m_0 + exp_m_1;
+  const float exp_diagonal0a = 1.0f - exp_others_0, exp_diagonal0b = exp_g0 + exp_m_0,
+      exp_diagonal0 = exp_m_0 < exp_others_0 ? exp_diagonal0b : exp_diagonal0a;
+  const float exp_diagonal1a = 1.0f - exp_others_1, exp_diagonal1b = exp_g0 + exp_m_1,
+      exp_diagonal1 = exp_m_1 < exp_others_1 ? exp_diagonal1b : exp_diagonal1a;
+  const float exp_diagonal2a = 1.0f - exp_others_2, exp_diagonal2b = exp_g0 + exp_m_2,
+      exp_diagonal2 = exp_m_2 < exp_others_2 ? exp_diagonal2b : exp_diagonal2a;
+  const float exp_alpha_v_0 = screw_3 * exp_g1;
+  const float exp_alpha_v_1 = screw_4 * exp_g1;
+  const float exp_alpha_v_2 = screw_5 * exp_g1;
+  const float exp_across_axis_0 = exp_turned_0 + exp_along_0;
+  const float exp_across_axis_1 = exp_turned_1 + exp_along_1;
+  const float exp_across_axis_2 = exp_turned_2 + exp_along_2;
+  const float step_1 = exp_m_3 - exp_alpha_v_2;
+  const float step_2 = exp_m_4 + exp_alpha_v_1;
+  const float step_3a = screw_0 * exp_g1, step_3 = step_3a + exp_across_axis_0;
+  const float step_4 = exp_m_3 + exp_alpha_v_2;
+  const float step_6 = exp_m_5 - exp_alpha_v_0;
+  const float step_7a = screw_1 * exp_g1, step_7 = step_7a + exp_across_axis_1;
+  const float step_8 = exp_m_4 - exp_alpha_v_1;
+  const float step_9 = exp_m_5 + exp_alpha_v_0;
+  const float step_11a = screw_2 * exp_g1, step_11 = step_11a + exp_across_axis_2;
+  const float Do_00a = D1->m00 * exp_diagonal0, Do_00b = D1->m01 * step_4,
+      Do_00c = D1->m02 * step_8, Do_00d = Do_00b + Do_00c, Do_00 = Do_00a + Do_00d;
+  const float Do_01a = D1->m00 * step_1, Do_01b = D1->m02 * step_9, Do_01c = Do_01a + Do_01b,
+      Do_01d = D1->m01 * exp_diagonal1, Do_01 = Do_01c + Do_01d;
+  const float Do_02a = D1->m00 * step_2, Do_02b = D1->m01 * step_6, Do_02c = Do_02a + Do_02b,
+      Do_02d = D1->m02 * exp_diagonal2, Do_02 = Do_02c + Do_02d;
+  const float Do_03a = D1->m00 * step_3, Do_03b = D1->m01 * step_7, Do_03c = Do_03a + Do_03b,
+      Do_03d = D1->m02 * step_11, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D1->m03;
+  const float Do_10a = D1->m10 * exp_diagonal0, Do_10b = D1->m11 * step_4,
+      Do_10c = D1->m12 * step_8, Do_10d = Do_10b + Do_10c, Do_10 = Do_10a + Do_10d;
+  const float Do_11a = D1->m10 * step_1, Do_11b = D1->m12 * step_9, Do_11c = Do_11a + Do_11b,
+      Do_11d = D1->m11 * exp_diagonal1, Do_11 = Do_11c + Do_11d;
+  const float Do_12a = D1->m10 * step_2, Do_12b = D1->m11 * step_6, Do_12c = Do_12a + Do_12b,
+      Do_12d = D1->m12 * exp_diagonal2, Do_12 = Do_12c + Do_12d;
+  const float Do_13a = D1->m10 * step_3, Do_13b = D1->m11 * step_7, Do_13c = Do_13a + Do_13b,
+      Do_13d = D1->m12 * step_11, Do_13e = Do_13c + Do_13d, Do_13 = Do_13e + D1->m13;
+  const float Do_20a = D1->m20 * exp_diagonal0, Do_20b = D1->m21 * step_4,
+      Do_20c = D1->m22 * step_8, Do_20d = Do_20b + Do_20c, Do_20 = Do_20a + Do_20d;
+  const float Do_21a = D1->m20 * step_1, Do_21b = D1->m22 * step_9, Do_21c = Do_21a + Do_21b,
+      Do_21d = D1->m21 * exp_diagonal1, Do_21 = Do_21c + Do_21d;
+  const float Do_22a = D1->m20 * step_2, Do_22b = D1->m21 * step_6, Do_22c = Do_22a + Do_22b,
+      Do_22d = D1->m22 * exp_diagonal2, Do_22 = Do_22c + Do_22d;
+  const float Do_23a = D1->m20 * step_3, Do_23b = D1->m21 * step_7, Do_23c = Do_23a + Do_23b,
+      Do_23d = D1->m22 * step_11, Do_23e = Do_23c + Do_23d, Do_23 = Do_23e + D1->m23;
+  Do->m00 = Do_00;
+  Do->m01 = Do_01;
+  Do->m02 = Do_02;
+  Do->m03 = Do_03;
+  Do->m10 = Do_10;
+  Do->m11 = Do_11;
+  Do->m12 = Do_12;
+  Do->m13 = Do_13;
+  Do->m20 = Do_20;
+  Do->m21 = Do_21;
+  Do->m22 = Do_22;
+  Do->m23 = Do_23;
+}
 
 #endif
 

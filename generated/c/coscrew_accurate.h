@@ -422,40 +422,52 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double d = n == 0.0 ? 1.0 : n, d_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = self->x * up;
-  const double z_1 = self->y * up;
-  const double z_2 = self->z * up;
-  const double q_0 = z_0 / d, q_0_cross = q_0 * d_lo, q_0_product = q_0 * d,
-      q_0_product_error = ksl_product_error(q_0, d, q_0_product), q_0_rest = z_0 - q_0_product,
-      q_0_exact = q_0_rest - q_0_product_error, q_0_residual = q_0_exact - q_0_cross,
-      q_0_lo = q_0_residual / d;
-  const double q_1 = z_1 / d, q_1_cross = q_1 * d_lo, q_1_product = q_1 * d,
-      q_1_product_error = ksl_product_error(q_1, d, q_1_product), q_1_rest = z_1 - q_1_product,
-      q_1_exact = q_1_rest - q_1_product_error, q_1_residual = q_1_exact - q_1_cross,
-      q_1_lo = q_1_residual / d;
-  const double q_2 = z_2 / d, q_2_cross = q_2 * d_lo, q_2_product = q_2 * d,
-      q_2_product_error = ksl_product_error(q_2, d, q_2_product), q_2_rest = z_2 - q_2_product,
-      q_2_exact = q_2_rest - q_2_product_error, q_2_residual = q_2_exact - q_2_cross,
-      q_2_lo = q_2_residual / d;
-  const double self_0_new_total = q_0 + q_0_lo, self_0_new_added = self_0_new_total - q_0,
-      self_0_new_remaining = q_0_lo - self_0_new_added, self_0_new = self_0_new_total * down,
+  const double enlarged_0 = self->x * up;
+  const double enlarged_1 = self->y * up;
+  const double enlarged_2 = self->z * up;
+  const double quotient_0 = enlarged_0 / divisor, quotient_0_cross = quotient_0 * divisor_lo,
+      quotient_0_product = quotient_0 * divisor,
+      quotient_0_product_error = ksl_product_error(quotient_0, divisor, quotient_0_product),
+      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_exact = quotient_0_rest - quotient_0_product_error,
+      quotient_0_residual = quotient_0_exact - quotient_0_cross,
+      quotient_0_lo = quotient_0_residual / divisor;
+  const double quotient_1 = enlarged_1 / divisor, quotient_1_cross = quotient_1 * divisor_lo,
+      quotient_1_product = quotient_1 * divisor,
+      quotient_1_product_error = ksl_product_error(quotient_1, divisor, quotient_1_product),
+      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_exact = quotient_1_rest - quotient_1_product_error,
+      quotient_1_residual = quotient_1_exact - quotient_1_cross,
+      quotient_1_lo = quotient_1_residual / divisor;
+  const double quotient_2 = enlarged_2 / divisor, quotient_2_cross = quotient_2 * divisor_lo,
+      quotient_2_product = quotient_2 * divisor,
+      quotient_2_product_error = ksl_product_error(quotient_2, divisor, quotient_2_product),
+      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_exact = quotient_2_rest - quotient_2_product_error,
+      quotient_2_residual = quotient_2_exact - quotient_2_cross,
+      quotient_2_lo = quotient_2_residual / divisor;
+  const double self_0_new_total = quotient_0 + quotient_0_lo,
+      self_0_new_added = self_0_new_total - quotient_0,
+      self_0_new_remaining = quotient_0_lo - self_0_new_added, self_0_new = self_0_new_total * down,
       self_0_new_inverse = 1.0 / down, self_0_new_back = self_0_new * self_0_new_inverse,
       self_0_new_lost = self_0_new_total - self_0_new_back,
       self_0_new_rest = self_0_new_lost + self_0_new_remaining,
       self_0_new_small = self_0_new_rest * down,
       self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
-  const double self_1_new_total = q_1 + q_1_lo, self_1_new_added = self_1_new_total - q_1,
-      self_1_new_remaining = q_1_lo - self_1_new_added, self_1_new = self_1_new_total * down,
+  const double self_1_new_total = quotient_1 + quotient_1_lo,
+      self_1_new_added = self_1_new_total - quotient_1,
+      self_1_new_remaining = quotient_1_lo - self_1_new_added, self_1_new = self_1_new_total * down,
       self_1_new_back = self_1_new * self_0_new_inverse,
       self_1_new_lost = self_1_new_total - self_1_new_back,
       self_1_new_rest = self_1_new_lost + self_1_new_remaining,
       self_1_new_small = self_1_new_rest * down,
       self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
-  const double self_2_new_total = q_2 + q_2_lo, self_2_new_added = self_2_new_total - q_2,
-      self_2_new_remaining = q_2_lo - self_2_new_added, self_2_new = self_2_new_total * down,
+  const double self_2_new_total = quotient_2 + quotient_2_lo,
+      self_2_new_added = self_2_new_total - quotient_2,
+      self_2_new_remaining = quotient_2_lo - self_2_new_added, self_2_new = self_2_new_total * down,
       self_2_new_back = self_2_new * self_0_new_inverse,
       self_2_new_lost = self_2_new_total - self_2_new_back,
       self_2_new_rest = self_2_new_lost + self_2_new_remaining,
@@ -496,36 +508,45 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double d = n == 0.0 ? 1.0 : n, d_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = v->x * up;
-  const double z_1 = v->y * up;
-  const double z_2 = v->z * up;
-  const double q_0 = z_0 / d, q_0_cross = q_0 * d_lo, q_0_product = q_0 * d,
-      q_0_product_error = ksl_product_error(q_0, d, q_0_product), q_0_rest = z_0 - q_0_product,
-      q_0_exact = q_0_rest - q_0_product_error, q_0_residual = q_0_exact - q_0_cross,
-      q_0_lo = q_0_residual / d;
-  const double q_1 = z_1 / d, q_1_cross = q_1 * d_lo, q_1_product = q_1 * d,
-      q_1_product_error = ksl_product_error(q_1, d, q_1_product), q_1_rest = z_1 - q_1_product,
-      q_1_exact = q_1_rest - q_1_product_error, q_1_residual = q_1_exact - q_1_cross,
-      q_1_lo = q_1_residual / d;
-  const double q_2 = z_2 / d, q_2_cross = q_2 * d_lo, q_2_product = q_2 * d,
-      q_2_product_error = ksl_product_error(q_2, d, q_2_product), q_2_rest = z_2 - q_2_product,
-      q_2_exact = q_2_rest - q_2_product_error, q_2_residual = q_2_exact - q_2_cross,
-      q_2_lo = q_2_residual / d;
-  const double vo_0_total = q_0 + q_0_lo, vo_0_added = vo_0_total - q_0,
-      vo_0_remaining = q_0_lo - vo_0_added, vo_0 = vo_0_total * down, vo_0_inverse = 1.0 / down,
-      vo_0_back = vo_0 * vo_0_inverse, vo_0_lost = vo_0_total - vo_0_back,
-      vo_0_rest = vo_0_lost + vo_0_remaining, vo_0_small = vo_0_rest * down,
-      vo_0_lo = vo_0_lost == 0.0 ? 0.0 : vo_0_small;
-  const double vo_1_total = q_1 + q_1_lo, vo_1_added = vo_1_total - q_1,
-      vo_1_remaining = q_1_lo - vo_1_added, vo_1 = vo_1_total * down,
+  const double enlarged_0 = v->x * up;
+  const double enlarged_1 = v->y * up;
+  const double enlarged_2 = v->z * up;
+  const double quotient_0 = enlarged_0 / divisor, quotient_0_cross = quotient_0 * divisor_lo,
+      quotient_0_product = quotient_0 * divisor,
+      quotient_0_product_error = ksl_product_error(quotient_0, divisor, quotient_0_product),
+      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_exact = quotient_0_rest - quotient_0_product_error,
+      quotient_0_residual = quotient_0_exact - quotient_0_cross,
+      quotient_0_lo = quotient_0_residual / divisor;
+  const double quotient_1 = enlarged_1 / divisor, quotient_1_cross = quotient_1 * divisor_lo,
+      quotient_1_product = quotient_1 * divisor,
+      quotient_1_product_error = ksl_product_error(quotient_1, divisor, quotient_1_product),
+      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_exact = quotient_1_rest - quotient_1_product_error,
+      quotient_1_residual = quotient_1_exact - quotient_1_cross,
+      quotient_1_lo = quotient_1_residual / divisor;
+  const double quotient_2 = enlarged_2 / divisor, quotient_2_cross = quotient_2 * divisor_lo,
+      quotient_2_product = quotient_2 * divisor,
+      quotient_2_product_error = ksl_product_error(quotient_2, divisor, quotient_2_product),
+      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_exact = quotient_2_rest - quotient_2_product_error,
+      quotient_2_residual = quotient_2_exact - quotient_2_cross,
+      quotient_2_lo = quotient_2_residual / divisor;
+  const double vo_0_total = quotient_0 + quotient_0_lo, vo_0_added = vo_0_total - quotient_0,
+      vo_0_remaining = quotient_0_lo - vo_0_added, vo_0 = vo_0_total * down,
+      vo_0_inverse = 1.0 / down, vo_0_back = vo_0 * vo_0_inverse,
+      vo_0_lost = vo_0_total - vo_0_back, vo_0_rest = vo_0_lost + vo_0_remaining,
+      vo_0_small = vo_0_rest * down, vo_0_lo = vo_0_lost == 0.0 ? 0.0 : vo_0_small;
+  const double vo_1_total = quotient_1 + quotient_1_lo, vo_1_added = vo_1_total - quotient_1,
+      vo_1_remaining = quotient_1_lo - vo_1_added, vo_1 = vo_1_total * down,
       vo_1_back = vo_1 * vo_0_inverse, vo_1_lost = vo_1_total - vo_1_back,
       vo_1_rest = vo_1_lost + vo_1_remaining, vo_1_small = vo_1_rest * down,
       vo_1_lo = vo_1_lost == 0.0 ? 0.0 : vo_1_small;
-  const double vo_2_total = q_2 + q_2_lo, vo_2_added = vo_2_total - q_2,
-      vo_2_remaining = q_2_lo - vo_2_added, vo_2 = vo_2_total * down,
+  const double vo_2_total = quotient_2 + quotient_2_lo, vo_2_added = vo_2_total - quotient_2,
+      vo_2_remaining = quotient_2_lo - vo_2_added, vo_2 = vo_2_total * down,
       vo_2_back = vo_2 * vo_0_inverse, vo_2_lost = vo_2_total - vo_2_back,
       vo_2_rest = vo_2_lost + vo_2_remaining, vo_2_small = vo_2_rest * down,
       vo_2_lo = vo_2_lost == 0.0 ? 0.0 : vo_2_small;
@@ -893,18 +914,18 @@ static inline void ksl_vec3f_normalize_accurate(ksl_vec3f_t *self) {
   const double y_2 = (double)self->z * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
-  const double d = n == 0.0 ? 1.0 : n;
+  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = (double)self->x * up;
-  const double z_1 = (double)self->y * up;
-  const double z_2 = (double)self->z * up;
-  const double q_0 = z_0 / d;
-  const double q_1 = z_1 / d;
-  const double q_2 = z_2 / d;
-  const double self_0_new = q_0 * down;
-  const double self_1_new = q_1 * down;
-  const double self_2_new = q_2 * down;
+  const double enlarged_0 = (double)self->x * up;
+  const double enlarged_1 = (double)self->y * up;
+  const double enlarged_2 = (double)self->z * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double self_0_new = quotient_0 * down;
+  const double self_1_new = quotient_1 * down;
+  const double self_2_new = quotient_2 * down;
   self->x = (float)self_0_new;
   self->y = (float)self_1_new;
   self->z = (float)self_2_new;
@@ -926,18 +947,18 @@ static inline void ksl_vec3f_normalized_accurate(const ksl_vec3f_t *v, ksl_vec3f
   const double y_2 = (double)v->z * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
-  const double d = n == 0.0 ? 1.0 : n;
+  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = (double)v->x * up;
-  const double z_1 = (double)v->y * up;
-  const double z_2 = (double)v->z * up;
-  const double q_0 = z_0 / d;
-  const double q_1 = z_1 / d;
-  const double q_2 = z_2 / d;
-  const double vo_0 = q_0 * down;
-  const double vo_1 = q_1 * down;
-  const double vo_2 = q_2 * down;
+  const double enlarged_0 = (double)v->x * up;
+  const double enlarged_1 = (double)v->y * up;
+  const double enlarged_2 = (double)v->z * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double vo_0 = quotient_0 * down;
+  const double vo_1 = quotient_1 * down;
+  const double vo_2 = quotient_2 * down;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -5269,76 +5290,100 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double d = n == 0.0 ? 1.0 : n, d_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = self->m0 * up;
-  const double z_1 = self->m1 * up;
-  const double z_2 = self->m2 * up;
-  const double z_3 = self->m3 * up;
-  const double z_4 = self->m4 * up;
-  const double z_5 = self->m5 * up;
-  const double q_0 = z_0 / d, q_0_cross = q_0 * d_lo, q_0_product = q_0 * d,
-      q_0_product_error = ksl_product_error(q_0, d, q_0_product), q_0_rest = z_0 - q_0_product,
-      q_0_exact = q_0_rest - q_0_product_error, q_0_residual = q_0_exact - q_0_cross,
-      q_0_lo = q_0_residual / d;
-  const double q_1 = z_1 / d, q_1_cross = q_1 * d_lo, q_1_product = q_1 * d,
-      q_1_product_error = ksl_product_error(q_1, d, q_1_product), q_1_rest = z_1 - q_1_product,
-      q_1_exact = q_1_rest - q_1_product_error, q_1_residual = q_1_exact - q_1_cross,
-      q_1_lo = q_1_residual / d;
-  const double q_2 = z_2 / d, q_2_cross = q_2 * d_lo, q_2_product = q_2 * d,
-      q_2_product_error = ksl_product_error(q_2, d, q_2_product), q_2_rest = z_2 - q_2_product,
-      q_2_exact = q_2_rest - q_2_product_error, q_2_residual = q_2_exact - q_2_cross,
-      q_2_lo = q_2_residual / d;
-  const double q_3 = z_3 / d, q_3_cross = q_3 * d_lo, q_3_product = q_3 * d,
-      q_3_product_error = ksl_product_error(q_3, d, q_3_product), q_3_rest = z_3 - q_3_product,
-      q_3_exact = q_3_rest - q_3_product_error, q_3_residual = q_3_exact - q_3_cross,
-      q_3_lo = q_3_residual / d;
-  const double q_4 = z_4 / d, q_4_cross = q_4 * d_lo, q_4_product = q_4 * d,
-      q_4_product_error = ksl_product_error(q_4, d, q_4_product), q_4_rest = z_4 - q_4_product,
-      q_4_exact = q_4_rest - q_4_product_error, q_4_residual = q_4_exact - q_4_cross,
-      q_4_lo = q_4_residual / d;
-  const double q_5 = z_5 / d, q_5_cross = q_5 * d_lo, q_5_product = q_5 * d,
-      q_5_product_error = ksl_product_error(q_5, d, q_5_product), q_5_rest = z_5 - q_5_product,
-      q_5_exact = q_5_rest - q_5_product_error, q_5_residual = q_5_exact - q_5_cross,
-      q_5_lo = q_5_residual / d;
-  const double self_0_new_total = q_0 + q_0_lo, self_0_new_added = self_0_new_total - q_0,
-      self_0_new_remaining = q_0_lo - self_0_new_added, self_0_new = self_0_new_total * down,
+  const double enlarged_0 = self->m0 * up;
+  const double enlarged_1 = self->m1 * up;
+  const double enlarged_2 = self->m2 * up;
+  const double enlarged_3 = self->m3 * up;
+  const double enlarged_4 = self->m4 * up;
+  const double enlarged_5 = self->m5 * up;
+  const double quotient_0 = enlarged_0 / divisor, quotient_0_cross = quotient_0 * divisor_lo,
+      quotient_0_product = quotient_0 * divisor,
+      quotient_0_product_error = ksl_product_error(quotient_0, divisor, quotient_0_product),
+      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_exact = quotient_0_rest - quotient_0_product_error,
+      quotient_0_residual = quotient_0_exact - quotient_0_cross,
+      quotient_0_lo = quotient_0_residual / divisor;
+  const double quotient_1 = enlarged_1 / divisor, quotient_1_cross = quotient_1 * divisor_lo,
+      quotient_1_product = quotient_1 * divisor,
+      quotient_1_product_error = ksl_product_error(quotient_1, divisor, quotient_1_product),
+      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_exact = quotient_1_rest - quotient_1_product_error,
+      quotient_1_residual = quotient_1_exact - quotient_1_cross,
+      quotient_1_lo = quotient_1_residual / divisor;
+  const double quotient_2 = enlarged_2 / divisor, quotient_2_cross = quotient_2 * divisor_lo,
+      quotient_2_product = quotient_2 * divisor,
+      quotient_2_product_error = ksl_product_error(quotient_2, divisor, quotient_2_product),
+      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_exact = quotient_2_rest - quotient_2_product_error,
+      quotient_2_residual = quotient_2_exact - quotient_2_cross,
+      quotient_2_lo = quotient_2_residual / divisor;
+  const double quotient_3 = enlarged_3 / divisor, quotient_3_cross = quotient_3 * divisor_lo,
+      quotient_3_product = quotient_3 * divisor,
+      quotient_3_product_error = ksl_product_error(quotient_3, divisor, quotient_3_product),
+      quotient_3_rest = enlarged_3 - quotient_3_product,
+      quotient_3_exact = quotient_3_rest - quotient_3_product_error,
+      quotient_3_residual = quotient_3_exact - quotient_3_cross,
+      quotient_3_lo = quotient_3_residual / divisor;
+  const double quotient_4 = enlarged_4 / divisor, quotient_4_cross = quotient_4 * divisor_lo,
+      quotient_4_product = quotient_4 * divisor,
+      quotient_4_product_error = ksl_product_error(quotient_4, divisor, quotient_4_product),
+      quotient_4_rest = enlarged_4 - quotient_4_product,
+      quotient_4_exact = quotient_4_rest - quotient_4_product_error,
+      quotient_4_residual = quotient_4_exact - quotient_4_cross,
+      quotient_4_lo = quotient_4_residual / divisor;
+  const double quotient_5 = enlarged_5 / divisor, quotient_5_cross = quotient_5 * divisor_lo,
+      quotient_5_product = quotient_5 * divisor,
+      quotient_5_product_error = ksl_product_error(quotient_5, divisor, quotient_5_product),
+      quotient_5_rest = enlarged_5 - quotient_5_product,
+      quotient_5_exact = quotient_5_rest - quotient_5_product_error,
+      quotient_5_residual = quotient_5_exact - quotient_5_cross,
+      quotient_5_lo = quotient_5_residual / divisor;
+  const double self_0_new_total = quotient_0 + quotient_0_lo,
+      self_0_new_added = self_0_new_total - quotient_0,
+      self_0_new_remaining = quotient_0_lo - self_0_new_added, self_0_new = self_0_new_total * down,
       self_0_new_inverse = 1.0 / down, self_0_new_back = self_0_new * self_0_new_inverse,
       self_0_new_lost = self_0_new_total - self_0_new_back,
       self_0_new_rest = self_0_new_lost + self_0_new_remaining,
       self_0_new_small = self_0_new_rest * down,
       self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
-  const double self_1_new_total = q_1 + q_1_lo, self_1_new_added = self_1_new_total - q_1,
-      self_1_new_remaining = q_1_lo - self_1_new_added, self_1_new = self_1_new_total * down,
+  const double self_1_new_total = quotient_1 + quotient_1_lo,
+      self_1_new_added = self_1_new_total - quotient_1,
+      self_1_new_remaining = quotient_1_lo - self_1_new_added, self_1_new = self_1_new_total * down,
       self_1_new_back = self_1_new * self_0_new_inverse,
       self_1_new_lost = self_1_new_total - self_1_new_back,
       self_1_new_rest = self_1_new_lost + self_1_new_remaining,
       self_1_new_small = self_1_new_rest * down,
       self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
-  const double self_2_new_total = q_2 + q_2_lo, self_2_new_added = self_2_new_total - q_2,
-      self_2_new_remaining = q_2_lo - self_2_new_added, self_2_new = self_2_new_total * down,
+  const double self_2_new_total = quotient_2 + quotient_2_lo,
+      self_2_new_added = self_2_new_total - quotient_2,
+      self_2_new_remaining = quotient_2_lo - self_2_new_added, self_2_new = self_2_new_total * down,
       self_2_new_back = self_2_new * self_0_new_inverse,
       self_2_new_lost = self_2_new_total - self_2_new_back,
       self_2_new_rest = self_2_new_lost + self_2_new_remaining,
       self_2_new_small = self_2_new_rest * down,
       self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
-  const double self_3_new_total = q_3 + q_3_lo, self_3_new_added = self_3_new_total - q_3,
-      self_3_new_remaining = q_3_lo - self_3_new_added, self_3_new = self_3_new_total * down,
+  const double self_3_new_total = quotient_3 + quotient_3_lo,
+      self_3_new_added = self_3_new_total - quotient_3,
+      self_3_new_remaining = quotient_3_lo - self_3_new_added, self_3_new = self_3_new_total * down,
       self_3_new_back = self_3_new * self_0_new_inverse,
       self_3_new_lost = self_3_new_total - self_3_new_back,
       self_3_new_rest = self_3_new_lost + self_3_new_remaining,
       self_3_new_small = self_3_new_rest * down,
       self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
-  const double self_4_new_total = q_4 + q_4_lo, self_4_new_added = self_4_new_total - q_4,
-      self_4_new_remaining = q_4_lo - self_4_new_added, self_4_new = self_4_new_total * down,
+  const double self_4_new_total = quotient_4 + quotient_4_lo,
+      self_4_new_added = self_4_new_total - quotient_4,
+      self_4_new_remaining = quotient_4_lo - self_4_new_added, self_4_new = self_4_new_total * down,
       self_4_new_back = self_4_new * self_0_new_inverse,
       self_4_new_lost = self_4_new_total - self_4_new_back,
       self_4_new_rest = self_4_new_lost + self_4_new_remaining,
       self_4_new_small = self_4_new_rest * down,
       self_4_new_lo = self_4_new_lost == 0.0 ? 0.0 : self_4_new_small;
-  const double self_5_new_total = q_5 + q_5_lo, self_5_new_added = self_5_new_total - q_5,
-      self_5_new_remaining = q_5_lo - self_5_new_added, self_5_new = self_5_new_total * down,
+  const double self_5_new_total = quotient_5 + quotient_5_lo,
+      self_5_new_added = self_5_new_total - quotient_5,
+      self_5_new_remaining = quotient_5_lo - self_5_new_added, self_5_new = self_5_new_total * down,
       self_5_new_back = self_5_new * self_0_new_inverse,
       self_5_new_lost = self_5_new_total - self_5_new_back,
       self_5_new_rest = self_5_new_lost + self_5_new_remaining,
@@ -5394,66 +5439,84 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double d = n == 0.0 ? 1.0 : n, d_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = si->m0 * up;
-  const double z_1 = si->m1 * up;
-  const double z_2 = si->m2 * up;
-  const double z_3 = si->m3 * up;
-  const double z_4 = si->m4 * up;
-  const double z_5 = si->m5 * up;
-  const double q_0 = z_0 / d, q_0_cross = q_0 * d_lo, q_0_product = q_0 * d,
-      q_0_product_error = ksl_product_error(q_0, d, q_0_product), q_0_rest = z_0 - q_0_product,
-      q_0_exact = q_0_rest - q_0_product_error, q_0_residual = q_0_exact - q_0_cross,
-      q_0_lo = q_0_residual / d;
-  const double q_1 = z_1 / d, q_1_cross = q_1 * d_lo, q_1_product = q_1 * d,
-      q_1_product_error = ksl_product_error(q_1, d, q_1_product), q_1_rest = z_1 - q_1_product,
-      q_1_exact = q_1_rest - q_1_product_error, q_1_residual = q_1_exact - q_1_cross,
-      q_1_lo = q_1_residual / d;
-  const double q_2 = z_2 / d, q_2_cross = q_2 * d_lo, q_2_product = q_2 * d,
-      q_2_product_error = ksl_product_error(q_2, d, q_2_product), q_2_rest = z_2 - q_2_product,
-      q_2_exact = q_2_rest - q_2_product_error, q_2_residual = q_2_exact - q_2_cross,
-      q_2_lo = q_2_residual / d;
-  const double q_3 = z_3 / d, q_3_cross = q_3 * d_lo, q_3_product = q_3 * d,
-      q_3_product_error = ksl_product_error(q_3, d, q_3_product), q_3_rest = z_3 - q_3_product,
-      q_3_exact = q_3_rest - q_3_product_error, q_3_residual = q_3_exact - q_3_cross,
-      q_3_lo = q_3_residual / d;
-  const double q_4 = z_4 / d, q_4_cross = q_4 * d_lo, q_4_product = q_4 * d,
-      q_4_product_error = ksl_product_error(q_4, d, q_4_product), q_4_rest = z_4 - q_4_product,
-      q_4_exact = q_4_rest - q_4_product_error, q_4_residual = q_4_exact - q_4_cross,
-      q_4_lo = q_4_residual / d;
-  const double q_5 = z_5 / d, q_5_cross = q_5 * d_lo, q_5_product = q_5 * d,
-      q_5_product_error = ksl_product_error(q_5, d, q_5_product), q_5_rest = z_5 - q_5_product,
-      q_5_exact = q_5_rest - q_5_product_error, q_5_residual = q_5_exact - q_5_cross,
-      q_5_lo = q_5_residual / d;
-  const double so_0_total = q_0 + q_0_lo, so_0_added = so_0_total - q_0,
-      so_0_remaining = q_0_lo - so_0_added, so_0 = so_0_total * down, so_0_inverse = 1.0 / down,
-      so_0_back = so_0 * so_0_inverse, so_0_lost = so_0_total - so_0_back,
-      so_0_rest = so_0_lost + so_0_remaining, so_0_small = so_0_rest * down,
-      so_0_lo = so_0_lost == 0.0 ? 0.0 : so_0_small;
-  const double so_1_total = q_1 + q_1_lo, so_1_added = so_1_total - q_1,
-      so_1_remaining = q_1_lo - so_1_added, so_1 = so_1_total * down,
+  const double enlarged_0 = si->m0 * up;
+  const double enlarged_1 = si->m1 * up;
+  const double enlarged_2 = si->m2 * up;
+  const double enlarged_3 = si->m3 * up;
+  const double enlarged_4 = si->m4 * up;
+  const double enlarged_5 = si->m5 * up;
+  const double quotient_0 = enlarged_0 / divisor, quotient_0_cross = quotient_0 * divisor_lo,
+      quotient_0_product = quotient_0 * divisor,
+      quotient_0_product_error = ksl_product_error(quotient_0, divisor, quotient_0_product),
+      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_exact = quotient_0_rest - quotient_0_product_error,
+      quotient_0_residual = quotient_0_exact - quotient_0_cross,
+      quotient_0_lo = quotient_0_residual / divisor;
+  const double quotient_1 = enlarged_1 / divisor, quotient_1_cross = quotient_1 * divisor_lo,
+      quotient_1_product = quotient_1 * divisor,
+      quotient_1_product_error = ksl_product_error(quotient_1, divisor, quotient_1_product),
+      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_exact = quotient_1_rest - quotient_1_product_error,
+      quotient_1_residual = quotient_1_exact - quotient_1_cross,
+      quotient_1_lo = quotient_1_residual / divisor;
+  const double quotient_2 = enlarged_2 / divisor, quotient_2_cross = quotient_2 * divisor_lo,
+      quotient_2_product = quotient_2 * divisor,
+      quotient_2_product_error = ksl_product_error(quotient_2, divisor, quotient_2_product),
+      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_exact = quotient_2_rest - quotient_2_product_error,
+      quotient_2_residual = quotient_2_exact - quotient_2_cross,
+      quotient_2_lo = quotient_2_residual / divisor;
+  const double quotient_3 = enlarged_3 / divisor, quotient_3_cross = quotient_3 * divisor_lo,
+      quotient_3_product = quotient_3 * divisor,
+      quotient_3_product_error = ksl_product_error(quotient_3, divisor, quotient_3_product),
+      quotient_3_rest = enlarged_3 - quotient_3_product,
+      quotient_3_exact = quotient_3_rest - quotient_3_product_error,
+      quotient_3_residual = quotient_3_exact - quotient_3_cross,
+      quotient_3_lo = quotient_3_residual / divisor;
+  const double quotient_4 = enlarged_4 / divisor, quotient_4_cross = quotient_4 * divisor_lo,
+      quotient_4_product = quotient_4 * divisor,
+      quotient_4_product_error = ksl_product_error(quotient_4, divisor, quotient_4_product),
+      quotient_4_rest = enlarged_4 - quotient_4_product,
+      quotient_4_exact = quotient_4_rest - quotient_4_product_error,
+      quotient_4_residual = quotient_4_exact - quotient_4_cross,
+      quotient_4_lo = quotient_4_residual / divisor;
+  const double quotient_5 = enlarged_5 / divisor, quotient_5_cross = quotient_5 * divisor_lo,
+      quotient_5_product = quotient_5 * divisor,
+      quotient_5_product_error = ksl_product_error(quotient_5, divisor, quotient_5_product),
+      quotient_5_rest = enlarged_5 - quotient_5_product,
+      quotient_5_exact = quotient_5_rest - quotient_5_product_error,
+      quotient_5_residual = quotient_5_exact - quotient_5_cross,
+      quotient_5_lo = quotient_5_residual / divisor;
+  const double so_0_total = quotient_0 + quotient_0_lo, so_0_added = so_0_total - quotient_0,
+      so_0_remaining = quotient_0_lo - so_0_added, so_0 = so_0_total * down,
+      so_0_inverse = 1.0 / down, so_0_back = so_0 * so_0_inverse,
+      so_0_lost = so_0_total - so_0_back, so_0_rest = so_0_lost + so_0_remaining,
+      so_0_small = so_0_rest * down, so_0_lo = so_0_lost == 0.0 ? 0.0 : so_0_small;
+  const double so_1_total = quotient_1 + quotient_1_lo, so_1_added = so_1_total - quotient_1,
+      so_1_remaining = quotient_1_lo - so_1_added, so_1 = so_1_total * down,
       so_1_back = so_1 * so_0_inverse, so_1_lost = so_1_total - so_1_back,
       so_1_rest = so_1_lost + so_1_remaining, so_1_small = so_1_rest * down,
       so_1_lo = so_1_lost == 0.0 ? 0.0 : so_1_small;
-  const double so_2_total = q_2 + q_2_lo, so_2_added = so_2_total - q_2,
-      so_2_remaining = q_2_lo - so_2_added, so_2 = so_2_total * down,
+  const double so_2_total = quotient_2 + quotient_2_lo, so_2_added = so_2_total - quotient_2,
+      so_2_remaining = quotient_2_lo - so_2_added, so_2 = so_2_total * down,
       so_2_back = so_2 * so_0_inverse, so_2_lost = so_2_total - so_2_back,
       so_2_rest = so_2_lost + so_2_remaining, so_2_small = so_2_rest * down,
       so_2_lo = so_2_lost == 0.0 ? 0.0 : so_2_small;
-  const double so_3_total = q_3 + q_3_lo, so_3_added = so_3_total - q_3,
-      so_3_remaining = q_3_lo - so_3_added, so_3 = so_3_total * down,
+  const double so_3_total = quotient_3 + quotient_3_lo, so_3_added = so_3_total - quotient_3,
+      so_3_remaining = quotient_3_lo - so_3_added, so_3 = so_3_total * down,
       so_3_back = so_3 * so_0_inverse, so_3_lost = so_3_total - so_3_back,
       so_3_rest = so_3_lost + so_3_remaining, so_3_small = so_3_rest * down,
       so_3_lo = so_3_lost == 0.0 ? 0.0 : so_3_small;
-  const double so_4_total = q_4 + q_4_lo, so_4_added = so_4_total - q_4,
-      so_4_remaining = q_4_lo - so_4_added, so_4 = so_4_total * down,
+  const double so_4_total = quotient_4 + quotient_4_lo, so_4_added = so_4_total - quotient_4,
+      so_4_remaining = quotient_4_lo - so_4_added, so_4 = so_4_total * down,
       so_4_back = so_4 * so_0_inverse, so_4_lost = so_4_total - so_4_back,
       so_4_rest = so_4_lost + so_4_remaining, so_4_small = so_4_rest * down,
       so_4_lo = so_4_lost == 0.0 ? 0.0 : so_4_small;
-  const double so_5_total = q_5 + q_5_lo, so_5_added = so_5_total - q_5,
-      so_5_remaining = q_5_lo - so_5_added, so_5 = so_5_total * down,
+  const double so_5_total = quotient_5 + quotient_5_lo, so_5_added = so_5_total - quotient_5,
+      so_5_remaining = quotient_5_lo - so_5_added, so_5 = so_5_total * down,
       so_5_back = so_5 * so_0_inverse, so_5_lost = so_5_total - so_5_back,
       so_5_rest = so_5_lost + so_5_remaining, so_5_small = so_5_rest * down,
       so_5_lo = so_5_lost == 0.0 ? 0.0 : so_5_small;
@@ -6760,27 +6823,27 @@ static inline void ksl_screwf_normalize_accurate(ksl_screwf_t *self) {
   const double y_2 = p_2 * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
-  const double d = n == 0.0 ? 1.0 : n;
+  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = (double)self->m0 * up;
-  const double z_1 = (double)self->m1 * up;
-  const double z_2 = (double)self->m2 * up;
-  const double z_3 = (double)self->m3 * up;
-  const double z_4 = (double)self->m4 * up;
-  const double z_5 = (double)self->m5 * up;
-  const double q_0 = z_0 / d;
-  const double q_1 = z_1 / d;
-  const double q_2 = z_2 / d;
-  const double q_3 = z_3 / d;
-  const double q_4 = z_4 / d;
-  const double q_5 = z_5 / d;
-  const double self_0_new = q_0 * down;
-  const double self_1_new = q_1 * down;
-  const double self_2_new = q_2 * down;
-  const double self_3_new = q_3 * down;
-  const double self_4_new = q_4 * down;
-  const double self_5_new = q_5 * down;
+  const double enlarged_0 = (double)self->m0 * up;
+  const double enlarged_1 = (double)self->m1 * up;
+  const double enlarged_2 = (double)self->m2 * up;
+  const double enlarged_3 = (double)self->m3 * up;
+  const double enlarged_4 = (double)self->m4 * up;
+  const double enlarged_5 = (double)self->m5 * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double quotient_3 = enlarged_3 / divisor;
+  const double quotient_4 = enlarged_4 / divisor;
+  const double quotient_5 = enlarged_5 / divisor;
+  const double self_0_new = quotient_0 * down;
+  const double self_1_new = quotient_1 * down;
+  const double self_2_new = quotient_2 * down;
+  const double self_3_new = quotient_3 * down;
+  const double self_4_new = quotient_4 * down;
+  const double self_5_new = quotient_5 * down;
   self->m0 = (float)self_0_new;
   self->m1 = (float)self_1_new;
   self->m2 = (float)self_2_new;
@@ -6812,27 +6875,27 @@ static inline void ksl_screwf_normalized_accurate(const ksl_screwf_t *si, ksl_sc
   const double y_2 = p_2 * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
-  const double d = n == 0.0 ? 1.0 : n;
+  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = (double)si->m0 * up;
-  const double z_1 = (double)si->m1 * up;
-  const double z_2 = (double)si->m2 * up;
-  const double z_3 = (double)si->m3 * up;
-  const double z_4 = (double)si->m4 * up;
-  const double z_5 = (double)si->m5 * up;
-  const double q_0 = z_0 / d;
-  const double q_1 = z_1 / d;
-  const double q_2 = z_2 / d;
-  const double q_3 = z_3 / d;
-  const double q_4 = z_4 / d;
-  const double q_5 = z_5 / d;
-  const double so_0 = q_0 * down;
-  const double so_1 = q_1 * down;
-  const double so_2 = q_2 * down;
-  const double so_3 = q_3 * down;
-  const double so_4 = q_4 * down;
-  const double so_5 = q_5 * down;
+  const double enlarged_0 = (double)si->m0 * up;
+  const double enlarged_1 = (double)si->m1 * up;
+  const double enlarged_2 = (double)si->m2 * up;
+  const double enlarged_3 = (double)si->m3 * up;
+  const double enlarged_4 = (double)si->m4 * up;
+  const double enlarged_5 = (double)si->m5 * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double quotient_3 = enlarged_3 / divisor;
+  const double quotient_4 = enlarged_4 / divisor;
+  const double quotient_5 = enlarged_5 / divisor;
+  const double so_0 = quotient_0 * down;
+  const double so_1 = quotient_1 * down;
+  const double so_2 = quotient_2 * down;
+  const double so_3 = quotient_3 * down;
+  const double so_4 = quotient_4 * down;
+  const double so_5 = quotient_5 * down;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -7718,76 +7781,100 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double d = n == 0.0 ? 1.0 : n, d_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = self->m0 * up;
-  const double z_1 = self->m1 * up;
-  const double z_2 = self->m2 * up;
-  const double z_3 = self->m3 * up;
-  const double z_4 = self->m4 * up;
-  const double z_5 = self->m5 * up;
-  const double q_0 = z_0 / d, q_0_cross = q_0 * d_lo, q_0_product = q_0 * d,
-      q_0_product_error = ksl_product_error(q_0, d, q_0_product), q_0_rest = z_0 - q_0_product,
-      q_0_exact = q_0_rest - q_0_product_error, q_0_residual = q_0_exact - q_0_cross,
-      q_0_lo = q_0_residual / d;
-  const double q_1 = z_1 / d, q_1_cross = q_1 * d_lo, q_1_product = q_1 * d,
-      q_1_product_error = ksl_product_error(q_1, d, q_1_product), q_1_rest = z_1 - q_1_product,
-      q_1_exact = q_1_rest - q_1_product_error, q_1_residual = q_1_exact - q_1_cross,
-      q_1_lo = q_1_residual / d;
-  const double q_2 = z_2 / d, q_2_cross = q_2 * d_lo, q_2_product = q_2 * d,
-      q_2_product_error = ksl_product_error(q_2, d, q_2_product), q_2_rest = z_2 - q_2_product,
-      q_2_exact = q_2_rest - q_2_product_error, q_2_residual = q_2_exact - q_2_cross,
-      q_2_lo = q_2_residual / d;
-  const double q_3 = z_3 / d, q_3_cross = q_3 * d_lo, q_3_product = q_3 * d,
-      q_3_product_error = ksl_product_error(q_3, d, q_3_product), q_3_rest = z_3 - q_3_product,
-      q_3_exact = q_3_rest - q_3_product_error, q_3_residual = q_3_exact - q_3_cross,
-      q_3_lo = q_3_residual / d;
-  const double q_4 = z_4 / d, q_4_cross = q_4 * d_lo, q_4_product = q_4 * d,
-      q_4_product_error = ksl_product_error(q_4, d, q_4_product), q_4_rest = z_4 - q_4_product,
-      q_4_exact = q_4_rest - q_4_product_error, q_4_residual = q_4_exact - q_4_cross,
-      q_4_lo = q_4_residual / d;
-  const double q_5 = z_5 / d, q_5_cross = q_5 * d_lo, q_5_product = q_5 * d,
-      q_5_product_error = ksl_product_error(q_5, d, q_5_product), q_5_rest = z_5 - q_5_product,
-      q_5_exact = q_5_rest - q_5_product_error, q_5_residual = q_5_exact - q_5_cross,
-      q_5_lo = q_5_residual / d;
-  const double self_0_new_total = q_0 + q_0_lo, self_0_new_added = self_0_new_total - q_0,
-      self_0_new_remaining = q_0_lo - self_0_new_added, self_0_new = self_0_new_total * down,
+  const double enlarged_0 = self->m0 * up;
+  const double enlarged_1 = self->m1 * up;
+  const double enlarged_2 = self->m2 * up;
+  const double enlarged_3 = self->m3 * up;
+  const double enlarged_4 = self->m4 * up;
+  const double enlarged_5 = self->m5 * up;
+  const double quotient_0 = enlarged_0 / divisor, quotient_0_cross = quotient_0 * divisor_lo,
+      quotient_0_product = quotient_0 * divisor,
+      quotient_0_product_error = ksl_product_error(quotient_0, divisor, quotient_0_product),
+      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_exact = quotient_0_rest - quotient_0_product_error,
+      quotient_0_residual = quotient_0_exact - quotient_0_cross,
+      quotient_0_lo = quotient_0_residual / divisor;
+  const double quotient_1 = enlarged_1 / divisor, quotient_1_cross = quotient_1 * divisor_lo,
+      quotient_1_product = quotient_1 * divisor,
+      quotient_1_product_error = ksl_product_error(quotient_1, divisor, quotient_1_product),
+      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_exact = quotient_1_rest - quotient_1_product_error,
+      quotient_1_residual = quotient_1_exact - quotient_1_cross,
+      quotient_1_lo = quotient_1_residual / divisor;
+  const double quotient_2 = enlarged_2 / divisor, quotient_2_cross = quotient_2 * divisor_lo,
+      quotient_2_product = quotient_2 * divisor,
+      quotient_2_product_error = ksl_product_error(quotient_2, divisor, quotient_2_product),
+      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_exact = quotient_2_rest - quotient_2_product_error,
+      quotient_2_residual = quotient_2_exact - quotient_2_cross,
+      quotient_2_lo = quotient_2_residual / divisor;
+  const double quotient_3 = enlarged_3 / divisor, quotient_3_cross = quotient_3 * divisor_lo,
+      quotient_3_product = quotient_3 * divisor,
+      quotient_3_product_error = ksl_product_error(quotient_3, divisor, quotient_3_product),
+      quotient_3_rest = enlarged_3 - quotient_3_product,
+      quotient_3_exact = quotient_3_rest - quotient_3_product_error,
+      quotient_3_residual = quotient_3_exact - quotient_3_cross,
+      quotient_3_lo = quotient_3_residual / divisor;
+  const double quotient_4 = enlarged_4 / divisor, quotient_4_cross = quotient_4 * divisor_lo,
+      quotient_4_product = quotient_4 * divisor,
+      quotient_4_product_error = ksl_product_error(quotient_4, divisor, quotient_4_product),
+      quotient_4_rest = enlarged_4 - quotient_4_product,
+      quotient_4_exact = quotient_4_rest - quotient_4_product_error,
+      quotient_4_residual = quotient_4_exact - quotient_4_cross,
+      quotient_4_lo = quotient_4_residual / divisor;
+  const double quotient_5 = enlarged_5 / divisor, quotient_5_cross = quotient_5 * divisor_lo,
+      quotient_5_product = quotient_5 * divisor,
+      quotient_5_product_error = ksl_product_error(quotient_5, divisor, quotient_5_product),
+      quotient_5_rest = enlarged_5 - quotient_5_product,
+      quotient_5_exact = quotient_5_rest - quotient_5_product_error,
+      quotient_5_residual = quotient_5_exact - quotient_5_cross,
+      quotient_5_lo = quotient_5_residual / divisor;
+  const double self_0_new_total = quotient_0 + quotient_0_lo,
+      self_0_new_added = self_0_new_total - quotient_0,
+      self_0_new_remaining = quotient_0_lo - self_0_new_added, self_0_new = self_0_new_total * down,
       self_0_new_inverse = 1.0 / down, self_0_new_back = self_0_new * self_0_new_inverse,
       self_0_new_lost = self_0_new_total - self_0_new_back,
       self_0_new_rest = self_0_new_lost + self_0_new_remaining,
       self_0_new_small = self_0_new_rest * down,
       self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
-  const double self_1_new_total = q_1 + q_1_lo, self_1_new_added = self_1_new_total - q_1,
-      self_1_new_remaining = q_1_lo - self_1_new_added, self_1_new = self_1_new_total * down,
+  const double self_1_new_total = quotient_1 + quotient_1_lo,
+      self_1_new_added = self_1_new_total - quotient_1,
+      self_1_new_remaining = quotient_1_lo - self_1_new_added, self_1_new = self_1_new_total * down,
       self_1_new_back = self_1_new * self_0_new_inverse,
       self_1_new_lost = self_1_new_total - self_1_new_back,
       self_1_new_rest = self_1_new_lost + self_1_new_remaining,
       self_1_new_small = self_1_new_rest * down,
       self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
-  const double self_2_new_total = q_2 + q_2_lo, self_2_new_added = self_2_new_total - q_2,
-      self_2_new_remaining = q_2_lo - self_2_new_added, self_2_new = self_2_new_total * down,
+  const double self_2_new_total = quotient_2 + quotient_2_lo,
+      self_2_new_added = self_2_new_total - quotient_2,
+      self_2_new_remaining = quotient_2_lo - self_2_new_added, self_2_new = self_2_new_total * down,
       self_2_new_back = self_2_new * self_0_new_inverse,
       self_2_new_lost = self_2_new_total - self_2_new_back,
       self_2_new_rest = self_2_new_lost + self_2_new_remaining,
       self_2_new_small = self_2_new_rest * down,
       self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
-  const double self_3_new_total = q_3 + q_3_lo, self_3_new_added = self_3_new_total - q_3,
-      self_3_new_remaining = q_3_lo - self_3_new_added, self_3_new = self_3_new_total * down,
+  const double self_3_new_total = quotient_3 + quotient_3_lo,
+      self_3_new_added = self_3_new_total - quotient_3,
+      self_3_new_remaining = quotient_3_lo - self_3_new_added, self_3_new = self_3_new_total * down,
       self_3_new_back = self_3_new * self_0_new_inverse,
       self_3_new_lost = self_3_new_total - self_3_new_back,
       self_3_new_rest = self_3_new_lost + self_3_new_remaining,
       self_3_new_small = self_3_new_rest * down,
       self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
-  const double self_4_new_total = q_4 + q_4_lo, self_4_new_added = self_4_new_total - q_4,
-      self_4_new_remaining = q_4_lo - self_4_new_added, self_4_new = self_4_new_total * down,
+  const double self_4_new_total = quotient_4 + quotient_4_lo,
+      self_4_new_added = self_4_new_total - quotient_4,
+      self_4_new_remaining = quotient_4_lo - self_4_new_added, self_4_new = self_4_new_total * down,
       self_4_new_back = self_4_new * self_0_new_inverse,
       self_4_new_lost = self_4_new_total - self_4_new_back,
       self_4_new_rest = self_4_new_lost + self_4_new_remaining,
       self_4_new_small = self_4_new_rest * down,
       self_4_new_lo = self_4_new_lost == 0.0 ? 0.0 : self_4_new_small;
-  const double self_5_new_total = q_5 + q_5_lo, self_5_new_added = self_5_new_total - q_5,
-      self_5_new_remaining = q_5_lo - self_5_new_added, self_5_new = self_5_new_total * down,
+  const double self_5_new_total = quotient_5 + quotient_5_lo,
+      self_5_new_added = self_5_new_total - quotient_5,
+      self_5_new_remaining = quotient_5_lo - self_5_new_added, self_5_new = self_5_new_total * down,
       self_5_new_back = self_5_new * self_0_new_inverse,
       self_5_new_lost = self_5_new_total - self_5_new_back,
       self_5_new_rest = self_5_new_lost + self_5_new_remaining,
@@ -7843,66 +7930,84 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double d = n == 0.0 ? 1.0 : n, d_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = ci->m0 * up;
-  const double z_1 = ci->m1 * up;
-  const double z_2 = ci->m2 * up;
-  const double z_3 = ci->m3 * up;
-  const double z_4 = ci->m4 * up;
-  const double z_5 = ci->m5 * up;
-  const double q_0 = z_0 / d, q_0_cross = q_0 * d_lo, q_0_product = q_0 * d,
-      q_0_product_error = ksl_product_error(q_0, d, q_0_product), q_0_rest = z_0 - q_0_product,
-      q_0_exact = q_0_rest - q_0_product_error, q_0_residual = q_0_exact - q_0_cross,
-      q_0_lo = q_0_residual / d;
-  const double q_1 = z_1 / d, q_1_cross = q_1 * d_lo, q_1_product = q_1 * d,
-      q_1_product_error = ksl_product_error(q_1, d, q_1_product), q_1_rest = z_1 - q_1_product,
-      q_1_exact = q_1_rest - q_1_product_error, q_1_residual = q_1_exact - q_1_cross,
-      q_1_lo = q_1_residual / d;
-  const double q_2 = z_2 / d, q_2_cross = q_2 * d_lo, q_2_product = q_2 * d,
-      q_2_product_error = ksl_product_error(q_2, d, q_2_product), q_2_rest = z_2 - q_2_product,
-      q_2_exact = q_2_rest - q_2_product_error, q_2_residual = q_2_exact - q_2_cross,
-      q_2_lo = q_2_residual / d;
-  const double q_3 = z_3 / d, q_3_cross = q_3 * d_lo, q_3_product = q_3 * d,
-      q_3_product_error = ksl_product_error(q_3, d, q_3_product), q_3_rest = z_3 - q_3_product,
-      q_3_exact = q_3_rest - q_3_product_error, q_3_residual = q_3_exact - q_3_cross,
-      q_3_lo = q_3_residual / d;
-  const double q_4 = z_4 / d, q_4_cross = q_4 * d_lo, q_4_product = q_4 * d,
-      q_4_product_error = ksl_product_error(q_4, d, q_4_product), q_4_rest = z_4 - q_4_product,
-      q_4_exact = q_4_rest - q_4_product_error, q_4_residual = q_4_exact - q_4_cross,
-      q_4_lo = q_4_residual / d;
-  const double q_5 = z_5 / d, q_5_cross = q_5 * d_lo, q_5_product = q_5 * d,
-      q_5_product_error = ksl_product_error(q_5, d, q_5_product), q_5_rest = z_5 - q_5_product,
-      q_5_exact = q_5_rest - q_5_product_error, q_5_residual = q_5_exact - q_5_cross,
-      q_5_lo = q_5_residual / d;
-  const double co_0_total = q_0 + q_0_lo, co_0_added = co_0_total - q_0,
-      co_0_remaining = q_0_lo - co_0_added, co_0 = co_0_total * down, co_0_inverse = 1.0 / down,
-      co_0_back = co_0 * co_0_inverse, co_0_lost = co_0_total - co_0_back,
-      co_0_rest = co_0_lost + co_0_remaining, co_0_small = co_0_rest * down,
-      co_0_lo = co_0_lost == 0.0 ? 0.0 : co_0_small;
-  const double co_1_total = q_1 + q_1_lo, co_1_added = co_1_total - q_1,
-      co_1_remaining = q_1_lo - co_1_added, co_1 = co_1_total * down,
+  const double enlarged_0 = ci->m0 * up;
+  const double enlarged_1 = ci->m1 * up;
+  const double enlarged_2 = ci->m2 * up;
+  const double enlarged_3 = ci->m3 * up;
+  const double enlarged_4 = ci->m4 * up;
+  const double enlarged_5 = ci->m5 * up;
+  const double quotient_0 = enlarged_0 / divisor, quotient_0_cross = quotient_0 * divisor_lo,
+      quotient_0_product = quotient_0 * divisor,
+      quotient_0_product_error = ksl_product_error(quotient_0, divisor, quotient_0_product),
+      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_exact = quotient_0_rest - quotient_0_product_error,
+      quotient_0_residual = quotient_0_exact - quotient_0_cross,
+      quotient_0_lo = quotient_0_residual / divisor;
+  const double quotient_1 = enlarged_1 / divisor, quotient_1_cross = quotient_1 * divisor_lo,
+      quotient_1_product = quotient_1 * divisor,
+      quotient_1_product_error = ksl_product_error(quotient_1, divisor, quotient_1_product),
+      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_exact = quotient_1_rest - quotient_1_product_error,
+      quotient_1_residual = quotient_1_exact - quotient_1_cross,
+      quotient_1_lo = quotient_1_residual / divisor;
+  const double quotient_2 = enlarged_2 / divisor, quotient_2_cross = quotient_2 * divisor_lo,
+      quotient_2_product = quotient_2 * divisor,
+      quotient_2_product_error = ksl_product_error(quotient_2, divisor, quotient_2_product),
+      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_exact = quotient_2_rest - quotient_2_product_error,
+      quotient_2_residual = quotient_2_exact - quotient_2_cross,
+      quotient_2_lo = quotient_2_residual / divisor;
+  const double quotient_3 = enlarged_3 / divisor, quotient_3_cross = quotient_3 * divisor_lo,
+      quotient_3_product = quotient_3 * divisor,
+      quotient_3_product_error = ksl_product_error(quotient_3, divisor, quotient_3_product),
+      quotient_3_rest = enlarged_3 - quotient_3_product,
+      quotient_3_exact = quotient_3_rest - quotient_3_product_error,
+      quotient_3_residual = quotient_3_exact - quotient_3_cross,
+      quotient_3_lo = quotient_3_residual / divisor;
+  const double quotient_4 = enlarged_4 / divisor, quotient_4_cross = quotient_4 * divisor_lo,
+      quotient_4_product = quotient_4 * divisor,
+      quotient_4_product_error = ksl_product_error(quotient_4, divisor, quotient_4_product),
+      quotient_4_rest = enlarged_4 - quotient_4_product,
+      quotient_4_exact = quotient_4_rest - quotient_4_product_error,
+      quotient_4_residual = quotient_4_exact - quotient_4_cross,
+      quotient_4_lo = quotient_4_residual / divisor;
+  const double quotient_5 = enlarged_5 / divisor, quotient_5_cross = quotient_5 * divisor_lo,
+      quotient_5_product = quotient_5 * divisor,
+      quotient_5_product_error = ksl_product_error(quotient_5, divisor, quotient_5_product),
+      quotient_5_rest = enlarged_5 - quotient_5_product,
+      quotient_5_exact = quotient_5_rest - quotient_5_product_error,
+      quotient_5_residual = quotient_5_exact - quotient_5_cross,
+      quotient_5_lo = quotient_5_residual / divisor;
+  const double co_0_total = quotient_0 + quotient_0_lo, co_0_added = co_0_total - quotient_0,
+      co_0_remaining = quotient_0_lo - co_0_added, co_0 = co_0_total * down,
+      co_0_inverse = 1.0 / down, co_0_back = co_0 * co_0_inverse,
+      co_0_lost = co_0_total - co_0_back, co_0_rest = co_0_lost + co_0_remaining,
+      co_0_small = co_0_rest * down, co_0_lo = co_0_lost == 0.0 ? 0.0 : co_0_small;
+  const double co_1_total = quotient_1 + quotient_1_lo, co_1_added = co_1_total - quotient_1,
+      co_1_remaining = quotient_1_lo - co_1_added, co_1 = co_1_total * down,
       co_1_back = co_1 * co_0_inverse, co_1_lost = co_1_total - co_1_back,
       co_1_rest = co_1_lost + co_1_remaining, co_1_small = co_1_rest * down,
       co_1_lo = co_1_lost == 0.0 ? 0.0 : co_1_small;
-  const double co_2_total = q_2 + q_2_lo, co_2_added = co_2_total - q_2,
-      co_2_remaining = q_2_lo - co_2_added, co_2 = co_2_total * down,
+  const double co_2_total = quotient_2 + quotient_2_lo, co_2_added = co_2_total - quotient_2,
+      co_2_remaining = quotient_2_lo - co_2_added, co_2 = co_2_total * down,
       co_2_back = co_2 * co_0_inverse, co_2_lost = co_2_total - co_2_back,
       co_2_rest = co_2_lost + co_2_remaining, co_2_small = co_2_rest * down,
       co_2_lo = co_2_lost == 0.0 ? 0.0 : co_2_small;
-  const double co_3_total = q_3 + q_3_lo, co_3_added = co_3_total - q_3,
-      co_3_remaining = q_3_lo - co_3_added, co_3 = co_3_total * down,
+  const double co_3_total = quotient_3 + quotient_3_lo, co_3_added = co_3_total - quotient_3,
+      co_3_remaining = quotient_3_lo - co_3_added, co_3 = co_3_total * down,
       co_3_back = co_3 * co_0_inverse, co_3_lost = co_3_total - co_3_back,
       co_3_rest = co_3_lost + co_3_remaining, co_3_small = co_3_rest * down,
       co_3_lo = co_3_lost == 0.0 ? 0.0 : co_3_small;
-  const double co_4_total = q_4 + q_4_lo, co_4_added = co_4_total - q_4,
-      co_4_remaining = q_4_lo - co_4_added, co_4 = co_4_total * down,
+  const double co_4_total = quotient_4 + quotient_4_lo, co_4_added = co_4_total - quotient_4,
+      co_4_remaining = quotient_4_lo - co_4_added, co_4 = co_4_total * down,
       co_4_back = co_4 * co_0_inverse, co_4_lost = co_4_total - co_4_back,
       co_4_rest = co_4_lost + co_4_remaining, co_4_small = co_4_rest * down,
       co_4_lo = co_4_lost == 0.0 ? 0.0 : co_4_small;
-  const double co_5_total = q_5 + q_5_lo, co_5_added = co_5_total - q_5,
-      co_5_remaining = q_5_lo - co_5_added, co_5 = co_5_total * down,
+  const double co_5_total = quotient_5 + quotient_5_lo, co_5_added = co_5_total - quotient_5,
+      co_5_remaining = quotient_5_lo - co_5_added, co_5 = co_5_total * down,
       co_5_back = co_5 * co_0_inverse, co_5_lost = co_5_total - co_5_back,
       co_5_rest = co_5_lost + co_5_remaining, co_5_small = co_5_rest * down,
       co_5_lo = co_5_lost == 0.0 ? 0.0 : co_5_small;
@@ -9766,27 +9871,27 @@ static inline void ksl_coscrewf_normalize_accurate(ksl_coscrewf_t *self) {
   const double y_2 = p_2 * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
-  const double d = n == 0.0 ? 1.0 : n;
+  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = (double)self->m0 * up;
-  const double z_1 = (double)self->m1 * up;
-  const double z_2 = (double)self->m2 * up;
-  const double z_3 = (double)self->m3 * up;
-  const double z_4 = (double)self->m4 * up;
-  const double z_5 = (double)self->m5 * up;
-  const double q_0 = z_0 / d;
-  const double q_1 = z_1 / d;
-  const double q_2 = z_2 / d;
-  const double q_3 = z_3 / d;
-  const double q_4 = z_4 / d;
-  const double q_5 = z_5 / d;
-  const double self_0_new = q_0 * down;
-  const double self_1_new = q_1 * down;
-  const double self_2_new = q_2 * down;
-  const double self_3_new = q_3 * down;
-  const double self_4_new = q_4 * down;
-  const double self_5_new = q_5 * down;
+  const double enlarged_0 = (double)self->m0 * up;
+  const double enlarged_1 = (double)self->m1 * up;
+  const double enlarged_2 = (double)self->m2 * up;
+  const double enlarged_3 = (double)self->m3 * up;
+  const double enlarged_4 = (double)self->m4 * up;
+  const double enlarged_5 = (double)self->m5 * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double quotient_3 = enlarged_3 / divisor;
+  const double quotient_4 = enlarged_4 / divisor;
+  const double quotient_5 = enlarged_5 / divisor;
+  const double self_0_new = quotient_0 * down;
+  const double self_1_new = quotient_1 * down;
+  const double self_2_new = quotient_2 * down;
+  const double self_3_new = quotient_3 * down;
+  const double self_4_new = quotient_4 * down;
+  const double self_5_new = quotient_5 * down;
   self->m0 = (float)self_0_new;
   self->m1 = (float)self_1_new;
   self->m2 = (float)self_2_new;
@@ -9818,27 +9923,27 @@ static inline void ksl_coscrewf_normalized_accurate(const ksl_coscrewf_t *ci, ks
   const double y_2 = p_2 * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
-  const double d = n == 0.0 ? 1.0 : n;
+  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = (double)ci->m0 * up;
-  const double z_1 = (double)ci->m1 * up;
-  const double z_2 = (double)ci->m2 * up;
-  const double z_3 = (double)ci->m3 * up;
-  const double z_4 = (double)ci->m4 * up;
-  const double z_5 = (double)ci->m5 * up;
-  const double q_0 = z_0 / d;
-  const double q_1 = z_1 / d;
-  const double q_2 = z_2 / d;
-  const double q_3 = z_3 / d;
-  const double q_4 = z_4 / d;
-  const double q_5 = z_5 / d;
-  const double co_0 = q_0 * down;
-  const double co_1 = q_1 * down;
-  const double co_2 = q_2 * down;
-  const double co_3 = q_3 * down;
-  const double co_4 = q_4 * down;
-  const double co_5 = q_5 * down;
+  const double enlarged_0 = (double)ci->m0 * up;
+  const double enlarged_1 = (double)ci->m1 * up;
+  const double enlarged_2 = (double)ci->m2 * up;
+  const double enlarged_3 = (double)ci->m3 * up;
+  const double enlarged_4 = (double)ci->m4 * up;
+  const double enlarged_5 = (double)ci->m5 * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double quotient_3 = enlarged_3 / divisor;
+  const double quotient_4 = enlarged_4 / divisor;
+  const double quotient_5 = enlarged_5 / divisor;
+  const double co_0 = quotient_0 * down;
+  const double co_1 = quotient_1 * down;
+  const double co_2 = quotient_2 * down;
+  const double co_3 = quotient_3 * down;
+  const double co_4 = quotient_4 * down;
+  const double co_5 = quotient_5 * down;
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -10714,6 +10819,2514 @@ static inline void ksl_working_crzf_accurate(const ksl_SE3f_t *D, const ksl_cosc
   co->m3 = (float)w_3;
   co->m4 = (float)w_4;
   co->m5 = (float)w_5;
+}
+
+#endif
+
+/* Quaternions q = (w; v): products, rotations, conversions, interpolation.
+   Accurate tier: double compensated, single computed in double. */
+#ifndef KSL_QUATERNION_ACCURATE_H
+#define KSL_QUATERNION_ACCURATE_H
+
+
+/* self = a self.
+   self: quaternion (w; x, y, z), the scalar first; a: number.
+   4 mul, 4 add, 4 product error.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_quaternion_scale_accurate(ksl_quaternion_t *self, const double a) {
+  const double self_0_new = self->w * a, self_0_new_lo = ksl_product_error(self->w, a, self_0_new);
+  const double self_1_new = self->x * a, self_1_new_lo = ksl_product_error(self->x, a, self_1_new);
+  const double self_2_new = self->y * a, self_2_new_lo = ksl_product_error(self->y, a, self_2_new);
+  const double self_3_new = self->z * a, self_3_new_lo = ksl_product_error(self->z, a, self_3_new);
+  const double self_0_new_rounded = self_0_new + self_0_new_lo;
+  const double self_1_new_rounded = self_1_new + self_1_new_lo;
+  const double self_2_new_rounded = self_2_new + self_2_new_lo;
+  const double self_3_new_rounded = self_3_new + self_3_new_lo;
+  self->w = self_0_new_rounded;
+  self->x = self_1_new_rounded;
+  self->y = self_2_new_rounded;
+  self->z = self_3_new_rounded;
+}
+
+/* |q| = sqrt(w^2 + v·v).
+   q: quaternion (w; x, y, z), the scalar first.
+   12 mul, 19 add, 5 product error, 3 sum error, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
+     select. */
+static inline double ksl_quaternion_norm_accurate(const ksl_quaternion_t *q) {
+  const double s_size_0 = fabs(q->w);
+  const double s_size_1 = fabs(q->x);
+  const double s_size_2 = fabs(q->y);
+  const double s_size_3 = fabs(q->z);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = q->w * s;
+  const double y_1 = q->x * s;
+  const double y_2 = q->y * s;
+  const double y_3 = q->z * s;
+  const double n_a = y_0 * y_0, n_a_lo = ksl_product_error(y_0, y_0, n_a), n_b = y_1 * y_1,
+      n_b_lo = ksl_product_error(y_1, y_1, n_b), n_c = n_a + n_b,
+      n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
+      n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
+      n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
+      n_e_lo = n_e_lo1 + n_d_lo, n_f = y_3 * y_3, n_f_lo = ksl_product_error(y_3, y_3, n_f),
+      n_g = n_e + n_f, n_g_error = ksl_sum_error(n_e, n_f, n_g), n_g_lo1 = n_g_error + n_e_lo,
+      n_g_lo = n_g_lo1 + n_f_lo, n = sqrt(n_g), n_product = n * n,
+      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_g - n_product,
+      n_exact = n_rest - n_product_error, n_residual = n_exact + n_g_lo, n_twice = n + n,
+      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+  const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+  const double norm_total = n + n_lo, norm_added = norm_total - n,
+      norm_remaining = n_lo - norm_added, norm = norm_total * r, norm_inverse = 1.0 / r,
+      norm_back = norm * norm_inverse, norm_lost = norm_total - norm_back,
+      norm_rest = norm_lost + norm_remaining, norm_small = norm_rest * r,
+      norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
+  const double norm_total = norm + norm_lo,
+      norm_rounded = norm_total == norm_total ? norm_total : norm;
+  return norm_rounded;
+}
+
+/* self = self / |self|; zero stays zero.
+   self: quaternion (w; x, y, z), the scalar first.
+   33 mul, 49 add, 9 product error, 3 sum error, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+     select. */
+static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
+  const double s_size_0 = fabs(self->w);
+  const double s_size_1 = fabs(self->x);
+  const double s_size_2 = fabs(self->y);
+  const double s_size_3 = fabs(self->z);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = self->w * s;
+  const double y_1 = self->x * s;
+  const double y_2 = self->y * s;
+  const double y_3 = self->z * s;
+  const double n_a = y_0 * y_0, n_a_lo = ksl_product_error(y_0, y_0, n_a), n_b = y_1 * y_1,
+      n_b_lo = ksl_product_error(y_1, y_1, n_b), n_c = n_a + n_b,
+      n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
+      n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
+      n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
+      n_e_lo = n_e_lo1 + n_d_lo, n_f = y_3 * y_3, n_f_lo = ksl_product_error(y_3, y_3, n_f),
+      n_g = n_e + n_f, n_g_error = ksl_sum_error(n_e, n_f, n_g), n_g_lo1 = n_g_error + n_e_lo,
+      n_g_lo = n_g_lo1 + n_f_lo, n = sqrt(n_g), n_product = n * n,
+      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_g - n_product,
+      n_exact = n_rest - n_product_error, n_residual = n_exact + n_g_lo, n_twice = n + n,
+      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double enlarged_0 = self->w * up;
+  const double enlarged_1 = self->x * up;
+  const double enlarged_2 = self->y * up;
+  const double enlarged_3 = self->z * up;
+  const double quotient_0 = enlarged_0 / divisor, quotient_0_cross = quotient_0 * divisor_lo,
+      quotient_0_product = quotient_0 * divisor,
+      quotient_0_product_error = ksl_product_error(quotient_0, divisor, quotient_0_product),
+      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_exact = quotient_0_rest - quotient_0_product_error,
+      quotient_0_residual = quotient_0_exact - quotient_0_cross,
+      quotient_0_lo = quotient_0_residual / divisor;
+  const double quotient_1 = enlarged_1 / divisor, quotient_1_cross = quotient_1 * divisor_lo,
+      quotient_1_product = quotient_1 * divisor,
+      quotient_1_product_error = ksl_product_error(quotient_1, divisor, quotient_1_product),
+      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_exact = quotient_1_rest - quotient_1_product_error,
+      quotient_1_residual = quotient_1_exact - quotient_1_cross,
+      quotient_1_lo = quotient_1_residual / divisor;
+  const double quotient_2 = enlarged_2 / divisor, quotient_2_cross = quotient_2 * divisor_lo,
+      quotient_2_product = quotient_2 * divisor,
+      quotient_2_product_error = ksl_product_error(quotient_2, divisor, quotient_2_product),
+      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_exact = quotient_2_rest - quotient_2_product_error,
+      quotient_2_residual = quotient_2_exact - quotient_2_cross,
+      quotient_2_lo = quotient_2_residual / divisor;
+  const double quotient_3 = enlarged_3 / divisor, quotient_3_cross = quotient_3 * divisor_lo,
+      quotient_3_product = quotient_3 * divisor,
+      quotient_3_product_error = ksl_product_error(quotient_3, divisor, quotient_3_product),
+      quotient_3_rest = enlarged_3 - quotient_3_product,
+      quotient_3_exact = quotient_3_rest - quotient_3_product_error,
+      quotient_3_residual = quotient_3_exact - quotient_3_cross,
+      quotient_3_lo = quotient_3_residual / divisor;
+  const double self_0_new_total = quotient_0 + quotient_0_lo,
+      self_0_new_added = self_0_new_total - quotient_0,
+      self_0_new_remaining = quotient_0_lo - self_0_new_added, self_0_new = self_0_new_total * down,
+      self_0_new_inverse = 1.0 / down, self_0_new_back = self_0_new * self_0_new_inverse,
+      self_0_new_lost = self_0_new_total - self_0_new_back,
+      self_0_new_rest = self_0_new_lost + self_0_new_remaining,
+      self_0_new_small = self_0_new_rest * down,
+      self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
+  const double self_1_new_total = quotient_1 + quotient_1_lo,
+      self_1_new_added = self_1_new_total - quotient_1,
+      self_1_new_remaining = quotient_1_lo - self_1_new_added, self_1_new = self_1_new_total * down,
+      self_1_new_back = self_1_new * self_0_new_inverse,
+      self_1_new_lost = self_1_new_total - self_1_new_back,
+      self_1_new_rest = self_1_new_lost + self_1_new_remaining,
+      self_1_new_small = self_1_new_rest * down,
+      self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
+  const double self_2_new_total = quotient_2 + quotient_2_lo,
+      self_2_new_added = self_2_new_total - quotient_2,
+      self_2_new_remaining = quotient_2_lo - self_2_new_added, self_2_new = self_2_new_total * down,
+      self_2_new_back = self_2_new * self_0_new_inverse,
+      self_2_new_lost = self_2_new_total - self_2_new_back,
+      self_2_new_rest = self_2_new_lost + self_2_new_remaining,
+      self_2_new_small = self_2_new_rest * down,
+      self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
+  const double self_3_new_total = quotient_3 + quotient_3_lo,
+      self_3_new_added = self_3_new_total - quotient_3,
+      self_3_new_remaining = quotient_3_lo - self_3_new_added, self_3_new = self_3_new_total * down,
+      self_3_new_back = self_3_new * self_0_new_inverse,
+      self_3_new_lost = self_3_new_total - self_3_new_back,
+      self_3_new_rest = self_3_new_lost + self_3_new_remaining,
+      self_3_new_small = self_3_new_rest * down,
+      self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
+  const double self_0_new_total = self_0_new + self_0_new_lo,
+      self_0_new_rounded = self_0_new_total == self_0_new_total ? self_0_new_total : self_0_new;
+  const double self_1_new_total = self_1_new + self_1_new_lo,
+      self_1_new_rounded = self_1_new_total == self_1_new_total ? self_1_new_total : self_1_new;
+  const double self_2_new_total = self_2_new + self_2_new_lo,
+      self_2_new_rounded = self_2_new_total == self_2_new_total ? self_2_new_total : self_2_new;
+  const double self_3_new_total = self_3_new + self_3_new_lo,
+      self_3_new_rounded = self_3_new_total == self_3_new_total ? self_3_new_total : self_3_new;
+  self->w = self_0_new_rounded;
+  self->x = self_1_new_rounded;
+  self->y = self_2_new_rounded;
+  self->z = self_3_new_rounded;
+}
+
+/* qo = q / |q|; zero stays zero.
+   q, qo: quaternion (w; x, y, z), the scalar first.
+   33 mul, 49 add, 9 product error, 3 sum error, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+     select. */
+static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
+    ksl_quaternion_t *qo) {
+  const double s_size_0 = fabs(q->w);
+  const double s_size_1 = fabs(q->x);
+  const double s_size_2 = fabs(q->y);
+  const double s_size_3 = fabs(q->z);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = q->w * s;
+  const double y_1 = q->x * s;
+  const double y_2 = q->y * s;
+  const double y_3 = q->z * s;
+  const double n_a = y_0 * y_0, n_a_lo = ksl_product_error(y_0, y_0, n_a), n_b = y_1 * y_1,
+      n_b_lo = ksl_product_error(y_1, y_1, n_b), n_c = n_a + n_b,
+      n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
+      n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
+      n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
+      n_e_lo = n_e_lo1 + n_d_lo, n_f = y_3 * y_3, n_f_lo = ksl_product_error(y_3, y_3, n_f),
+      n_g = n_e + n_f, n_g_error = ksl_sum_error(n_e, n_f, n_g), n_g_lo1 = n_g_error + n_e_lo,
+      n_g_lo = n_g_lo1 + n_f_lo, n = sqrt(n_g), n_product = n * n,
+      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_g - n_product,
+      n_exact = n_rest - n_product_error, n_residual = n_exact + n_g_lo, n_twice = n + n,
+      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double enlarged_0 = q->w * up;
+  const double enlarged_1 = q->x * up;
+  const double enlarged_2 = q->y * up;
+  const double enlarged_3 = q->z * up;
+  const double quotient_0 = enlarged_0 / divisor, quotient_0_cross = quotient_0 * divisor_lo,
+      quotient_0_product = quotient_0 * divisor,
+      quotient_0_product_error = ksl_product_error(quotient_0, divisor, quotient_0_product),
+      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_exact = quotient_0_rest - quotient_0_product_error,
+      quotient_0_residual = quotient_0_exact - quotient_0_cross,
+      quotient_0_lo = quotient_0_residual / divisor;
+  const double quotient_1 = enlarged_1 / divisor, quotient_1_cross = quotient_1 * divisor_lo,
+      quotient_1_product = quotient_1 * divisor,
+      quotient_1_product_error = ksl_product_error(quotient_1, divisor, quotient_1_product),
+      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_exact = quotient_1_rest - quotient_1_product_error,
+      quotient_1_residual = quotient_1_exact - quotient_1_cross,
+      quotient_1_lo = quotient_1_residual / divisor;
+  const double quotient_2 = enlarged_2 / divisor, quotient_2_cross = quotient_2 * divisor_lo,
+      quotient_2_product = quotient_2 * divisor,
+      quotient_2_product_error = ksl_product_error(quotient_2, divisor, quotient_2_product),
+      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_exact = quotient_2_rest - quotient_2_product_error,
+      quotient_2_residual = quotient_2_exact - quotient_2_cross,
+      quotient_2_lo = quotient_2_residual / divisor;
+  const double quotient_3 = enlarged_3 / divisor, quotient_3_cross = quotient_3 * divisor_lo,
+      quotient_3_product = quotient_3 * divisor,
+      quotient_3_product_error = ksl_product_error(quotient_3, divisor, quotient_3_product),
+      quotient_3_rest = enlarged_3 - quotient_3_product,
+      quotient_3_exact = quotient_3_rest - quotient_3_product_error,
+      quotient_3_residual = quotient_3_exact - quotient_3_cross,
+      quotient_3_lo = quotient_3_residual / divisor;
+  const double qo_0_total = quotient_0 + quotient_0_lo, qo_0_added = qo_0_total - quotient_0,
+      qo_0_remaining = quotient_0_lo - qo_0_added, qo_0 = qo_0_total * down,
+      qo_0_inverse = 1.0 / down, qo_0_back = qo_0 * qo_0_inverse,
+      qo_0_lost = qo_0_total - qo_0_back, qo_0_rest = qo_0_lost + qo_0_remaining,
+      qo_0_small = qo_0_rest * down, qo_0_lo = qo_0_lost == 0.0 ? 0.0 : qo_0_small;
+  const double qo_1_total = quotient_1 + quotient_1_lo, qo_1_added = qo_1_total - quotient_1,
+      qo_1_remaining = quotient_1_lo - qo_1_added, qo_1 = qo_1_total * down,
+      qo_1_back = qo_1 * qo_0_inverse, qo_1_lost = qo_1_total - qo_1_back,
+      qo_1_rest = qo_1_lost + qo_1_remaining, qo_1_small = qo_1_rest * down,
+      qo_1_lo = qo_1_lost == 0.0 ? 0.0 : qo_1_small;
+  const double qo_2_total = quotient_2 + quotient_2_lo, qo_2_added = qo_2_total - quotient_2,
+      qo_2_remaining = quotient_2_lo - qo_2_added, qo_2 = qo_2_total * down,
+      qo_2_back = qo_2 * qo_0_inverse, qo_2_lost = qo_2_total - qo_2_back,
+      qo_2_rest = qo_2_lost + qo_2_remaining, qo_2_small = qo_2_rest * down,
+      qo_2_lo = qo_2_lost == 0.0 ? 0.0 : qo_2_small;
+  const double qo_3_total = quotient_3 + quotient_3_lo, qo_3_added = qo_3_total - quotient_3,
+      qo_3_remaining = quotient_3_lo - qo_3_added, qo_3 = qo_3_total * down,
+      qo_3_back = qo_3 * qo_0_inverse, qo_3_lost = qo_3_total - qo_3_back,
+      qo_3_rest = qo_3_lost + qo_3_remaining, qo_3_small = qo_3_rest * down,
+      qo_3_lo = qo_3_lost == 0.0 ? 0.0 : qo_3_small;
+  const double qo_0_total = qo_0 + qo_0_lo,
+      qo_0_rounded = qo_0_total == qo_0_total ? qo_0_total : qo_0;
+  const double qo_1_total = qo_1 + qo_1_lo,
+      qo_1_rounded = qo_1_total == qo_1_total ? qo_1_total : qo_1;
+  const double qo_2_total = qo_2 + qo_2_lo,
+      qo_2_rounded = qo_2_total == qo_2_total ? qo_2_total : qo_2;
+  const double qo_3_total = qo_3 + qo_3_lo,
+      qo_3_rounded = qo_3_total == qo_3_total ? qo_3_total : qo_3;
+  qo->w = qo_0_rounded;
+  qo->x = qo_1_rounded;
+  qo->y = qo_2_rounded;
+  qo->z = qo_3_rounded;
+}
+
+/* qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
+   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   16 mul, 40 add, 16 product error, 12 sum error.
+   Error <= u |result| + (w: 15, v: 16) u^2 S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_qq_accurate(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
+    ksl_quaternion_t *qo) {
+  const double qo_0a = q1->w * q2->w, qo_0a_lo = ksl_product_error(q1->w, q2->w, qo_0a),
+      qo_0b = q1->x * q2->x, qo_0b_lo = ksl_product_error(q1->x, q2->x, qo_0b),
+      qo_0c = q1->y * q2->y, qo_0c_lo = ksl_product_error(q1->y, q2->y, qo_0c),
+      qo_0d = qo_0b + qo_0c, qo_0d_error = ksl_sum_error(qo_0b, qo_0c, qo_0d),
+      qo_0d_lo1 = qo_0d_error + qo_0b_lo, qo_0d_lo = qo_0d_lo1 + qo_0c_lo, qo_0e = q1->z * q2->z,
+      qo_0e_lo = ksl_product_error(q1->z, q2->z, qo_0e), qo_0f = qo_0d + qo_0e,
+      qo_0f_error = ksl_sum_error(qo_0d, qo_0e, qo_0f), qo_0f_lo1 = qo_0f_error + qo_0d_lo,
+      qo_0f_lo = qo_0f_lo1 + qo_0e_lo, qo_0 = qo_0a - qo_0f,
+      qo_0_error = ksl_difference_error(qo_0a, qo_0f, qo_0), qo_0_lo1 = qo_0_error + qo_0a_lo,
+      qo_0_lo = qo_0_lo1 - qo_0f_lo;
+  const double qo_1a = q1->w * q2->x, qo_1a_lo = ksl_product_error(q1->w, q2->x, qo_1a),
+      qo_1b = q1->x * q2->w, qo_1b_lo = ksl_product_error(q1->x, q2->w, qo_1b),
+      qo_1c = qo_1a + qo_1b, qo_1c_error = ksl_sum_error(qo_1a, qo_1b, qo_1c),
+      qo_1c_lo1 = qo_1c_error + qo_1a_lo, qo_1c_lo = qo_1c_lo1 + qo_1b_lo, qo_1d = q1->y * q2->z,
+      qo_1d_lo = ksl_product_error(q1->y, q2->z, qo_1d), qo_1e = q1->z * q2->y,
+      qo_1e_lo = ksl_product_error(q1->z, q2->y, qo_1e), qo_1f = qo_1d - qo_1e,
+      qo_1f_error = ksl_difference_error(qo_1d, qo_1e, qo_1f), qo_1f_lo1 = qo_1f_error + qo_1d_lo,
+      qo_1f_lo = qo_1f_lo1 - qo_1e_lo, qo_1 = qo_1c + qo_1f,
+      qo_1_error = ksl_sum_error(qo_1c, qo_1f, qo_1), qo_1_lo1 = qo_1_error + qo_1c_lo,
+      qo_1_lo = qo_1_lo1 + qo_1f_lo;
+  const double qo_2a = q1->w * q2->y, qo_2a_lo = ksl_product_error(q1->w, q2->y, qo_2a),
+      qo_2b = q1->z * q2->x, qo_2b_lo = ksl_product_error(q1->z, q2->x, qo_2b),
+      qo_2c = q1->x * q2->z, qo_2c_lo = ksl_product_error(q1->x, q2->z, qo_2c),
+      qo_2d = qo_2b - qo_2c, qo_2d_error = ksl_difference_error(qo_2b, qo_2c, qo_2d),
+      qo_2d_lo1 = qo_2d_error + qo_2b_lo, qo_2d_lo = qo_2d_lo1 - qo_2c_lo, qo_2e = qo_2a + qo_2d,
+      qo_2e_error = ksl_sum_error(qo_2a, qo_2d, qo_2e), qo_2e_lo1 = qo_2e_error + qo_2a_lo,
+      qo_2e_lo = qo_2e_lo1 + qo_2d_lo, qo_2f = q1->y * q2->w,
+      qo_2f_lo = ksl_product_error(q1->y, q2->w, qo_2f), qo_2 = qo_2e + qo_2f,
+      qo_2_error = ksl_sum_error(qo_2e, qo_2f, qo_2), qo_2_lo1 = qo_2_error + qo_2e_lo,
+      qo_2_lo = qo_2_lo1 + qo_2f_lo;
+  const double qo_3a = q1->w * q2->z, qo_3a_lo = ksl_product_error(q1->w, q2->z, qo_3a),
+      qo_3b = q1->x * q2->y, qo_3b_lo = ksl_product_error(q1->x, q2->y, qo_3b),
+      qo_3c = q1->y * q2->x, qo_3c_lo = ksl_product_error(q1->y, q2->x, qo_3c),
+      qo_3d = qo_3b - qo_3c, qo_3d_error = ksl_difference_error(qo_3b, qo_3c, qo_3d),
+      qo_3d_lo1 = qo_3d_error + qo_3b_lo, qo_3d_lo = qo_3d_lo1 - qo_3c_lo, qo_3e = qo_3a + qo_3d,
+      qo_3e_error = ksl_sum_error(qo_3a, qo_3d, qo_3e), qo_3e_lo1 = qo_3e_error + qo_3a_lo,
+      qo_3e_lo = qo_3e_lo1 + qo_3d_lo, qo_3f = q1->z * q2->w,
+      qo_3f_lo = ksl_product_error(q1->z, q2->w, qo_3f), qo_3 = qo_3e + qo_3f,
+      qo_3_error = ksl_sum_error(qo_3e, qo_3f, qo_3), qo_3_lo1 = qo_3_error + qo_3e_lo,
+      qo_3_lo = qo_3_lo1 + qo_3f_lo;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->w = qo_0_rounded;
+  qo->x = qo_1_rounded;
+  qo->y = qo_2_rounded;
+  qo->z = qo_3_rounded;
+}
+
+/* qo = q1* q2, q1* the conjugate.
+   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   16 mul, 40 add, 16 product error, 12 sum error.
+   Error <= u |result| + (w: 15, v: 10) u^2 S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_qconjq_accurate(const ksl_quaternion_t *q1,
+    const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
+  const double qo_0a = q1->w * q2->w, qo_0a_lo = ksl_product_error(q1->w, q2->w, qo_0a),
+      qo_0b = q1->x * q2->x, qo_0b_lo = ksl_product_error(q1->x, q2->x, qo_0b),
+      qo_0c = q1->y * q2->y, qo_0c_lo = ksl_product_error(q1->y, q2->y, qo_0c),
+      qo_0d = qo_0b + qo_0c, qo_0d_error = ksl_sum_error(qo_0b, qo_0c, qo_0d),
+      qo_0d_lo1 = qo_0d_error + qo_0b_lo, qo_0d_lo = qo_0d_lo1 + qo_0c_lo, qo_0e = q1->z * q2->z,
+      qo_0e_lo = ksl_product_error(q1->z, q2->z, qo_0e), qo_0f = qo_0d + qo_0e,
+      qo_0f_error = ksl_sum_error(qo_0d, qo_0e, qo_0f), qo_0f_lo1 = qo_0f_error + qo_0d_lo,
+      qo_0f_lo = qo_0f_lo1 + qo_0e_lo, qo_0 = qo_0a + qo_0f,
+      qo_0_error = ksl_sum_error(qo_0a, qo_0f, qo_0), qo_0_lo1 = qo_0_error + qo_0a_lo,
+      qo_0_lo = qo_0_lo1 + qo_0f_lo;
+  const double qo_1a = q1->w * q2->x, qo_1a_lo = ksl_product_error(q1->w, q2->x, qo_1a),
+      qo_1b = q1->x * q2->w, qo_1b_lo = ksl_product_error(q1->x, q2->w, qo_1b),
+      qo_1c = qo_1a - qo_1b, qo_1c_error = ksl_difference_error(qo_1a, qo_1b, qo_1c),
+      qo_1c_lo1 = qo_1c_error + qo_1a_lo, qo_1c_lo = qo_1c_lo1 - qo_1b_lo, qo_1d = q1->z * q2->y,
+      qo_1d_lo = ksl_product_error(q1->z, q2->y, qo_1d), qo_1e = q1->y * q2->z,
+      qo_1e_lo = ksl_product_error(q1->y, q2->z, qo_1e), qo_1f = qo_1d - qo_1e,
+      qo_1f_error = ksl_difference_error(qo_1d, qo_1e, qo_1f), qo_1f_lo1 = qo_1f_error + qo_1d_lo,
+      qo_1f_lo = qo_1f_lo1 - qo_1e_lo, qo_1 = qo_1c + qo_1f,
+      qo_1_error = ksl_sum_error(qo_1c, qo_1f, qo_1), qo_1_lo1 = qo_1_error + qo_1c_lo,
+      qo_1_lo = qo_1_lo1 + qo_1f_lo;
+  const double qo_2a = q1->w * q2->y, qo_2a_lo = ksl_product_error(q1->w, q2->y, qo_2a),
+      qo_2b = q1->y * q2->w, qo_2b_lo = ksl_product_error(q1->y, q2->w, qo_2b),
+      qo_2c = qo_2a - qo_2b, qo_2c_error = ksl_difference_error(qo_2a, qo_2b, qo_2c),
+      qo_2c_lo1 = qo_2c_error + qo_2a_lo, qo_2c_lo = qo_2c_lo1 - qo_2b_lo, qo_2d = q1->x * q2->z,
+      qo_2d_lo = ksl_product_error(q1->x, q2->z, qo_2d), qo_2e = q1->z * q2->x,
+      qo_2e_lo = ksl_product_error(q1->z, q2->x, qo_2e), qo_2f = qo_2d - qo_2e,
+      qo_2f_error = ksl_difference_error(qo_2d, qo_2e, qo_2f), qo_2f_lo1 = qo_2f_error + qo_2d_lo,
+      qo_2f_lo = qo_2f_lo1 - qo_2e_lo, qo_2 = qo_2c + qo_2f,
+      qo_2_error = ksl_sum_error(qo_2c, qo_2f, qo_2), qo_2_lo1 = qo_2_error + qo_2c_lo,
+      qo_2_lo = qo_2_lo1 + qo_2f_lo;
+  const double qo_3a = q1->w * q2->z, qo_3a_lo = ksl_product_error(q1->w, q2->z, qo_3a),
+      qo_3b = q1->z * q2->w, qo_3b_lo = ksl_product_error(q1->z, q2->w, qo_3b),
+      qo_3c = qo_3a - qo_3b, qo_3c_error = ksl_difference_error(qo_3a, qo_3b, qo_3c),
+      qo_3c_lo1 = qo_3c_error + qo_3a_lo, qo_3c_lo = qo_3c_lo1 - qo_3b_lo, qo_3d = q1->y * q2->x,
+      qo_3d_lo = ksl_product_error(q1->y, q2->x, qo_3d), qo_3e = q1->x * q2->y,
+      qo_3e_lo = ksl_product_error(q1->x, q2->y, qo_3e), qo_3f = qo_3d - qo_3e,
+      qo_3f_error = ksl_difference_error(qo_3d, qo_3e, qo_3f), qo_3f_lo1 = qo_3f_error + qo_3d_lo,
+      qo_3f_lo = qo_3f_lo1 - qo_3e_lo, qo_3 = qo_3c + qo_3f,
+      qo_3_error = ksl_sum_error(qo_3c, qo_3f, qo_3), qo_3_lo1 = qo_3_error + qo_3c_lo,
+      qo_3_lo = qo_3_lo1 + qo_3f_lo;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->w = qo_0_rounded;
+  qo->x = qo_1_rounded;
+  qo->y = qo_2_rounded;
+  qo->z = qo_3_rounded;
+}
+
+/* qo = q1 q2*, q2* the conjugate.
+   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   16 mul, 40 add, 16 product error, 12 sum error.
+   Error <= u |result| + (w: 15, v: 10) u^2 S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_qqconj_accurate(const ksl_quaternion_t *q1,
+    const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
+  const double qo_0a = q1->w * q2->w, qo_0a_lo = ksl_product_error(q1->w, q2->w, qo_0a),
+      qo_0b = q1->x * q2->x, qo_0b_lo = ksl_product_error(q1->x, q2->x, qo_0b),
+      qo_0c = q1->y * q2->y, qo_0c_lo = ksl_product_error(q1->y, q2->y, qo_0c),
+      qo_0d = qo_0b + qo_0c, qo_0d_error = ksl_sum_error(qo_0b, qo_0c, qo_0d),
+      qo_0d_lo1 = qo_0d_error + qo_0b_lo, qo_0d_lo = qo_0d_lo1 + qo_0c_lo, qo_0e = q1->z * q2->z,
+      qo_0e_lo = ksl_product_error(q1->z, q2->z, qo_0e), qo_0f = qo_0d + qo_0e,
+      qo_0f_error = ksl_sum_error(qo_0d, qo_0e, qo_0f), qo_0f_lo1 = qo_0f_error + qo_0d_lo,
+      qo_0f_lo = qo_0f_lo1 + qo_0e_lo, qo_0 = qo_0a + qo_0f,
+      qo_0_error = ksl_sum_error(qo_0a, qo_0f, qo_0), qo_0_lo1 = qo_0_error + qo_0a_lo,
+      qo_0_lo = qo_0_lo1 + qo_0f_lo;
+  const double qo_1a = q1->x * q2->w, qo_1a_lo = ksl_product_error(q1->x, q2->w, qo_1a),
+      qo_1b = q1->w * q2->x, qo_1b_lo = ksl_product_error(q1->w, q2->x, qo_1b),
+      qo_1c = qo_1a - qo_1b, qo_1c_error = ksl_difference_error(qo_1a, qo_1b, qo_1c),
+      qo_1c_lo1 = qo_1c_error + qo_1a_lo, qo_1c_lo = qo_1c_lo1 - qo_1b_lo, qo_1d = q1->z * q2->y,
+      qo_1d_lo = ksl_product_error(q1->z, q2->y, qo_1d), qo_1e = q1->y * q2->z,
+      qo_1e_lo = ksl_product_error(q1->y, q2->z, qo_1e), qo_1f = qo_1d - qo_1e,
+      qo_1f_error = ksl_difference_error(qo_1d, qo_1e, qo_1f), qo_1f_lo1 = qo_1f_error + qo_1d_lo,
+      qo_1f_lo = qo_1f_lo1 - qo_1e_lo, qo_1 = qo_1c + qo_1f,
+      qo_1_error = ksl_sum_error(qo_1c, qo_1f, qo_1), qo_1_lo1 = qo_1_error + qo_1c_lo,
+      qo_1_lo = qo_1_lo1 + qo_1f_lo;
+  const double qo_2a = q1->y * q2->w, qo_2a_lo = ksl_product_error(q1->y, q2->w, qo_2a),
+      qo_2b = q1->w * q2->y, qo_2b_lo = ksl_product_error(q1->w, q2->y, qo_2b),
+      qo_2c = qo_2a - qo_2b, qo_2c_error = ksl_difference_error(qo_2a, qo_2b, qo_2c),
+      qo_2c_lo1 = qo_2c_error + qo_2a_lo, qo_2c_lo = qo_2c_lo1 - qo_2b_lo, qo_2d = q1->x * q2->z,
+      qo_2d_lo = ksl_product_error(q1->x, q2->z, qo_2d), qo_2e = q1->z * q2->x,
+      qo_2e_lo = ksl_product_error(q1->z, q2->x, qo_2e), qo_2f = qo_2d - qo_2e,
+      qo_2f_error = ksl_difference_error(qo_2d, qo_2e, qo_2f), qo_2f_lo1 = qo_2f_error + qo_2d_lo,
+      qo_2f_lo = qo_2f_lo1 - qo_2e_lo, qo_2 = qo_2c + qo_2f,
+      qo_2_error = ksl_sum_error(qo_2c, qo_2f, qo_2), qo_2_lo1 = qo_2_error + qo_2c_lo,
+      qo_2_lo = qo_2_lo1 + qo_2f_lo;
+  const double qo_3a = q1->z * q2->w, qo_3a_lo = ksl_product_error(q1->z, q2->w, qo_3a),
+      qo_3b = q1->w * q2->z, qo_3b_lo = ksl_product_error(q1->w, q2->z, qo_3b),
+      qo_3c = qo_3a - qo_3b, qo_3c_error = ksl_difference_error(qo_3a, qo_3b, qo_3c),
+      qo_3c_lo1 = qo_3c_error + qo_3a_lo, qo_3c_lo = qo_3c_lo1 - qo_3b_lo, qo_3d = q1->y * q2->x,
+      qo_3d_lo = ksl_product_error(q1->y, q2->x, qo_3d), qo_3e = q1->x * q2->y,
+      qo_3e_lo = ksl_product_error(q1->x, q2->y, qo_3e), qo_3f = qo_3d - qo_3e,
+      qo_3f_error = ksl_difference_error(qo_3d, qo_3e, qo_3f), qo_3f_lo1 = qo_3f_error + qo_3d_lo,
+      qo_3f_lo = qo_3f_lo1 - qo_3e_lo, qo_3 = qo_3c + qo_3f,
+      qo_3_error = ksl_sum_error(qo_3c, qo_3f, qo_3), qo_3_lo1 = qo_3_error + qo_3c_lo,
+      qo_3_lo = qo_3_lo1 + qo_3f_lo;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->w = qo_0_rounded;
+  qo->x = qo_1_rounded;
+  qo->y = qo_2_rounded;
+  qo->z = qo_3_rounded;
+}
+
+/* vo = R(q) v, |q| = 1.
+   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   30 mul, 48 add, 18 product error, 12 sum error.
+   Error <= u |result| + 40 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_vec3_t *v,
+    ksl_vec3_t *vo) {
+  const double c_0a = q->y * v->z, c_0a_lo = ksl_product_error(q->y, v->z, c_0a),
+      c_0b = q->z * v->y, c_0b_lo = ksl_product_error(q->z, v->y, c_0b), c_0 = c_0a - c_0b,
+      c_0_error = ksl_difference_error(c_0a, c_0b, c_0), c_0_lo1 = c_0_error + c_0a_lo,
+      c_0_lo = c_0_lo1 - c_0b_lo;
+  const double c_1a = q->z * v->x, c_1a_lo = ksl_product_error(q->z, v->x, c_1a),
+      c_1b = q->x * v->z, c_1b_lo = ksl_product_error(q->x, v->z, c_1b), c_1 = c_1a - c_1b,
+      c_1_error = ksl_difference_error(c_1a, c_1b, c_1), c_1_lo1 = c_1_error + c_1a_lo,
+      c_1_lo = c_1_lo1 - c_1b_lo;
+  const double c_2a = q->x * v->y, c_2a_lo = ksl_product_error(q->x, v->y, c_2a),
+      c_2b = q->y * v->x, c_2b_lo = ksl_product_error(q->y, v->x, c_2b), c_2 = c_2a - c_2b,
+      c_2_error = ksl_difference_error(c_2a, c_2b, c_2), c_2_lo1 = c_2_error + c_2a_lo,
+      c_2_lo = c_2_lo1 - c_2b_lo;
+  const double t_0 = 2.0 * c_0, t_0_cross1 = 2.0 * c_0_lo,
+      t_0_error = ksl_product_error(2.0, c_0, t_0), t_0_lo = t_0_error + t_0_cross1;
+  const double t_1 = 2.0 * c_1, t_1_cross1 = 2.0 * c_1_lo,
+      t_1_error = ksl_product_error(2.0, c_1, t_1), t_1_lo = t_1_error + t_1_cross1;
+  const double t_2 = 2.0 * c_2, t_2_cross1 = 2.0 * c_2_lo,
+      t_2_error = ksl_product_error(2.0, c_2, t_2), t_2_lo = t_2_error + t_2_cross1;
+  const double turn_0a = q->w * t_0, turn_0a_cross1 = q->w * t_0_lo,
+      turn_0a_error = ksl_product_error(q->w, t_0, turn_0a),
+      turn_0a_lo = turn_0a_error + turn_0a_cross1, turn_0b = q->y * t_2,
+      turn_0b_cross1 = q->y * t_2_lo, turn_0b_error = ksl_product_error(q->y, t_2, turn_0b),
+      turn_0b_lo = turn_0b_error + turn_0b_cross1, turn_0c = q->z * t_1,
+      turn_0c_cross1 = q->z * t_1_lo, turn_0c_error = ksl_product_error(q->z, t_1, turn_0c),
+      turn_0c_lo = turn_0c_error + turn_0c_cross1, turn_0d = turn_0b - turn_0c,
+      turn_0d_error = ksl_difference_error(turn_0b, turn_0c, turn_0d),
+      turn_0d_lo1 = turn_0d_error + turn_0b_lo, turn_0d_lo = turn_0d_lo1 - turn_0c_lo,
+      turn_0 = turn_0a + turn_0d, turn_0_error = ksl_sum_error(turn_0a, turn_0d, turn_0),
+      turn_0_lo1 = turn_0_error + turn_0a_lo, turn_0_lo = turn_0_lo1 + turn_0d_lo;
+  const double turn_1a = q->w * t_1, turn_1a_cross1 = q->w * t_1_lo,
+      turn_1a_error = ksl_product_error(q->w, t_1, turn_1a),
+      turn_1a_lo = turn_1a_error + turn_1a_cross1, turn_1b = q->z * t_0,
+      turn_1b_cross1 = q->z * t_0_lo, turn_1b_error = ksl_product_error(q->z, t_0, turn_1b),
+      turn_1b_lo = turn_1b_error + turn_1b_cross1, turn_1c = q->x * t_2,
+      turn_1c_cross1 = q->x * t_2_lo, turn_1c_error = ksl_product_error(q->x, t_2, turn_1c),
+      turn_1c_lo = turn_1c_error + turn_1c_cross1, turn_1d = turn_1b - turn_1c,
+      turn_1d_error = ksl_difference_error(turn_1b, turn_1c, turn_1d),
+      turn_1d_lo1 = turn_1d_error + turn_1b_lo, turn_1d_lo = turn_1d_lo1 - turn_1c_lo,
+      turn_1 = turn_1a + turn_1d, turn_1_error = ksl_sum_error(turn_1a, turn_1d, turn_1),
+      turn_1_lo1 = turn_1_error + turn_1a_lo, turn_1_lo = turn_1_lo1 + turn_1d_lo;
+  const double turn_2a = q->w * t_2, turn_2a_cross1 = q->w * t_2_lo,
+      turn_2a_error = ksl_product_error(q->w, t_2, turn_2a),
+      turn_2a_lo = turn_2a_error + turn_2a_cross1, turn_2b = q->x * t_1,
+      turn_2b_cross1 = q->x * t_1_lo, turn_2b_error = ksl_product_error(q->x, t_1, turn_2b),
+      turn_2b_lo = turn_2b_error + turn_2b_cross1, turn_2c = q->y * t_0,
+      turn_2c_cross1 = q->y * t_0_lo, turn_2c_error = ksl_product_error(q->y, t_0, turn_2c),
+      turn_2c_lo = turn_2c_error + turn_2c_cross1, turn_2d = turn_2b - turn_2c,
+      turn_2d_error = ksl_difference_error(turn_2b, turn_2c, turn_2d),
+      turn_2d_lo1 = turn_2d_error + turn_2b_lo, turn_2d_lo = turn_2d_lo1 - turn_2c_lo,
+      turn_2 = turn_2a + turn_2d, turn_2_error = ksl_sum_error(turn_2a, turn_2d, turn_2),
+      turn_2_lo1 = turn_2_error + turn_2a_lo, turn_2_lo = turn_2_lo1 + turn_2d_lo;
+  const double vo_0 = v->x + turn_0, vo_0_error = ksl_sum_error(v->x, turn_0, vo_0),
+      vo_0_lo = vo_0_error + turn_0_lo;
+  const double vo_1 = v->y + turn_1, vo_1_error = ksl_sum_error(v->y, turn_1, vo_1),
+      vo_1_lo = vo_1_error + turn_1_lo;
+  const double vo_2 = v->z + turn_2, vo_2_error = ksl_sum_error(v->z, turn_2, vo_2),
+      vo_2_lo = vo_2_error + turn_2_lo;
+  const double vo_0_rounded = vo_0 + vo_0_lo;
+  const double vo_1_rounded = vo_1 + vo_1_lo;
+  const double vo_2_rounded = vo_2 + vo_2_lo;
+  vo->x = vo_0_rounded;
+  vo->y = vo_1_rounded;
+  vo->z = vo_2_rounded;
+}
+
+/* vo = R(q)^T v, |q| = 1.
+   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   30 mul, 48 add, 18 product error, 12 sum error.
+   Error <= u |result| + 40 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const ksl_vec3_t *v,
+    ksl_vec3_t *vo) {
+  const double c_0a = q->z * v->y, c_0a_lo = ksl_product_error(q->z, v->y, c_0a),
+      c_0b = q->y * v->z, c_0b_lo = ksl_product_error(q->y, v->z, c_0b), c_0 = c_0a - c_0b,
+      c_0_error = ksl_difference_error(c_0a, c_0b, c_0), c_0_lo1 = c_0_error + c_0a_lo,
+      c_0_lo = c_0_lo1 - c_0b_lo;
+  const double c_1a = q->x * v->z, c_1a_lo = ksl_product_error(q->x, v->z, c_1a),
+      c_1b = q->z * v->x, c_1b_lo = ksl_product_error(q->z, v->x, c_1b), c_1 = c_1a - c_1b,
+      c_1_error = ksl_difference_error(c_1a, c_1b, c_1), c_1_lo1 = c_1_error + c_1a_lo,
+      c_1_lo = c_1_lo1 - c_1b_lo;
+  const double c_2a = q->y * v->x, c_2a_lo = ksl_product_error(q->y, v->x, c_2a),
+      c_2b = q->x * v->y, c_2b_lo = ksl_product_error(q->x, v->y, c_2b), c_2 = c_2a - c_2b,
+      c_2_error = ksl_difference_error(c_2a, c_2b, c_2), c_2_lo1 = c_2_error + c_2a_lo,
+      c_2_lo = c_2_lo1 - c_2b_lo;
+  const double t_0 = 2.0 * c_0, t_0_cross1 = 2.0 * c_0_lo,
+      t_0_error = ksl_product_error(2.0, c_0, t_0), t_0_lo = t_0_error + t_0_cross1;
+  const double t_1 = 2.0 * c_1, t_1_cross1 = 2.0 * c_1_lo,
+      t_1_error = ksl_product_error(2.0, c_1, t_1), t_1_lo = t_1_error + t_1_cross1;
+  const double t_2 = 2.0 * c_2, t_2_cross1 = 2.0 * c_2_lo,
+      t_2_error = ksl_product_error(2.0, c_2, t_2), t_2_lo = t_2_error + t_2_cross1;
+  const double turn_0a = q->w * t_0, turn_0a_cross1 = q->w * t_0_lo,
+      turn_0a_error = ksl_product_error(q->w, t_0, turn_0a),
+      turn_0a_lo = turn_0a_error + turn_0a_cross1, turn_0b = q->z * t_1,
+      turn_0b_cross1 = q->z * t_1_lo, turn_0b_error = ksl_product_error(q->z, t_1, turn_0b),
+      turn_0b_lo = turn_0b_error + turn_0b_cross1, turn_0c = q->y * t_2,
+      turn_0c_cross1 = q->y * t_2_lo, turn_0c_error = ksl_product_error(q->y, t_2, turn_0c),
+      turn_0c_lo = turn_0c_error + turn_0c_cross1, turn_0d = turn_0b - turn_0c,
+      turn_0d_error = ksl_difference_error(turn_0b, turn_0c, turn_0d),
+      turn_0d_lo1 = turn_0d_error + turn_0b_lo, turn_0d_lo = turn_0d_lo1 - turn_0c_lo,
+      turn_0 = turn_0a + turn_0d, turn_0_error = ksl_sum_error(turn_0a, turn_0d, turn_0),
+      turn_0_lo1 = turn_0_error + turn_0a_lo, turn_0_lo = turn_0_lo1 + turn_0d_lo;
+  const double turn_1a = q->w * t_1, turn_1a_cross1 = q->w * t_1_lo,
+      turn_1a_error = ksl_product_error(q->w, t_1, turn_1a),
+      turn_1a_lo = turn_1a_error + turn_1a_cross1, turn_1b = q->x * t_2,
+      turn_1b_cross1 = q->x * t_2_lo, turn_1b_error = ksl_product_error(q->x, t_2, turn_1b),
+      turn_1b_lo = turn_1b_error + turn_1b_cross1, turn_1c = q->z * t_0,
+      turn_1c_cross1 = q->z * t_0_lo, turn_1c_error = ksl_product_error(q->z, t_0, turn_1c),
+      turn_1c_lo = turn_1c_error + turn_1c_cross1, turn_1d = turn_1b - turn_1c,
+      turn_1d_error = ksl_difference_error(turn_1b, turn_1c, turn_1d),
+      turn_1d_lo1 = turn_1d_error + turn_1b_lo, turn_1d_lo = turn_1d_lo1 - turn_1c_lo,
+      turn_1 = turn_1a + turn_1d, turn_1_error = ksl_sum_error(turn_1a, turn_1d, turn_1),
+      turn_1_lo1 = turn_1_error + turn_1a_lo, turn_1_lo = turn_1_lo1 + turn_1d_lo;
+  const double turn_2a = q->w * t_2, turn_2a_cross1 = q->w * t_2_lo,
+      turn_2a_error = ksl_product_error(q->w, t_2, turn_2a),
+      turn_2a_lo = turn_2a_error + turn_2a_cross1, turn_2b = q->y * t_0,
+      turn_2b_cross1 = q->y * t_0_lo, turn_2b_error = ksl_product_error(q->y, t_0, turn_2b),
+      turn_2b_lo = turn_2b_error + turn_2b_cross1, turn_2c = q->x * t_1,
+      turn_2c_cross1 = q->x * t_1_lo, turn_2c_error = ksl_product_error(q->x, t_1, turn_2c),
+      turn_2c_lo = turn_2c_error + turn_2c_cross1, turn_2d = turn_2b - turn_2c,
+      turn_2d_error = ksl_difference_error(turn_2b, turn_2c, turn_2d),
+      turn_2d_lo1 = turn_2d_error + turn_2b_lo, turn_2d_lo = turn_2d_lo1 - turn_2c_lo,
+      turn_2 = turn_2a + turn_2d, turn_2_error = ksl_sum_error(turn_2a, turn_2d, turn_2),
+      turn_2_lo1 = turn_2_error + turn_2a_lo, turn_2_lo = turn_2_lo1 + turn_2d_lo;
+  const double vo_0 = v->x + turn_0, vo_0_error = ksl_sum_error(v->x, turn_0, vo_0),
+      vo_0_lo = vo_0_error + turn_0_lo;
+  const double vo_1 = v->y + turn_1, vo_1_error = ksl_sum_error(v->y, turn_1, vo_1),
+      vo_1_lo = vo_1_error + turn_1_lo;
+  const double vo_2 = v->z + turn_2, vo_2_error = ksl_sum_error(v->z, turn_2, vo_2),
+      vo_2_lo = vo_2_error + turn_2_lo;
+  const double vo_0_rounded = vo_0 + vo_0_lo;
+  const double vo_1_rounded = vo_1 + vo_1_lo;
+  const double vo_2_rounded = vo_2 + vo_2_lo;
+  vo->x = vo_0_rounded;
+  vo->y = vo_1_rounded;
+  vo->z = vo_2_rounded;
+}
+
+/* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
+   q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
+   32 mul, 67 add, 18 product error, 15 sum error, 2 div, 9 equal, 9 select. */
+static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
+  const double square_a = q->w * q->w, square_a_lo = ksl_product_error(q->w, q->w, square_a),
+      square_b = q->x * q->x, square_b_lo = ksl_product_error(q->x, q->x, square_b),
+      square_c = square_a + square_b, square_c_error = ksl_sum_error(square_a, square_b, square_c),
+      square_c_lo1 = square_c_error + square_a_lo, square_c_lo = square_c_lo1 + square_b_lo,
+      square_d = q->y * q->y, square_d_lo = ksl_product_error(q->y, q->y, square_d),
+      square_e = square_c + square_d, square_e_error = ksl_sum_error(square_c, square_d, square_e),
+      square_e_lo1 = square_e_error + square_c_lo, square_e_lo = square_e_lo1 + square_d_lo,
+      square_f = q->z * q->z, square_f_lo = ksl_product_error(q->z, q->z, square_f),
+      square = square_e + square_f, square_error = ksl_sum_error(square_e, square_f, square),
+      square_lo1 = square_error + square_e_lo, square_lo = square_lo1 + square_f_lo;
+  const double scale = 2.0 / square, scale_cross = scale * square_lo,
+      scale_product = scale * square,
+      scale_product_error = ksl_product_error(scale, square, scale_product),
+      scale_rest = 2.0 - scale_product, scale_exact = scale_rest - scale_product_error,
+      scale_residual = scale_exact - scale_cross, scale_lo = scale_residual / square;
+  const double scale_w = q->w * scale, scale_w_cross1 = q->w * scale_lo,
+      scale_w_error = ksl_product_error(q->w, scale, scale_w),
+      scale_w_lo = scale_w_error + scale_w_cross1;
+  const double beta_v_0 = q->x * scale, beta_v_0_cross1 = q->x * scale_lo,
+      beta_v_0_error = ksl_product_error(q->x, scale, beta_v_0),
+      beta_v_0_lo = beta_v_0_error + beta_v_0_cross1;
+  const double beta_v_1 = q->y * scale, beta_v_1_cross1 = q->y * scale_lo,
+      beta_v_1_error = ksl_product_error(q->y, scale, beta_v_1),
+      beta_v_1_lo = beta_v_1_error + beta_v_1_cross1;
+  const double beta_v_2 = q->z * scale, beta_v_2_cross1 = q->z * scale_lo,
+      beta_v_2_error = ksl_product_error(q->z, scale, beta_v_2),
+      beta_v_2_lo = beta_v_2_error + beta_v_2_cross1;
+  const double m_0 = q->x * beta_v_0, m_0_cross1 = q->x * beta_v_0_lo,
+      m_0_error = ksl_product_error(q->x, beta_v_0, m_0), m_0_lo = m_0_error + m_0_cross1;
+  const double m_1 = q->y * beta_v_1, m_1_cross1 = q->y * beta_v_1_lo,
+      m_1_error = ksl_product_error(q->y, beta_v_1, m_1), m_1_lo = m_1_error + m_1_cross1;
+  const double m_2 = q->z * beta_v_2, m_2_cross1 = q->z * beta_v_2_lo,
+      m_2_error = ksl_product_error(q->z, beta_v_2, m_2), m_2_lo = m_2_error + m_2_cross1;
+  const double m_3 = q->y * beta_v_0, m_3_cross1 = q->y * beta_v_0_lo,
+      m_3_error = ksl_product_error(q->y, beta_v_0, m_3), m_3_lo = m_3_error + m_3_cross1;
+  const double m_4 = q->z * beta_v_0, m_4_cross1 = q->z * beta_v_0_lo,
+      m_4_error = ksl_product_error(q->z, beta_v_0, m_4), m_4_lo = m_4_error + m_4_cross1;
+  const double m_5 = q->z * beta_v_1, m_5_cross1 = q->z * beta_v_1_lo,
+      m_5_error = ksl_product_error(q->z, beta_v_1, m_5), m_5_lo = m_5_error + m_5_cross1;
+  const double others_0 = m_1 + m_2, others_0_error = ksl_sum_error(m_1, m_2, others_0),
+      others_0_lo1 = others_0_error + m_1_lo, others_0_lo = others_0_lo1 + m_2_lo;
+  const double others_1 = m_0 + m_2, others_1_error = ksl_sum_error(m_0, m_2, others_1),
+      others_1_lo1 = others_1_error + m_0_lo, others_1_lo = others_1_lo1 + m_2_lo;
+  const double others_2 = m_0 + m_1, others_2_error = ksl_sum_error(m_0, m_1, others_2),
+      others_2_lo1 = others_2_error + m_0_lo, others_2_lo = others_2_lo1 + m_1_lo;
+  const double alpha_v_0 = q->x * scale_w, alpha_v_0_cross1 = q->x * scale_w_lo,
+      alpha_v_0_error = ksl_product_error(q->x, scale_w, alpha_v_0),
+      alpha_v_0_lo = alpha_v_0_error + alpha_v_0_cross1;
+  const double alpha_v_1 = q->y * scale_w, alpha_v_1_cross1 = q->y * scale_w_lo,
+      alpha_v_1_error = ksl_product_error(q->y, scale_w, alpha_v_1),
+      alpha_v_1_lo = alpha_v_1_error + alpha_v_1_cross1;
+  const double alpha_v_2 = q->z * scale_w, alpha_v_2_cross1 = q->z * scale_w_lo,
+      alpha_v_2_error = ksl_product_error(q->z, scale_w, alpha_v_2),
+      alpha_v_2_lo = alpha_v_2_error + alpha_v_2_cross1;
+  const double R_00 = 1.0 - others_0, R_00_error = ksl_difference_error(1.0, others_0, R_00),
+      R_00_lo = R_00_error - others_0_lo;
+  const double R_01 = m_3 - alpha_v_2, R_01_error = ksl_difference_error(m_3, alpha_v_2, R_01),
+      R_01_lo1 = R_01_error + m_3_lo, R_01_lo = R_01_lo1 - alpha_v_2_lo;
+  const double R_02 = m_4 + alpha_v_1, R_02_error = ksl_sum_error(m_4, alpha_v_1, R_02),
+      R_02_lo1 = R_02_error + m_4_lo, R_02_lo = R_02_lo1 + alpha_v_1_lo;
+  const double R_10 = m_3 + alpha_v_2, R_10_error = ksl_sum_error(m_3, alpha_v_2, R_10),
+      R_10_lo1 = R_10_error + m_3_lo, R_10_lo = R_10_lo1 + alpha_v_2_lo;
+  const double R_11 = 1.0 - others_1, R_11_error = ksl_difference_error(1.0, others_1, R_11),
+      R_11_lo = R_11_error - others_1_lo;
+  const double R_12 = m_5 - alpha_v_0, R_12_error = ksl_difference_error(m_5, alpha_v_0, R_12),
+      R_12_lo1 = R_12_error + m_5_lo, R_12_lo = R_12_lo1 - alpha_v_0_lo;
+  const double R_20 = m_4 - alpha_v_1, R_20_error = ksl_difference_error(m_4, alpha_v_1, R_20),
+      R_20_lo1 = R_20_error + m_4_lo, R_20_lo = R_20_lo1 - alpha_v_1_lo;
+  const double R_21 = m_5 + alpha_v_0, R_21_error = ksl_sum_error(m_5, alpha_v_0, R_21),
+      R_21_lo1 = R_21_error + m_5_lo, R_21_lo = R_21_lo1 + alpha_v_0_lo;
+  const double R_22 = 1.0 - others_2, R_22_error = ksl_difference_error(1.0, others_2, R_22),
+      R_22_lo = R_22_error - others_2_lo;
+  const double R_00_total = R_00 + R_00_lo,
+      R_00_rounded = R_00_total == R_00_total ? R_00_total : R_00;
+  const double R_01_total = R_01 + R_01_lo,
+      R_01_rounded = R_01_total == R_01_total ? R_01_total : R_01;
+  const double R_02_total = R_02 + R_02_lo,
+      R_02_rounded = R_02_total == R_02_total ? R_02_total : R_02;
+  const double R_10_total = R_10 + R_10_lo,
+      R_10_rounded = R_10_total == R_10_total ? R_10_total : R_10;
+  const double R_11_total = R_11 + R_11_lo,
+      R_11_rounded = R_11_total == R_11_total ? R_11_total : R_11;
+  const double R_12_total = R_12 + R_12_lo,
+      R_12_rounded = R_12_total == R_12_total ? R_12_total : R_12;
+  const double R_20_total = R_20 + R_20_lo,
+      R_20_rounded = R_20_total == R_20_total ? R_20_total : R_20;
+  const double R_21_total = R_21 + R_21_lo,
+      R_21_rounded = R_21_total == R_21_total ? R_21_total : R_21;
+  const double R_22_total = R_22 + R_22_lo,
+      R_22_rounded = R_22_total == R_22_total ? R_22_total : R_22;
+  R->m00 = R_00_rounded;
+  R->m01 = R_01_rounded;
+  R->m02 = R_02_rounded;
+  R->m10 = R_10_rounded;
+  R->m11 = R_11_rounded;
+  R->m12 = R_12_rounded;
+  R->m20 = R_20_rounded;
+  R->m21 = R_21_rounded;
+  R->m22 = R_22_rounded;
+}
+
+/* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
+   R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
+   21 mul, 67 add, 9 product error, 21 sum error, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
+     select. */
+static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
+    ksl_quaternion_t *qo) {
+  const double p_0 = R->m21 - R->m12, p_0_lo = ksl_difference_error(R->m21, R->m12, p_0);
+  const double p_1 = R->m02 - R->m20, p_1_lo = ksl_difference_error(R->m02, R->m20, p_1);
+  const double p_2 = R->m10 - R->m01, p_2_lo = ksl_difference_error(R->m10, R->m01, p_2);
+  const double s_0 = R->m12 + R->m21, s_0_lo = ksl_sum_error(R->m12, R->m21, s_0);
+  const double s_1 = R->m02 + R->m20, s_1_lo = ksl_sum_error(R->m02, R->m20, s_1);
+  const double s_2 = R->m01 + R->m10, s_2_lo = ksl_sum_error(R->m01, R->m10, s_2);
+  const double d_0a = R->m00 + R->m11, d_0a_lo = ksl_sum_error(R->m00, R->m11, d_0a),
+      d_0b = d_0a + R->m22, d_0b_error = ksl_sum_error(d_0a, R->m22, d_0b),
+      d_0b_lo = d_0b_error + d_0a_lo, d_0 = d_0b + 1.0, d_0_error = ksl_sum_error(d_0b, 1.0, d_0),
+      d_0_lo = d_0_error + d_0b_lo;
+  const double d_1a = R->m00 - R->m11, d_1a_lo = ksl_difference_error(R->m00, R->m11, d_1a),
+      d_1b = d_1a - R->m22, d_1b_error = ksl_difference_error(d_1a, R->m22, d_1b),
+      d_1b_lo = d_1b_error + d_1a_lo, d_1 = d_1b + 1.0, d_1_error = ksl_sum_error(d_1b, 1.0, d_1),
+      d_1_lo = d_1_error + d_1b_lo;
+  const double d_2a = R->m11 - R->m00, d_2a_lo = ksl_difference_error(R->m11, R->m00, d_2a),
+      d_2b = d_2a - R->m22, d_2b_error = ksl_difference_error(d_2a, R->m22, d_2b),
+      d_2b_lo = d_2b_error + d_2a_lo, d_2 = d_2b + 1.0, d_2_error = ksl_sum_error(d_2b, 1.0, d_2),
+      d_2_lo = d_2_error + d_2b_lo;
+  const double d_3a = R->m22 - R->m00, d_3a_lo = ksl_difference_error(R->m22, R->m00, d_3a),
+      d_3b = d_3a - R->m11, d_3b_error = ksl_difference_error(d_3a, R->m11, d_3b),
+      d_3b_lo = d_3b_error + d_3a_lo, d_3 = d_3b + 1.0, d_3_error = ksl_sum_error(d_3b, 1.0, d_3),
+      d_3_lo = d_3_error + d_3b_lo;
+  const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
+  const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
+  const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
+  const double low_3 = R->m11 < R->m00 ? s_1 : s_0, low_3_lo = R->m11 < R->m00 ? s_1_lo : s_0_lo;
+  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0,
+      high_0_lo = R->m00 < high_0a ? p_2_lo : d_0_lo;
+  const double high_1 = R->m00 < high_0a ? s_1 : p_0,
+      high_1_lo = R->m00 < high_0a ? s_1_lo : p_0_lo;
+  const double high_2 = R->m00 < high_0a ? s_0 : p_1,
+      high_2_lo = R->m00 < high_0a ? s_0_lo : p_1_lo;
+  const double high_3 = R->m00 < high_0a ? d_3 : p_2,
+      high_3_lo = R->m00 < high_0a ? d_3_lo : p_2_lo;
+  const double column_0 = R->m22 < 0.0 ? low_0 : high_0,
+      column_0_lo = R->m22 < 0.0 ? low_0_lo : high_0_lo;
+  const double column_1 = R->m22 < 0.0 ? low_1 : high_1,
+      column_1_lo = R->m22 < 0.0 ? low_1_lo : high_1_lo;
+  const double column_2 = R->m22 < 0.0 ? low_2 : high_2,
+      column_2_lo = R->m22 < 0.0 ? low_2_lo : high_2_lo;
+  const double column_3 = R->m22 < 0.0 ? low_3 : high_3,
+      column_3_lo = R->m22 < 0.0 ? low_3_lo : high_3_lo;
+  const double upper_0a = -column_0, upper_0a_lo = -column_0_lo,
+      upper_0 = column_0 < 0.0 ? upper_0a : column_0,
+      upper_0_lo = column_0 < 0.0 ? upper_0a_lo : column_0_lo;
+  const double upper_1a = -column_1, upper_1a_lo = -column_1_lo,
+      upper_1 = column_0 < 0.0 ? upper_1a : column_1,
+      upper_1_lo = column_0 < 0.0 ? upper_1a_lo : column_1_lo;
+  const double upper_2a = -column_2, upper_2a_lo = -column_2_lo,
+      upper_2 = column_0 < 0.0 ? upper_2a : column_2,
+      upper_2_lo = column_0 < 0.0 ? upper_2a_lo : column_2_lo;
+  const double upper_3a = -column_3, upper_3a_lo = -column_3_lo,
+      upper_3 = column_0 < 0.0 ? upper_3a : column_3,
+      upper_3_lo = column_0 < 0.0 ? upper_3a_lo : column_3_lo;
+  const double length_a = upper_0 * upper_0, length_a_cross1 = upper_0_lo * upper_0,
+      length_a_cross2 = upper_0 * upper_0_lo,
+      length_a_error = ksl_product_error(upper_0, upper_0, length_a),
+      length_a_lo1 = length_a_error + length_a_cross1, length_a_lo = length_a_lo1 + length_a_cross2,
+      length_b = upper_1 * upper_1, length_b_cross1 = upper_1_lo * upper_1,
+      length_b_cross2 = upper_1 * upper_1_lo,
+      length_b_error = ksl_product_error(upper_1, upper_1, length_b),
+      length_b_lo1 = length_b_error + length_b_cross1, length_b_lo = length_b_lo1 + length_b_cross2,
+      length_c = length_a + length_b, length_c_error = ksl_sum_error(length_a, length_b, length_c),
+      length_c_lo1 = length_c_error + length_a_lo, length_c_lo = length_c_lo1 + length_b_lo,
+      length_d = upper_2 * upper_2, length_d_cross1 = upper_2_lo * upper_2,
+      length_d_cross2 = upper_2 * upper_2_lo,
+      length_d_error = ksl_product_error(upper_2, upper_2, length_d),
+      length_d_lo1 = length_d_error + length_d_cross1, length_d_lo = length_d_lo1 + length_d_cross2,
+      length_e = length_c + length_d, length_e_error = ksl_sum_error(length_c, length_d, length_e),
+      length_e_lo1 = length_e_error + length_c_lo, length_e_lo = length_e_lo1 + length_d_lo,
+      length_f = upper_3 * upper_3, length_f_cross1 = upper_3_lo * upper_3,
+      length_f_cross2 = upper_3 * upper_3_lo,
+      length_f_error = ksl_product_error(upper_3, upper_3, length_f),
+      length_f_lo1 = length_f_error + length_f_cross1, length_f_lo = length_f_lo1 + length_f_cross2,
+      length_g = length_e + length_f, length_g_error = ksl_sum_error(length_e, length_f, length_g),
+      length_g_lo1 = length_g_error + length_e_lo, length_g_lo = length_g_lo1 + length_f_lo,
+      length = sqrt(length_g), length_product = length * length,
+      length_product_error = ksl_product_error(length, length, length_product),
+      length_rest = length_g - length_product, length_exact = length_rest - length_product_error,
+      length_residual = length_exact + length_g_lo, length_twice = length + length,
+      length_divisor = length == 0.0 ? 1.0 : length_twice,
+      length_lo = length_residual / length_divisor;
+  const double qo_0 = upper_0 / length, qo_0_cross = qo_0 * length_lo, qo_0_product = qo_0 * length,
+      qo_0_product_error = ksl_product_error(qo_0, length, qo_0_product),
+      qo_0_rest = upper_0 - qo_0_product, qo_0_exact = qo_0_rest - qo_0_product_error,
+      qo_0_lo1 = qo_0_exact + upper_0_lo, qo_0_residual = qo_0_lo1 - qo_0_cross,
+      qo_0_lo = qo_0_residual / length;
+  const double qo_1 = upper_1 / length, qo_1_cross = qo_1 * length_lo, qo_1_product = qo_1 * length,
+      qo_1_product_error = ksl_product_error(qo_1, length, qo_1_product),
+      qo_1_rest = upper_1 - qo_1_product, qo_1_exact = qo_1_rest - qo_1_product_error,
+      qo_1_lo1 = qo_1_exact + upper_1_lo, qo_1_residual = qo_1_lo1 - qo_1_cross,
+      qo_1_lo = qo_1_residual / length;
+  const double qo_2 = upper_2 / length, qo_2_cross = qo_2 * length_lo, qo_2_product = qo_2 * length,
+      qo_2_product_error = ksl_product_error(qo_2, length, qo_2_product),
+      qo_2_rest = upper_2 - qo_2_product, qo_2_exact = qo_2_rest - qo_2_product_error,
+      qo_2_lo1 = qo_2_exact + upper_2_lo, qo_2_residual = qo_2_lo1 - qo_2_cross,
+      qo_2_lo = qo_2_residual / length;
+  const double qo_3 = upper_3 / length, qo_3_cross = qo_3 * length_lo, qo_3_product = qo_3 * length,
+      qo_3_product_error = ksl_product_error(qo_3, length, qo_3_product),
+      qo_3_rest = upper_3 - qo_3_product, qo_3_exact = qo_3_rest - qo_3_product_error,
+      qo_3_lo1 = qo_3_exact + upper_3_lo, qo_3_residual = qo_3_lo1 - qo_3_cross,
+      qo_3_lo = qo_3_residual / length;
+  const double qo_0_total = qo_0 + qo_0_lo,
+      qo_0_rounded = qo_0_total == qo_0_total ? qo_0_total : qo_0;
+  const double qo_1_total = qo_1 + qo_1_lo,
+      qo_1_rounded = qo_1_total == qo_1_total ? qo_1_total : qo_1;
+  const double qo_2_total = qo_2 + qo_2_lo,
+      qo_2_rounded = qo_2_total == qo_2_total ? qo_2_total : qo_2;
+  const double qo_3_total = qo_3 + qo_3_lo,
+      qo_3_rounded = qo_3_total == qo_3_total ? qo_3_total : qo_3;
+  qo->w = qo_0_rounded;
+  qo->x = qo_1_rounded;
+  qo->y = qo_2_rounded;
+  qo->z = qo_3_rounded;
+}
+
+/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where angle
+     = 0; any multiple of a quaternion.
+   q: quaternion (w; x, y, z), the scalar first; axis: vector.
+   21 mul, 30 add, 8 product error, 2 sum error, 9 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 7
+     equal, 20 select. */
+static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternion_t *q,
+    ksl_vec3_t *axis) {
+  const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
+  const double upper_1a = -q->x, upper_1 = q->w < 0.0 ? upper_1a : q->x;
+  const double upper_2a = -q->y, upper_2 = q->w < 0.0 ? upper_2a : q->y;
+  const double upper_3a = -q->z, upper_3 = q->w < 0.0 ? upper_3a : q->z;
+  const double v_s_size_0 = fabs(upper_1);
+  const double v_s_size_1 = fabs(upper_2);
+  const double v_s_size_2 = fabs(upper_3);
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+  const double v_y_0 = upper_1 * v_s;
+  const double v_y_1 = upper_2 * v_s;
+  const double v_y_2 = upper_3 * v_s;
+  const double v_n_a = v_y_0 * v_y_0, v_n_a_lo = ksl_product_error(v_y_0, v_y_0, v_n_a),
+      v_n_b = v_y_1 * v_y_1, v_n_b_lo = ksl_product_error(v_y_1, v_y_1, v_n_b),
+      v_n_c = v_n_a + v_n_b, v_n_c_error = ksl_sum_error(v_n_a, v_n_b, v_n_c),
+      v_n_c_lo1 = v_n_c_error + v_n_a_lo, v_n_c_lo = v_n_c_lo1 + v_n_b_lo, v_n_d = v_y_2 * v_y_2,
+      v_n_d_lo = ksl_product_error(v_y_2, v_y_2, v_n_d), v_n_e = v_n_c + v_n_d,
+      v_n_e_error = ksl_sum_error(v_n_c, v_n_d, v_n_e), v_n_e_lo1 = v_n_e_error + v_n_c_lo,
+      v_n_e_lo = v_n_e_lo1 + v_n_d_lo, v_n = sqrt(v_n_e), v_n_product = v_n * v_n,
+      v_n_product_error = ksl_product_error(v_n, v_n, v_n_product), v_n_rest = v_n_e - v_n_product,
+      v_n_exact = v_n_rest - v_n_product_error, v_n_residual = v_n_exact + v_n_e_lo,
+      v_n_twice = v_n + v_n, v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice,
+      v_n_lo = v_n_residual / v_n_divisor;
+  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+  const double n_total = v_n + v_n_lo, n_added = n_total - v_n, n_remaining = v_n_lo - n_added,
+      n = n_total * v_r, n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_total - n_back,
+      n_rest = n_lost + n_remaining, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
+  const double half = atan2(n, upper_0), half_cross0 = upper_0 * n_lo,
+      half_square0 = upper_0 * upper_0, half_square1 = n * n,
+      half_square = half_square0 + half_square1, half_lo = half_cross0 / half_square;
+  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double unit_0 = upper_1 / divisor, unit_0_cross = unit_0 * divisor_lo,
+      unit_0_product = unit_0 * divisor,
+      unit_0_product_error = ksl_product_error(unit_0, divisor, unit_0_product),
+      unit_0_rest = upper_1 - unit_0_product, unit_0_exact = unit_0_rest - unit_0_product_error,
+      unit_0_residual = unit_0_exact - unit_0_cross, unit_0_lo = unit_0_residual / divisor;
+  const double unit_1 = upper_2 / divisor, unit_1_cross = unit_1 * divisor_lo,
+      unit_1_product = unit_1 * divisor,
+      unit_1_product_error = ksl_product_error(unit_1, divisor, unit_1_product),
+      unit_1_rest = upper_2 - unit_1_product, unit_1_exact = unit_1_rest - unit_1_product_error,
+      unit_1_residual = unit_1_exact - unit_1_cross, unit_1_lo = unit_1_residual / divisor;
+  const double unit_2 = upper_3 / divisor, unit_2_cross = unit_2 * divisor_lo,
+      unit_2_product = unit_2 * divisor,
+      unit_2_product_error = ksl_product_error(unit_2, divisor, unit_2_product),
+      unit_2_rest = upper_3 - unit_2_product, unit_2_exact = unit_2_rest - unit_2_product_error,
+      unit_2_residual = unit_2_exact - unit_2_cross, unit_2_lo = unit_2_residual / divisor;
+  const double angle = 2.0 * half, angle_cross1 = 2.0 * half_lo,
+      angle_error = ksl_product_error(2.0, half, angle), angle_lo = angle_error + angle_cross1;
+  const double axis_0 = n == 0.0 ? 1.0 : unit_0, axis_0_lo = n == 0.0 ? 0.0 : unit_0_lo;
+  const double angle_total = angle + angle_lo,
+      angle_rounded = angle_total == angle_total ? angle_total : angle;
+  const double axis_0_total = axis_0 + axis_0_lo,
+      axis_0_rounded = axis_0_total == axis_0_total ? axis_0_total : axis_0;
+  const double unit_1_total = unit_1 + unit_1_lo,
+      unit_1_rounded = unit_1_total == unit_1_total ? unit_1_total : unit_1;
+  const double unit_2_total = unit_2 + unit_2_lo,
+      unit_2_rounded = unit_2_total == unit_2_total ? unit_2_total : unit_2;
+  return angle_rounded;
+}
+
+/* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
+   q: quaternion (w; x, y, z), the scalar first; vo: vector.
+   23 mul, 27 add, 9 product error, 2 sum error, 5 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 6
+     equal, 17 select. */
+static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
+  const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
+  const double upper_1a = -q->x, upper_1 = q->w < 0.0 ? upper_1a : q->x;
+  const double upper_2a = -q->y, upper_2 = q->w < 0.0 ? upper_2a : q->y;
+  const double upper_3a = -q->z, upper_3 = q->w < 0.0 ? upper_3a : q->z;
+  const double v_s_size_0 = fabs(upper_1);
+  const double v_s_size_1 = fabs(upper_2);
+  const double v_s_size_2 = fabs(upper_3);
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+  const double v_y_0 = upper_1 * v_s;
+  const double v_y_1 = upper_2 * v_s;
+  const double v_y_2 = upper_3 * v_s;
+  const double v_n_a = v_y_0 * v_y_0, v_n_a_lo = ksl_product_error(v_y_0, v_y_0, v_n_a),
+      v_n_b = v_y_1 * v_y_1, v_n_b_lo = ksl_product_error(v_y_1, v_y_1, v_n_b),
+      v_n_c = v_n_a + v_n_b, v_n_c_error = ksl_sum_error(v_n_a, v_n_b, v_n_c),
+      v_n_c_lo1 = v_n_c_error + v_n_a_lo, v_n_c_lo = v_n_c_lo1 + v_n_b_lo, v_n_d = v_y_2 * v_y_2,
+      v_n_d_lo = ksl_product_error(v_y_2, v_y_2, v_n_d), v_n_e = v_n_c + v_n_d,
+      v_n_e_error = ksl_sum_error(v_n_c, v_n_d, v_n_e), v_n_e_lo1 = v_n_e_error + v_n_c_lo,
+      v_n_e_lo = v_n_e_lo1 + v_n_d_lo, v_n = sqrt(v_n_e), v_n_product = v_n * v_n,
+      v_n_product_error = ksl_product_error(v_n, v_n, v_n_product), v_n_rest = v_n_e - v_n_product,
+      v_n_exact = v_n_rest - v_n_product_error, v_n_residual = v_n_exact + v_n_e_lo,
+      v_n_twice = v_n + v_n, v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice,
+      v_n_lo = v_n_residual / v_n_divisor;
+  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+  const double n_total = v_n + v_n_lo, n_added = n_total - v_n, n_remaining = v_n_lo - n_added,
+      n = n_total * v_r, n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_total - n_back,
+      n_rest = n_lost + n_remaining, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
+  const double half = atan2(n, upper_0), half_cross0 = upper_0 * n_lo,
+      half_square0 = upper_0 * upper_0, half_square1 = n * n,
+      half_square = half_square0 + half_square1, half_lo = half_cross0 / half_square;
+  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double theta = 2.0 * half, theta_cross1 = 2.0 * half_lo,
+      theta_error = ksl_product_error(2.0, half, theta), theta_lo = theta_error + theta_cross1;
+  const double k = theta / divisor, k_cross = k * divisor_lo, k_product = k * divisor,
+      k_product_error = ksl_product_error(k, divisor, k_product), k_rest = theta - k_product,
+      k_exact = k_rest - k_product_error, k_lo1 = k_exact + theta_lo, k_residual = k_lo1 - k_cross,
+      k_lo = k_residual / divisor;
+  const double vector_0 = upper_1 * k, vector_0_cross1 = upper_1 * k_lo,
+      vector_0_error = ksl_product_error(upper_1, k, vector_0),
+      vector_0_lo = vector_0_error + vector_0_cross1;
+  const double vector_1 = upper_2 * k, vector_1_cross1 = upper_2 * k_lo,
+      vector_1_error = ksl_product_error(upper_2, k, vector_1),
+      vector_1_lo = vector_1_error + vector_1_cross1;
+  const double vector_2 = upper_3 * k, vector_2_cross1 = upper_3 * k_lo,
+      vector_2_error = ksl_product_error(upper_3, k, vector_2),
+      vector_2_lo = vector_2_error + vector_2_cross1;
+  const double vector_0_total = vector_0 + vector_0_lo,
+      vector_0_rounded = vector_0_total == vector_0_total ? vector_0_total : vector_0;
+  const double vector_1_total = vector_1 + vector_1_lo,
+      vector_1_rounded = vector_1_total == vector_1_total ? vector_1_total : vector_1;
+  const double vector_2_total = vector_2 + vector_2_lo,
+      vector_2_rounded = vector_2_total == vector_2_total ? vector_2_total : vector_2;
+  vo->x = vector_0_rounded;
+  vo->y = vector_1_rounded;
+  vo->z = vector_2_rounded;
+}
+
+/* self = a self.
+   self: quaternion (w; x, y, z), the scalar first; a: number.
+   4 mul.
+   Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_quaternionf_scale_accurate(ksl_quaternionf_t *self, const float a) {
+  const double self_0_new = (double)self->w * (double)a;
+  const double self_1_new = (double)self->x * (double)a;
+  const double self_2_new = (double)self->y * (double)a;
+  const double self_3_new = (double)self->z * (double)a;
+  self->w = (float)self_0_new;
+  self->x = (float)self_1_new;
+  self->y = (float)self_2_new;
+  self->z = (float)self_3_new;
+}
+
+/* |q| = sqrt(w^2 + v·v).
+   q: quaternion (w; x, y, z), the scalar first.
+   9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select. */
+static inline float ksl_quaternionf_norm_accurate(const ksl_quaternionf_t *q) {
+  const double s_size_0 = fabs((double)q->w);
+  const double s_size_1 = fabs((double)q->x);
+  const double s_size_2 = fabs((double)q->y);
+  const double s_size_3 = fabs((double)q->z);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
+      s = s_largest3 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+  const double y_0 = (double)q->w * s;
+  const double y_1 = (double)q->x * s;
+  const double y_2 = (double)q->y * s;
+  const double y_3 = (double)q->z * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
+      r = 1.0 < s ? 7.888609052210118e-31 : r_b;
+  const double norm = n * r;
+  return (float)norm;
+}
+
+/* self = self / |self|; zero stays zero.
+   self: quaternion (w; x, y, z), the scalar first.
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+static inline void ksl_quaternionf_normalize_accurate(ksl_quaternionf_t *self) {
+  const double s_size_0 = fabs((double)self->w);
+  const double s_size_1 = fabs((double)self->x);
+  const double s_size_2 = fabs((double)self->y);
+  const double s_size_3 = fabs((double)self->z);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
+      s = s_largest3 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+  const double y_0 = (double)self->w * s;
+  const double y_1 = (double)self->x * s;
+  const double y_2 = (double)self->y * s;
+  const double y_3 = (double)self->z * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double enlarged_0 = (double)self->w * up;
+  const double enlarged_1 = (double)self->x * up;
+  const double enlarged_2 = (double)self->y * up;
+  const double enlarged_3 = (double)self->z * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double quotient_3 = enlarged_3 / divisor;
+  const double self_0_new = quotient_0 * down;
+  const double self_1_new = quotient_1 * down;
+  const double self_2_new = quotient_2 * down;
+  const double self_3_new = quotient_3 * down;
+  self->w = (float)self_0_new;
+  self->x = (float)self_1_new;
+  self->y = (float)self_2_new;
+  self->z = (float)self_3_new;
+}
+
+/* qo = q / |q|; zero stays zero.
+   q, qo: quaternion (w; x, y, z), the scalar first.
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+static inline void ksl_quaternionf_normalized_accurate(const ksl_quaternionf_t *q,
+    ksl_quaternionf_t *qo) {
+  const double s_size_0 = fabs((double)q->w);
+  const double s_size_1 = fabs((double)q->x);
+  const double s_size_2 = fabs((double)q->y);
+  const double s_size_3 = fabs((double)q->z);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
+      s = s_largest3 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+  const double y_0 = (double)q->w * s;
+  const double y_1 = (double)q->x * s;
+  const double y_2 = (double)q->y * s;
+  const double y_3 = (double)q->z * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double enlarged_0 = (double)q->w * up;
+  const double enlarged_1 = (double)q->x * up;
+  const double enlarged_2 = (double)q->y * up;
+  const double enlarged_3 = (double)q->z * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double quotient_3 = enlarged_3 / divisor;
+  const double qo_0 = quotient_0 * down;
+  const double qo_1 = quotient_1 * down;
+  const double qo_2 = quotient_2 * down;
+  const double qo_3 = quotient_3 * down;
+  qo->w = (float)qo_0;
+  qo->x = (float)qo_1;
+  qo->y = (float)qo_2;
+  qo->z = (float)qo_3;
+}
+
+/* qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
+   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   16 mul, 12 add.
+   Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qqf_accurate(const ksl_quaternionf_t *q1,
+    const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)q1->w * (double)q2->w, qo_0b = (double)q1->x * (double)q2->x,
+      qo_0c = (double)q1->y * (double)q2->y, qo_0d = qo_0b + qo_0c,
+      qo_0e = (double)q1->z * (double)q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a - qo_0f;
+  const double qo_1a = (double)q1->w * (double)q2->x, qo_1b = (double)q1->x * (double)q2->w,
+      qo_1c = qo_1a + qo_1b, qo_1d = (double)q1->y * (double)q2->z,
+      qo_1e = (double)q1->z * (double)q2->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const double qo_2a = (double)q1->w * (double)q2->y, qo_2b = (double)q1->z * (double)q2->x,
+      qo_2c = (double)q1->x * (double)q2->z, qo_2d = qo_2b - qo_2c, qo_2e = qo_2a + qo_2d,
+      qo_2f = (double)q1->y * (double)q2->w, qo_2 = qo_2e + qo_2f;
+  const double qo_3a = (double)q1->w * (double)q2->z, qo_3b = (double)q1->x * (double)q2->y,
+      qo_3c = (double)q1->y * (double)q2->x, qo_3d = qo_3b - qo_3c, qo_3e = qo_3a + qo_3d,
+      qo_3f = (double)q1->z * (double)q2->w, qo_3 = qo_3e + qo_3f;
+  qo->w = (float)qo_0;
+  qo->x = (float)qo_1;
+  qo->y = (float)qo_2;
+  qo->z = (float)qo_3;
+}
+
+/* qo = q1* q2, q1* the conjugate.
+   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   16 mul, 12 add.
+   Error <= u |result| + (w: 1/8, v: 3/32) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_qconjqf_accurate(const ksl_quaternionf_t *q1,
+    const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)q1->w * (double)q2->w, qo_0b = (double)q1->x * (double)q2->x,
+      qo_0c = (double)q1->y * (double)q2->y, qo_0d = qo_0b + qo_0c,
+      qo_0e = (double)q1->z * (double)q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a + qo_0f;
+  const double qo_1a = (double)q1->w * (double)q2->x, qo_1b = (double)q1->x * (double)q2->w,
+      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1->z * (double)q2->y,
+      qo_1e = (double)q1->y * (double)q2->z, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const double qo_2a = (double)q1->w * (double)q2->y, qo_2b = (double)q1->y * (double)q2->w,
+      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1->x * (double)q2->z,
+      qo_2e = (double)q1->z * (double)q2->x, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const double qo_3a = (double)q1->w * (double)q2->z, qo_3b = (double)q1->z * (double)q2->w,
+      qo_3c = qo_3a - qo_3b, qo_3d = (double)q1->y * (double)q2->x,
+      qo_3e = (double)q1->x * (double)q2->y, qo_3f = qo_3d - qo_3e, qo_3 = qo_3c + qo_3f;
+  qo->w = (float)qo_0;
+  qo->x = (float)qo_1;
+  qo->y = (float)qo_2;
+  qo->z = (float)qo_3;
+}
+
+/* qo = q1 q2*, q2* the conjugate.
+   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   16 mul, 12 add.
+   Error <= u |result| + (w: 1/8, v: 3/32) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_qqconjf_accurate(const ksl_quaternionf_t *q1,
+    const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)q1->w * (double)q2->w, qo_0b = (double)q1->x * (double)q2->x,
+      qo_0c = (double)q1->y * (double)q2->y, qo_0d = qo_0b + qo_0c,
+      qo_0e = (double)q1->z * (double)q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a + qo_0f;
+  const double qo_1a = (double)q1->x * (double)q2->w, qo_1b = (double)q1->w * (double)q2->x,
+      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1->z * (double)q2->y,
+      qo_1e = (double)q1->y * (double)q2->z, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const double qo_2a = (double)q1->y * (double)q2->w, qo_2b = (double)q1->w * (double)q2->y,
+      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1->x * (double)q2->z,
+      qo_2e = (double)q1->z * (double)q2->x, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const double qo_3a = (double)q1->z * (double)q2->w, qo_3b = (double)q1->w * (double)q2->z,
+      qo_3c = qo_3a - qo_3b, qo_3d = (double)q1->y * (double)q2->x,
+      qo_3e = (double)q1->x * (double)q2->y, qo_3f = qo_3d - qo_3e, qo_3 = qo_3c + qo_3f;
+  qo->w = (float)qo_0;
+  qo->x = (float)qo_1;
+  qo->y = (float)qo_2;
+  qo->z = (float)qo_3;
+}
+
+/* vo = R(q) v, |q| = 1.
+   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   18 mul, 12 add.
+   Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
+    ksl_vec3f_t *vo) {
+  const double c_0a = (double)q->y * (double)v->z, c_0b = (double)q->z * (double)v->y,
+      c_0 = c_0a - c_0b;
+  const double c_1a = (double)q->z * (double)v->x, c_1b = (double)q->x * (double)v->z,
+      c_1 = c_1a - c_1b;
+  const double c_2a = (double)q->x * (double)v->y, c_2b = (double)q->y * (double)v->x,
+      c_2 = c_2a - c_2b;
+  const double t_0 = 2.0 * c_0;
+  const double t_1 = 2.0 * c_1;
+  const double t_2 = 2.0 * c_2;
+  const double turn_0a = (double)q->w * t_0, turn_0b = (double)q->y * t_2,
+      turn_0c = (double)q->z * t_1, turn_0d = turn_0b - turn_0c, turn_0 = turn_0a + turn_0d;
+  const double turn_1a = (double)q->w * t_1, turn_1b = (double)q->z * t_0,
+      turn_1c = (double)q->x * t_2, turn_1d = turn_1b - turn_1c, turn_1 = turn_1a + turn_1d;
+  const double turn_2a = (double)q->w * t_2, turn_2b = (double)q->x * t_1,
+      turn_2c = (double)q->y * t_0, turn_2d = turn_2b - turn_2c, turn_2 = turn_2a + turn_2d;
+  const double vo_0 = (double)v->x + turn_0;
+  const double vo_1 = (double)v->y + turn_1;
+  const double vo_2 = (double)v->z + turn_2;
+  vo->x = (float)vo_0;
+  vo->y = (float)vo_1;
+  vo->z = (float)vo_2;
+}
+
+/* vo = R(q)^T v, |q| = 1.
+   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   18 mul, 12 add.
+   Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
+    ksl_vec3f_t *vo) {
+  const double c_0a = (double)q->z * (double)v->y, c_0b = (double)q->y * (double)v->z,
+      c_0 = c_0a - c_0b;
+  const double c_1a = (double)q->x * (double)v->z, c_1b = (double)q->z * (double)v->x,
+      c_1 = c_1a - c_1b;
+  const double c_2a = (double)q->y * (double)v->x, c_2b = (double)q->x * (double)v->y,
+      c_2 = c_2a - c_2b;
+  const double t_0 = 2.0 * c_0;
+  const double t_1 = 2.0 * c_1;
+  const double t_2 = 2.0 * c_2;
+  const double turn_0a = (double)q->w * t_0, turn_0b = (double)q->z * t_1,
+      turn_0c = (double)q->y * t_2, turn_0d = turn_0b - turn_0c, turn_0 = turn_0a + turn_0d;
+  const double turn_1a = (double)q->w * t_1, turn_1b = (double)q->x * t_2,
+      turn_1c = (double)q->z * t_0, turn_1d = turn_1b - turn_1c, turn_1 = turn_1a + turn_1d;
+  const double turn_2a = (double)q->w * t_2, turn_2b = (double)q->y * t_0,
+      turn_2c = (double)q->x * t_1, turn_2d = turn_2b - turn_2c, turn_2 = turn_2a + turn_2d;
+  const double vo_0 = (double)v->x + turn_0;
+  const double vo_1 = (double)v->y + turn_1;
+  const double vo_2 = (double)v->z + turn_2;
+  vo->x = (float)vo_0;
+  vo->y = (float)vo_1;
+  vo->z = (float)vo_2;
+}
+
+/* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
+   q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
+   17 mul, 15 add, 1 div. */
+static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t *q,
+    ksl_mat3x3f_t *R) {
+  const double square_a = (double)q->w * (double)q->w, square_b = (double)q->x * (double)q->x,
+      square_c = square_a + square_b, square_d = (double)q->y * (double)q->y,
+      square_e = square_c + square_d, square_f = (double)q->z * (double)q->z,
+      square = square_e + square_f;
+  const double scale = 2.0 / square;
+  const double scale_w = (double)q->w * scale;
+  const double beta_v_0 = (double)q->x * scale;
+  const double beta_v_1 = (double)q->y * scale;
+  const double beta_v_2 = (double)q->z * scale;
+  const double m_0 = (double)q->x * beta_v_0;
+  const double m_1 = (double)q->y * beta_v_1;
+  const double m_2 = (double)q->z * beta_v_2;
+  const double m_3 = (double)q->y * beta_v_0;
+  const double m_4 = (double)q->z * beta_v_0;
+  const double m_5 = (double)q->z * beta_v_1;
+  const double others_0 = m_1 + m_2;
+  const double others_1 = m_0 + m_2;
+  const double others_2 = m_0 + m_1;
+  const double alpha_v_0 = (double)q->x * scale_w;
+  const double alpha_v_1 = (double)q->y * scale_w;
+  const double alpha_v_2 = (double)q->z * scale_w;
+  const double R_00 = 1.0 - others_0;
+  const double R_01 = m_3 - alpha_v_2;
+  const double R_02 = m_4 + alpha_v_1;
+  const double R_10 = m_3 + alpha_v_2;
+  const double R_11 = 1.0 - others_1;
+  const double R_12 = m_5 - alpha_v_0;
+  const double R_20 = m_4 - alpha_v_1;
+  const double R_21 = m_5 + alpha_v_0;
+  const double R_22 = 1.0 - others_2;
+  R->m00 = (float)R_00;
+  R->m01 = (float)R_01;
+  R->m02 = (float)R_02;
+  R->m10 = (float)R_10;
+  R->m11 = (float)R_11;
+  R->m12 = (float)R_12;
+  R->m20 = (float)R_20;
+  R->m21 = (float)R_21;
+  R->m22 = (float)R_22;
+}
+
+/* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
+   R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
+   4 mul, 21 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select. */
+static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
+    ksl_quaternionf_t *qo) {
+  const double p_0 = (double)R->m21 - (double)R->m12;
+  const double p_1 = (double)R->m02 - (double)R->m20;
+  const double p_2 = (double)R->m10 - (double)R->m01;
+  const double s_0 = (double)R->m12 + (double)R->m21;
+  const double s_1 = (double)R->m02 + (double)R->m20;
+  const double s_2 = (double)R->m01 + (double)R->m10;
+  const double d_0a = (double)R->m00 + (double)R->m11, d_0b = d_0a + (double)R->m22,
+      d_0 = d_0b + 1.0;
+  const double d_1a = (double)R->m00 - (double)R->m11, d_1b = d_1a - (double)R->m22,
+      d_1 = d_1b + 1.0;
+  const double d_2a = (double)R->m11 - (double)R->m00, d_2b = d_2a - (double)R->m22,
+      d_2 = d_2b + 1.0;
+  const double d_3a = (double)R->m22 - (double)R->m00, d_3b = d_3a - (double)R->m11,
+      d_3 = d_3b + 1.0;
+  const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
+  const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
+  const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
+  const double low_3 = (double)R->m11 < (double)R->m00 ? s_1 : s_0;
+  const double high_0a = -(double)R->m11, high_0 = (double)R->m00 < high_0a ? p_2 : d_0;
+  const double high_1 = (double)R->m00 < high_0a ? s_1 : p_0;
+  const double high_2 = (double)R->m00 < high_0a ? s_0 : p_1;
+  const double high_3 = (double)R->m00 < high_0a ? d_3 : p_2;
+  const double column_0 = (double)R->m22 < 0.0 ? low_0 : high_0;
+  const double column_1 = (double)R->m22 < 0.0 ? low_1 : high_1;
+  const double column_2 = (double)R->m22 < 0.0 ? low_2 : high_2;
+  const double column_3 = (double)R->m22 < 0.0 ? low_3 : high_3;
+  const double upper_0a = -column_0, upper_0 = column_0 < 0.0 ? upper_0a : column_0;
+  const double upper_1a = -column_1, upper_1 = column_0 < 0.0 ? upper_1a : column_1;
+  const double upper_2a = -column_2, upper_2 = column_0 < 0.0 ? upper_2a : column_2;
+  const double upper_3a = -column_3, upper_3 = column_0 < 0.0 ? upper_3a : column_3;
+  const double length_a = upper_0 * upper_0, length_b = upper_1 * upper_1,
+      length_c = length_a + length_b, length_d = upper_2 * upper_2, length_e = length_c + length_d,
+      length_f = upper_3 * upper_3, length_g = length_e + length_f, length = sqrt(length_g);
+  const double qo_0 = upper_0 / length;
+  const double qo_1 = upper_1 / length;
+  const double qo_2 = upper_2 / length;
+  const double qo_3 = upper_3 / length;
+  qo->w = (float)qo_0;
+  qo->x = (float)qo_1;
+  qo->y = (float)qo_2;
+  qo->z = (float)qo_3;
+}
+
+/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where angle
+     = 0; any multiple of a quaternion.
+   q: quaternion (w; x, y, z), the scalar first; axis: vector.
+   8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select. */
+static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternionf_t *q,
+    ksl_vec3f_t *axis) {
+  const double upper_0a = -(double)q->w, upper_0 = (double)q->w < 0.0 ? upper_0a : (double)q->w;
+  const double upper_1a = -(double)q->x, upper_1 = (double)q->w < 0.0 ? upper_1a : (double)q->x;
+  const double upper_2a = -(double)q->y, upper_2 = (double)q->w < 0.0 ? upper_2a : (double)q->y;
+  const double upper_3a = -(double)q->z, upper_3 = (double)q->w < 0.0 ? upper_3a : (double)q->z;
+  const double v_s_size_0 = fabs(upper_1);
+  const double v_s_size_1 = fabs(upper_2);
+  const double v_s_size_2 = fabs(upper_3);
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
+      v_s = v_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : v_s_b;
+  const double v_y_0 = upper_1 * v_s;
+  const double v_y_1 = upper_2 * v_s;
+  const double v_y_2 = upper_3 * v_s;
+  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
+      v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
+  const double n = v_n * v_r;
+  const double half = atan2(n, upper_0);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double unit_0 = upper_1 / divisor;
+  const double unit_1 = upper_2 / divisor;
+  const double unit_2 = upper_3 / divisor;
+  const double angle = 2.0 * half;
+  const double axis_0 = n == 0.0 ? 1.0 : unit_0;
+  return (float)angle;
+}
+
+/* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
+   q: quaternion (w; x, y, z), the scalar first; vo: vector.
+   11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select. */
+static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_vec3f_t *vo) {
+  const double upper_0a = -(double)q->w, upper_0 = (double)q->w < 0.0 ? upper_0a : (double)q->w;
+  const double upper_1a = -(double)q->x, upper_1 = (double)q->w < 0.0 ? upper_1a : (double)q->x;
+  const double upper_2a = -(double)q->y, upper_2 = (double)q->w < 0.0 ? upper_2a : (double)q->y;
+  const double upper_3a = -(double)q->z, upper_3 = (double)q->w < 0.0 ? upper_3a : (double)q->z;
+  const double v_s_size_0 = fabs(upper_1);
+  const double v_s_size_1 = fabs(upper_2);
+  const double v_s_size_2 = fabs(upper_3);
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
+      v_s = v_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : v_s_b;
+  const double v_y_0 = upper_1 * v_s;
+  const double v_y_1 = upper_2 * v_s;
+  const double v_y_2 = upper_3 * v_s;
+  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
+      v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
+  const double n = v_n * v_r;
+  const double half = atan2(n, upper_0);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double theta = 2.0 * half;
+  const double k = theta / divisor;
+  const double vector_0 = upper_1 * k;
+  const double vector_1 = upper_2 * k;
+  const double vector_2 = upper_3 * k;
+  vo->x = (float)vector_0;
+  vo->y = (float)vector_1;
+  vo->z = (float)vector_2;
+}
+
+#endif
+
+/* Exponentials and logarithms of rotations and displacements, their Jacobians, interpolation.
+   Accurate tier: double compensated, single computed in double. */
+#ifndef KSL_EXPONENTIAL_ACCURATE_H
+#define KSL_EXPONENTIAL_ACCURATE_H
+
+
+/* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
+   R: rotation or other 3×3 matrix; vo: vector.
+   39 mul, 78 add, 9 product error, 20 sum error, 6 div, 1 sqrt, 1 atan2, 12 neg, 3 abs, 13 less,
+     9 equal, 53 select. */
+static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
+  const double p_0 = R->m21 - R->m12, p_0_lo = ksl_difference_error(R->m21, R->m12, p_0);
+  const double p_1 = R->m02 - R->m20, p_1_lo = ksl_difference_error(R->m02, R->m20, p_1);
+  const double p_2 = R->m10 - R->m01, p_2_lo = ksl_difference_error(R->m10, R->m01, p_2);
+  const double s_0 = R->m12 + R->m21, s_0_lo = ksl_sum_error(R->m12, R->m21, s_0);
+  const double s_1 = R->m02 + R->m20, s_1_lo = ksl_sum_error(R->m02, R->m20, s_1);
+  const double s_2 = R->m01 + R->m10, s_2_lo = ksl_sum_error(R->m01, R->m10, s_2);
+  const double d_0a = R->m00 + R->m11, d_0a_lo = ksl_sum_error(R->m00, R->m11, d_0a),
+      d_0b = d_0a + R->m22, d_0b_error = ksl_sum_error(d_0a, R->m22, d_0b),
+      d_0b_lo = d_0b_error + d_0a_lo, d_0 = d_0b + 1.0, d_0_error = ksl_sum_error(d_0b, 1.0, d_0),
+      d_0_lo = d_0_error + d_0b_lo;
+  const double d_1a = R->m00 - R->m11, d_1a_lo = ksl_difference_error(R->m00, R->m11, d_1a),
+      d_1b = d_1a - R->m22, d_1b_error = ksl_difference_error(d_1a, R->m22, d_1b),
+      d_1b_lo = d_1b_error + d_1a_lo, d_1 = d_1b + 1.0, d_1_error = ksl_sum_error(d_1b, 1.0, d_1),
+      d_1_lo = d_1_error + d_1b_lo;
+  const double d_2a = R->m11 - R->m00, d_2a_lo = ksl_difference_error(R->m11, R->m00, d_2a),
+      d_2b = d_2a - R->m22, d_2b_error = ksl_difference_error(d_2a, R->m22, d_2b),
+      d_2b_lo = d_2b_error + d_2a_lo, d_2 = d_2b + 1.0, d_2_error = ksl_sum_error(d_2b, 1.0, d_2),
+      d_2_lo = d_2_error + d_2b_lo;
+  const double d_3a = R->m22 - R->m00, d_3a_lo = ksl_difference_error(R->m22, R->m00, d_3a),
+      d_3b = d_3a - R->m11, d_3b_error = ksl_difference_error(d_3a, R->m11, d_3b),
+      d_3b_lo = d_3b_error + d_3a_lo, d_3 = d_3b + 1.0, d_3_error = ksl_sum_error(d_3b, 1.0, d_3),
+      d_3_lo = d_3_error + d_3b_lo;
+  const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
+  const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
+  const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
+  const double low_3 = R->m11 < R->m00 ? s_1 : s_0, low_3_lo = R->m11 < R->m00 ? s_1_lo : s_0_lo;
+  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0,
+      high_0_lo = R->m00 < high_0a ? p_2_lo : d_0_lo;
+  const double high_1 = R->m00 < high_0a ? s_1 : p_0,
+      high_1_lo = R->m00 < high_0a ? s_1_lo : p_0_lo;
+  const double high_2 = R->m00 < high_0a ? s_0 : p_1,
+      high_2_lo = R->m00 < high_0a ? s_0_lo : p_1_lo;
+  const double high_3 = R->m00 < high_0a ? d_3 : p_2,
+      high_3_lo = R->m00 < high_0a ? d_3_lo : p_2_lo;
+  const double column_0 = R->m22 < 0.0 ? low_0 : high_0,
+      column_0_lo = R->m22 < 0.0 ? low_0_lo : high_0_lo;
+  const double column_1 = R->m22 < 0.0 ? low_1 : high_1,
+      column_1_lo = R->m22 < 0.0 ? low_1_lo : high_1_lo;
+  const double column_2 = R->m22 < 0.0 ? low_2 : high_2,
+      column_2_lo = R->m22 < 0.0 ? low_2_lo : high_2_lo;
+  const double column_3 = R->m22 < 0.0 ? low_3 : high_3,
+      column_3_lo = R->m22 < 0.0 ? low_3_lo : high_3_lo;
+  const double upper_0a = -column_0, upper_0a_lo = -column_0_lo,
+      upper_0 = column_0 < 0.0 ? upper_0a : column_0,
+      upper_0_lo = column_0 < 0.0 ? upper_0a_lo : column_0_lo;
+  const double upper_1a = -column_1, upper_1a_lo = -column_1_lo,
+      upper_1 = column_0 < 0.0 ? upper_1a : column_1,
+      upper_1_lo = column_0 < 0.0 ? upper_1a_lo : column_1_lo;
+  const double upper_2a = -column_2, upper_2a_lo = -column_2_lo,
+      upper_2 = column_0 < 0.0 ? upper_2a : column_2,
+      upper_2_lo = column_0 < 0.0 ? upper_2a_lo : column_2_lo;
+  const double upper_3a = -column_3, upper_3a_lo = -column_3_lo,
+      upper_3 = column_0 < 0.0 ? upper_3a : column_3,
+      upper_3_lo = column_0 < 0.0 ? upper_3a_lo : column_3_lo;
+  const double v_s_size_0 = fabs(upper_1), v_s_size_0_opposite = -upper_1_lo,
+      v_s_size_0_lo = upper_1 < 0.0 ? v_s_size_0_opposite : upper_1_lo;
+  const double v_s_size_1 = fabs(upper_2), v_s_size_1_opposite = -upper_2_lo,
+      v_s_size_1_lo = upper_2 < 0.0 ? v_s_size_1_opposite : upper_2_lo;
+  const double v_s_size_2 = fabs(upper_3), v_s_size_2_opposite = -upper_3_lo,
+      v_s_size_2_lo = upper_3 < 0.0 ? v_s_size_2_opposite : upper_3_lo;
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0,
+      v_s_largest1_lo = v_s_size_0 < v_s_size_1 ? v_s_size_1_lo : v_s_size_0_lo;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1,
+      v_s_largest2_lo = v_s_largest1 < v_s_size_2 ? v_s_size_2_lo : v_s_largest1_lo;
+  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+  const double v_y_0_total = upper_1 + upper_1_lo, v_y_0_added = v_y_0_total - upper_1,
+      v_y_0_remaining = upper_1_lo - v_y_0_added, v_y_0 = v_y_0_total * v_s,
+      v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
+      v_y_0_lost = v_y_0_total - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_remaining,
+      v_y_0_small = v_y_0_rest * v_s, v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
+  const double v_y_1_total = upper_2 + upper_2_lo, v_y_1_added = v_y_1_total - upper_2,
+      v_y_1_remaining = upper_2_lo - v_y_1_added, v_y_1 = v_y_1_total * v_s,
+      v_y_1_back = v_y_1 * v_y_0_inverse, v_y_1_lost = v_y_1_total - v_y_1_back,
+      v_y_1_rest = v_y_1_lost + v_y_1_remaining, v_y_1_small = v_y_1_rest * v_s,
+      v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
+  const double v_y_2_total = upper_3 + upper_3_lo, v_y_2_added = v_y_2_total - upper_3,
+      v_y_2_remaining = upper_3_lo - v_y_2_added, v_y_2 = v_y_2_total * v_s,
+      v_y_2_back = v_y_2 * v_y_0_inverse, v_y_2_lost = v_y_2_total - v_y_2_back,
+      v_y_2_rest = v_y_2_lost + v_y_2_remaining, v_y_2_small = v_y_2_rest * v_s,
+      v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
+  const double v_n_a = v_y_0 * v_y_0, v_n_a_cross1 = v_y_0_lo * v_y_0,
+      v_n_a_cross2 = v_y_0 * v_y_0_lo, v_n_a_error = ksl_product_error(v_y_0, v_y_0, v_n_a),
+      v_n_a_lo1 = v_n_a_error + v_n_a_cross1, v_n_a_lo = v_n_a_lo1 + v_n_a_cross2,
+      v_n_b = v_y_1 * v_y_1, v_n_b_cross1 = v_y_1_lo * v_y_1, v_n_b_cross2 = v_y_1 * v_y_1_lo,
+      v_n_b_error = ksl_product_error(v_y_1, v_y_1, v_n_b), v_n_b_lo1 = v_n_b_error + v_n_b_cross1,
+      v_n_b_lo = v_n_b_lo1 + v_n_b_cross2, v_n_c = v_n_a + v_n_b,
+      v_n_c_error = ksl_sum_error(v_n_a, v_n_b, v_n_c), v_n_c_lo1 = v_n_c_error + v_n_a_lo,
+      v_n_c_lo = v_n_c_lo1 + v_n_b_lo, v_n_d = v_y_2 * v_y_2, v_n_d_cross1 = v_y_2_lo * v_y_2,
+      v_n_d_cross2 = v_y_2 * v_y_2_lo, v_n_d_error = ksl_product_error(v_y_2, v_y_2, v_n_d),
+      v_n_d_lo1 = v_n_d_error + v_n_d_cross1, v_n_d_lo = v_n_d_lo1 + v_n_d_cross2,
+      v_n_e = v_n_c + v_n_d, v_n_e_error = ksl_sum_error(v_n_c, v_n_d, v_n_e),
+      v_n_e_lo1 = v_n_e_error + v_n_c_lo, v_n_e_lo = v_n_e_lo1 + v_n_d_lo, v_n = sqrt(v_n_e),
+      v_n_product = v_n * v_n, v_n_product_error = ksl_product_error(v_n, v_n, v_n_product),
+      v_n_rest = v_n_e - v_n_product, v_n_exact = v_n_rest - v_n_product_error,
+      v_n_residual = v_n_exact + v_n_e_lo, v_n_twice = v_n + v_n,
+      v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
+  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+  const double n_total = v_n + v_n_lo, n_added = n_total - v_n, n_remaining = v_n_lo - n_added,
+      n = n_total * v_r, n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_total - n_back,
+      n_rest = n_lost + n_remaining, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
+  const double half = atan2(n, upper_0), half_cross0 = upper_0 * n_lo, half_cross1 = n * upper_0_lo,
+      half_cross = half_cross0 - half_cross1, half_square0 = upper_0 * upper_0,
+      half_square1 = n * n, half_square = half_square0 + half_square1,
+      half_lo = half_cross / half_square;
+  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double theta = 2.0 * half, theta_cross1 = 2.0 * half_lo,
+      theta_error = ksl_product_error(2.0, half, theta), theta_lo = theta_error + theta_cross1;
+  const double k = theta / divisor, k_cross = k * divisor_lo, k_product = k * divisor,
+      k_product_error = ksl_product_error(k, divisor, k_product), k_rest = theta - k_product,
+      k_exact = k_rest - k_product_error, k_lo1 = k_exact + theta_lo, k_residual = k_lo1 - k_cross,
+      k_lo = k_residual / divisor;
+  const double vector_0 = upper_1 * k, vector_0_cross1 = upper_1_lo * k,
+      vector_0_cross2 = upper_1 * k_lo, vector_0_error = ksl_product_error(upper_1, k, vector_0),
+      vector_0_lo1 = vector_0_error + vector_0_cross1, vector_0_lo = vector_0_lo1 + vector_0_cross2;
+  const double vector_1 = upper_2 * k, vector_1_cross1 = upper_2_lo * k,
+      vector_1_cross2 = upper_2 * k_lo, vector_1_error = ksl_product_error(upper_2, k, vector_1),
+      vector_1_lo1 = vector_1_error + vector_1_cross1, vector_1_lo = vector_1_lo1 + vector_1_cross2;
+  const double vector_2 = upper_3 * k, vector_2_cross1 = upper_3_lo * k,
+      vector_2_cross2 = upper_3 * k_lo, vector_2_error = ksl_product_error(upper_3, k, vector_2),
+      vector_2_lo1 = vector_2_error + vector_2_cross1, vector_2_lo = vector_2_lo1 + vector_2_cross2;
+  const double vector_0_total = vector_0 + vector_0_lo,
+      vector_0_rounded = vector_0_total == vector_0_total ? vector_0_total : vector_0;
+  const double vector_1_total = vector_1 + vector_1_lo,
+      vector_1_rounded = vector_1_total == vector_1_total ? vector_1_total : vector_1;
+  const double vector_2_total = vector_2 + vector_2_lo,
+      vector_2_rounded = vector_2_total == vector_2_total ? vector_2_total : vector_2;
+  vo->x = vector_0_rounded;
+  vo->y = vector_1_rounded;
+  vo->z = vector_2_rounded;
+}
+
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
+   R: rotation or other 3×3 matrix; axis: vector.
+   34 mul, 81 add, 8 product error, 20 sum error, 10 div, 1 sqrt, 1 atan2, 12 neg, 3 abs, 13
+     less, 10 equal, 56 select. */
+static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
+  const double p_0 = R->m21 - R->m12, p_0_lo = ksl_difference_error(R->m21, R->m12, p_0);
+  const double p_1 = R->m02 - R->m20, p_1_lo = ksl_difference_error(R->m02, R->m20, p_1);
+  const double p_2 = R->m10 - R->m01, p_2_lo = ksl_difference_error(R->m10, R->m01, p_2);
+  const double s_0 = R->m12 + R->m21, s_0_lo = ksl_sum_error(R->m12, R->m21, s_0);
+  const double s_1 = R->m02 + R->m20, s_1_lo = ksl_sum_error(R->m02, R->m20, s_1);
+  const double s_2 = R->m01 + R->m10, s_2_lo = ksl_sum_error(R->m01, R->m10, s_2);
+  const double d_0a = R->m00 + R->m11, d_0a_lo = ksl_sum_error(R->m00, R->m11, d_0a),
+      d_0b = d_0a + R->m22, d_0b_error = ksl_sum_error(d_0a, R->m22, d_0b),
+      d_0b_lo = d_0b_error + d_0a_lo, d_0 = d_0b + 1.0, d_0_error = ksl_sum_error(d_0b, 1.0, d_0),
+      d_0_lo = d_0_error + d_0b_lo;
+  const double d_1a = R->m00 - R->m11, d_1a_lo = ksl_difference_error(R->m00, R->m11, d_1a),
+      d_1b = d_1a - R->m22, d_1b_error = ksl_difference_error(d_1a, R->m22, d_1b),
+      d_1b_lo = d_1b_error + d_1a_lo, d_1 = d_1b + 1.0, d_1_error = ksl_sum_error(d_1b, 1.0, d_1),
+      d_1_lo = d_1_error + d_1b_lo;
+  const double d_2a = R->m11 - R->m00, d_2a_lo = ksl_difference_error(R->m11, R->m00, d_2a),
+      d_2b = d_2a - R->m22, d_2b_error = ksl_difference_error(d_2a, R->m22, d_2b),
+      d_2b_lo = d_2b_error + d_2a_lo, d_2 = d_2b + 1.0, d_2_error = ksl_sum_error(d_2b, 1.0, d_2),
+      d_2_lo = d_2_error + d_2b_lo;
+  const double d_3a = R->m22 - R->m00, d_3a_lo = ksl_difference_error(R->m22, R->m00, d_3a),
+      d_3b = d_3a - R->m11, d_3b_error = ksl_difference_error(d_3a, R->m11, d_3b),
+      d_3b_lo = d_3b_error + d_3a_lo, d_3 = d_3b + 1.0, d_3_error = ksl_sum_error(d_3b, 1.0, d_3),
+      d_3_lo = d_3_error + d_3b_lo;
+  const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
+  const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
+  const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
+  const double low_3 = R->m11 < R->m00 ? s_1 : s_0, low_3_lo = R->m11 < R->m00 ? s_1_lo : s_0_lo;
+  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0,
+      high_0_lo = R->m00 < high_0a ? p_2_lo : d_0_lo;
+  const double high_1 = R->m00 < high_0a ? s_1 : p_0,
+      high_1_lo = R->m00 < high_0a ? s_1_lo : p_0_lo;
+  const double high_2 = R->m00 < high_0a ? s_0 : p_1,
+      high_2_lo = R->m00 < high_0a ? s_0_lo : p_1_lo;
+  const double high_3 = R->m00 < high_0a ? d_3 : p_2,
+      high_3_lo = R->m00 < high_0a ? d_3_lo : p_2_lo;
+  const double column_0 = R->m22 < 0.0 ? low_0 : high_0,
+      column_0_lo = R->m22 < 0.0 ? low_0_lo : high_0_lo;
+  const double column_1 = R->m22 < 0.0 ? low_1 : high_1,
+      column_1_lo = R->m22 < 0.0 ? low_1_lo : high_1_lo;
+  const double column_2 = R->m22 < 0.0 ? low_2 : high_2,
+      column_2_lo = R->m22 < 0.0 ? low_2_lo : high_2_lo;
+  const double column_3 = R->m22 < 0.0 ? low_3 : high_3,
+      column_3_lo = R->m22 < 0.0 ? low_3_lo : high_3_lo;
+  const double upper_0a = -column_0, upper_0a_lo = -column_0_lo,
+      upper_0 = column_0 < 0.0 ? upper_0a : column_0,
+      upper_0_lo = column_0 < 0.0 ? upper_0a_lo : column_0_lo;
+  const double upper_1a = -column_1, upper_1a_lo = -column_1_lo,
+      upper_1 = column_0 < 0.0 ? upper_1a : column_1,
+      upper_1_lo = column_0 < 0.0 ? upper_1a_lo : column_1_lo;
+  const double upper_2a = -column_2, upper_2a_lo = -column_2_lo,
+      upper_2 = column_0 < 0.0 ? upper_2a : column_2,
+      upper_2_lo = column_0 < 0.0 ? upper_2a_lo : column_2_lo;
+  const double upper_3a = -column_3, upper_3a_lo = -column_3_lo,
+      upper_3 = column_0 < 0.0 ? upper_3a : column_3,
+      upper_3_lo = column_0 < 0.0 ? upper_3a_lo : column_3_lo;
+  const double v_s_size_0 = fabs(upper_1), v_s_size_0_opposite = -upper_1_lo,
+      v_s_size_0_lo = upper_1 < 0.0 ? v_s_size_0_opposite : upper_1_lo;
+  const double v_s_size_1 = fabs(upper_2), v_s_size_1_opposite = -upper_2_lo,
+      v_s_size_1_lo = upper_2 < 0.0 ? v_s_size_1_opposite : upper_2_lo;
+  const double v_s_size_2 = fabs(upper_3), v_s_size_2_opposite = -upper_3_lo,
+      v_s_size_2_lo = upper_3 < 0.0 ? v_s_size_2_opposite : upper_3_lo;
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0,
+      v_s_largest1_lo = v_s_size_0 < v_s_size_1 ? v_s_size_1_lo : v_s_size_0_lo;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1,
+      v_s_largest2_lo = v_s_largest1 < v_s_size_2 ? v_s_size_2_lo : v_s_largest1_lo;
+  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+  const double v_y_0_total = upper_1 + upper_1_lo, v_y_0_added = v_y_0_total - upper_1,
+      v_y_0_remaining = upper_1_lo - v_y_0_added, v_y_0 = v_y_0_total * v_s,
+      v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
+      v_y_0_lost = v_y_0_total - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_remaining,
+      v_y_0_small = v_y_0_rest * v_s, v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
+  const double v_y_1_total = upper_2 + upper_2_lo, v_y_1_added = v_y_1_total - upper_2,
+      v_y_1_remaining = upper_2_lo - v_y_1_added, v_y_1 = v_y_1_total * v_s,
+      v_y_1_back = v_y_1 * v_y_0_inverse, v_y_1_lost = v_y_1_total - v_y_1_back,
+      v_y_1_rest = v_y_1_lost + v_y_1_remaining, v_y_1_small = v_y_1_rest * v_s,
+      v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
+  const double v_y_2_total = upper_3 + upper_3_lo, v_y_2_added = v_y_2_total - upper_3,
+      v_y_2_remaining = upper_3_lo - v_y_2_added, v_y_2 = v_y_2_total * v_s,
+      v_y_2_back = v_y_2 * v_y_0_inverse, v_y_2_lost = v_y_2_total - v_y_2_back,
+      v_y_2_rest = v_y_2_lost + v_y_2_remaining, v_y_2_small = v_y_2_rest * v_s,
+      v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
+  const double v_n_a = v_y_0 * v_y_0, v_n_a_cross1 = v_y_0_lo * v_y_0,
+      v_n_a_cross2 = v_y_0 * v_y_0_lo, v_n_a_error = ksl_product_error(v_y_0, v_y_0, v_n_a),
+      v_n_a_lo1 = v_n_a_error + v_n_a_cross1, v_n_a_lo = v_n_a_lo1 + v_n_a_cross2,
+      v_n_b = v_y_1 * v_y_1, v_n_b_cross1 = v_y_1_lo * v_y_1, v_n_b_cross2 = v_y_1 * v_y_1_lo,
+      v_n_b_error = ksl_product_error(v_y_1, v_y_1, v_n_b), v_n_b_lo1 = v_n_b_error + v_n_b_cross1,
+      v_n_b_lo = v_n_b_lo1 + v_n_b_cross2, v_n_c = v_n_a + v_n_b,
+      v_n_c_error = ksl_sum_error(v_n_a, v_n_b, v_n_c), v_n_c_lo1 = v_n_c_error + v_n_a_lo,
+      v_n_c_lo = v_n_c_lo1 + v_n_b_lo, v_n_d = v_y_2 * v_y_2, v_n_d_cross1 = v_y_2_lo * v_y_2,
+      v_n_d_cross2 = v_y_2 * v_y_2_lo, v_n_d_error = ksl_product_error(v_y_2, v_y_2, v_n_d),
+      v_n_d_lo1 = v_n_d_error + v_n_d_cross1, v_n_d_lo = v_n_d_lo1 + v_n_d_cross2,
+      v_n_e = v_n_c + v_n_d, v_n_e_error = ksl_sum_error(v_n_c, v_n_d, v_n_e),
+      v_n_e_lo1 = v_n_e_error + v_n_c_lo, v_n_e_lo = v_n_e_lo1 + v_n_d_lo, v_n = sqrt(v_n_e),
+      v_n_product = v_n * v_n, v_n_product_error = ksl_product_error(v_n, v_n, v_n_product),
+      v_n_rest = v_n_e - v_n_product, v_n_exact = v_n_rest - v_n_product_error,
+      v_n_residual = v_n_exact + v_n_e_lo, v_n_twice = v_n + v_n,
+      v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
+  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+  const double n_total = v_n + v_n_lo, n_added = n_total - v_n, n_remaining = v_n_lo - n_added,
+      n = n_total * v_r, n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_total - n_back,
+      n_rest = n_lost + n_remaining, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
+  const double half = atan2(n, upper_0), half_cross0 = upper_0 * n_lo, half_cross1 = n * upper_0_lo,
+      half_cross = half_cross0 - half_cross1, half_square0 = upper_0 * upper_0,
+      half_square1 = n * n, half_square = half_square0 + half_square1,
+      half_lo = half_cross / half_square;
+  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double unit_0 = upper_1 / divisor, unit_0_cross = unit_0 * divisor_lo,
+      unit_0_product = unit_0 * divisor,
+      unit_0_product_error = ksl_product_error(unit_0, divisor, unit_0_product),
+      unit_0_rest = upper_1 - unit_0_product, unit_0_exact = unit_0_rest - unit_0_product_error,
+      unit_0_lo1 = unit_0_exact + upper_1_lo, unit_0_residual = unit_0_lo1 - unit_0_cross,
+      unit_0_lo = unit_0_residual / divisor;
+  const double unit_1 = upper_2 / divisor, unit_1_cross = unit_1 * divisor_lo,
+      unit_1_product = unit_1 * divisor,
+      unit_1_product_error = ksl_product_error(unit_1, divisor, unit_1_product),
+      unit_1_rest = upper_2 - unit_1_product, unit_1_exact = unit_1_rest - unit_1_product_error,
+      unit_1_lo1 = unit_1_exact + upper_2_lo, unit_1_residual = unit_1_lo1 - unit_1_cross,
+      unit_1_lo = unit_1_residual / divisor;
+  const double unit_2 = upper_3 / divisor, unit_2_cross = unit_2 * divisor_lo,
+      unit_2_product = unit_2 * divisor,
+      unit_2_product_error = ksl_product_error(unit_2, divisor, unit_2_product),
+      unit_2_rest = upper_3 - unit_2_product, unit_2_exact = unit_2_rest - unit_2_product_error,
+      unit_2_lo1 = unit_2_exact + upper_3_lo, unit_2_residual = unit_2_lo1 - unit_2_cross,
+      unit_2_lo = unit_2_residual / divisor;
+  const double angle = 2.0 * half, angle_cross1 = 2.0 * half_lo,
+      angle_error = ksl_product_error(2.0, half, angle), angle_lo = angle_error + angle_cross1;
+  const double axis_0 = n == 0.0 ? 1.0 : unit_0, axis_0_lo = n == 0.0 ? 0.0 : unit_0_lo;
+  const double angle_total = angle + angle_lo,
+      angle_rounded = angle_total == angle_total ? angle_total : angle;
+  const double axis_0_total = axis_0 + axis_0_lo,
+      axis_0_rounded = axis_0_total == axis_0_total ? axis_0_total : axis_0;
+  const double unit_1_total = unit_1 + unit_1_lo,
+      unit_1_rounded = unit_1_total == unit_1_total ? unit_1_total : unit_1;
+  const double unit_2_total = unit_2 + unit_2_lo,
+      unit_2_rounded = unit_2_total == unit_2_total ? unit_2_total : unit_2;
+  return angle_rounded;
+}
+
+/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+   self: rotation or other 3×3 matrix.
+   84 mul, 156 add, 51 product error, 42 sum error, 6 neg.
+   Error <= u |result| + 75 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
+  const double defect_0a = self->m00 * self->m00,
+      defect_0a_lo = ksl_product_error(self->m00, self->m00, defect_0a),
+      defect_0b = 1.0 - defect_0a,
+      defect_0b_error = ksl_difference_error(1.0, defect_0a, defect_0b),
+      defect_0b_lo = defect_0b_error - defect_0a_lo, defect_0c = self->m10 * self->m10,
+      defect_0c_lo = ksl_product_error(self->m10, self->m10, defect_0c),
+      defect_0d = defect_0b - defect_0c,
+      defect_0d_error = ksl_difference_error(defect_0b, defect_0c, defect_0d),
+      defect_0d_lo1 = defect_0d_error + defect_0b_lo, defect_0d_lo = defect_0d_lo1 - defect_0c_lo,
+      defect_0e = self->m20 * self->m20,
+      defect_0e_lo = ksl_product_error(self->m20, self->m20, defect_0e),
+      defect_0 = defect_0d - defect_0e,
+      defect_0_error = ksl_difference_error(defect_0d, defect_0e, defect_0),
+      defect_0_lo1 = defect_0_error + defect_0d_lo, defect_0_lo = defect_0_lo1 - defect_0e_lo;
+  const double defect_1a = self->m01 * self->m01,
+      defect_1a_lo = ksl_product_error(self->m01, self->m01, defect_1a),
+      defect_1b = 1.0 - defect_1a,
+      defect_1b_error = ksl_difference_error(1.0, defect_1a, defect_1b),
+      defect_1b_lo = defect_1b_error - defect_1a_lo, defect_1c = self->m11 * self->m11,
+      defect_1c_lo = ksl_product_error(self->m11, self->m11, defect_1c),
+      defect_1d = defect_1b - defect_1c,
+      defect_1d_error = ksl_difference_error(defect_1b, defect_1c, defect_1d),
+      defect_1d_lo1 = defect_1d_error + defect_1b_lo, defect_1d_lo = defect_1d_lo1 - defect_1c_lo,
+      defect_1e = self->m21 * self->m21,
+      defect_1e_lo = ksl_product_error(self->m21, self->m21, defect_1e),
+      defect_1 = defect_1d - defect_1e,
+      defect_1_error = ksl_difference_error(defect_1d, defect_1e, defect_1),
+      defect_1_lo1 = defect_1_error + defect_1d_lo, defect_1_lo = defect_1_lo1 - defect_1e_lo;
+  const double defect_2a = self->m02 * self->m02,
+      defect_2a_lo = ksl_product_error(self->m02, self->m02, defect_2a),
+      defect_2b = 1.0 - defect_2a,
+      defect_2b_error = ksl_difference_error(1.0, defect_2a, defect_2b),
+      defect_2b_lo = defect_2b_error - defect_2a_lo, defect_2c = self->m12 * self->m12,
+      defect_2c_lo = ksl_product_error(self->m12, self->m12, defect_2c),
+      defect_2d = defect_2b - defect_2c,
+      defect_2d_error = ksl_difference_error(defect_2b, defect_2c, defect_2d),
+      defect_2d_lo1 = defect_2d_error + defect_2b_lo, defect_2d_lo = defect_2d_lo1 - defect_2c_lo,
+      defect_2e = self->m22 * self->m22,
+      defect_2e_lo = ksl_product_error(self->m22, self->m22, defect_2e),
+      defect_2 = defect_2d - defect_2e,
+      defect_2_error = ksl_difference_error(defect_2d, defect_2e, defect_2),
+      defect_2_lo1 = defect_2_error + defect_2d_lo, defect_2_lo = defect_2_lo1 - defect_2e_lo;
+  const double defect_3a = self->m00 * self->m01,
+      defect_3a_lo = ksl_product_error(self->m00, self->m01, defect_3a),
+      defect_3b = self->m10 * self->m11,
+      defect_3b_lo = ksl_product_error(self->m10, self->m11, defect_3b),
+      defect_3c = defect_3a + defect_3b,
+      defect_3c_error = ksl_sum_error(defect_3a, defect_3b, defect_3c),
+      defect_3c_lo1 = defect_3c_error + defect_3a_lo, defect_3c_lo = defect_3c_lo1 + defect_3b_lo,
+      defect_3d = self->m20 * self->m21,
+      defect_3d_lo = ksl_product_error(self->m20, self->m21, defect_3d),
+      defect_3e = defect_3c + defect_3d,
+      defect_3e_error = ksl_sum_error(defect_3c, defect_3d, defect_3e),
+      defect_3e_lo1 = defect_3e_error + defect_3c_lo, defect_3e_lo = defect_3e_lo1 + defect_3d_lo,
+      defect_3 = -defect_3e, defect_3_lo = -defect_3e_lo;
+  const double defect_4a = self->m00 * self->m02,
+      defect_4a_lo = ksl_product_error(self->m00, self->m02, defect_4a),
+      defect_4b = self->m10 * self->m12,
+      defect_4b_lo = ksl_product_error(self->m10, self->m12, defect_4b),
+      defect_4c = defect_4a + defect_4b,
+      defect_4c_error = ksl_sum_error(defect_4a, defect_4b, defect_4c),
+      defect_4c_lo1 = defect_4c_error + defect_4a_lo, defect_4c_lo = defect_4c_lo1 + defect_4b_lo,
+      defect_4d = self->m20 * self->m22,
+      defect_4d_lo = ksl_product_error(self->m20, self->m22, defect_4d),
+      defect_4e = defect_4c + defect_4d,
+      defect_4e_error = ksl_sum_error(defect_4c, defect_4d, defect_4e),
+      defect_4e_lo1 = defect_4e_error + defect_4c_lo, defect_4e_lo = defect_4e_lo1 + defect_4d_lo,
+      defect_4 = -defect_4e, defect_4_lo = -defect_4e_lo;
+  const double defect_5a = self->m01 * self->m02,
+      defect_5a_lo = ksl_product_error(self->m01, self->m02, defect_5a),
+      defect_5b = self->m11 * self->m12,
+      defect_5b_lo = ksl_product_error(self->m11, self->m12, defect_5b),
+      defect_5c = defect_5a + defect_5b,
+      defect_5c_error = ksl_sum_error(defect_5a, defect_5b, defect_5c),
+      defect_5c_lo1 = defect_5c_error + defect_5a_lo, defect_5c_lo = defect_5c_lo1 + defect_5b_lo,
+      defect_5d = self->m21 * self->m22,
+      defect_5d_lo = ksl_product_error(self->m21, self->m22, defect_5d),
+      defect_5e = defect_5c + defect_5d,
+      defect_5e_error = ksl_sum_error(defect_5c, defect_5d, defect_5e),
+      defect_5e_lo1 = defect_5e_error + defect_5c_lo, defect_5e_lo = defect_5e_lo1 + defect_5d_lo,
+      defect_5 = -defect_5e, defect_5_lo = -defect_5e_lo;
+  const double correction_0 = 0.5 * defect_0, correction_0_cross1 = 0.5 * defect_0_lo,
+      correction_0_error = ksl_product_error(0.5, defect_0, correction_0),
+      correction_0_lo = correction_0_error + correction_0_cross1;
+  const double correction_1 = 0.5 * defect_1, correction_1_cross1 = 0.5 * defect_1_lo,
+      correction_1_error = ksl_product_error(0.5, defect_1, correction_1),
+      correction_1_lo = correction_1_error + correction_1_cross1;
+  const double correction_2 = 0.5 * defect_2, correction_2_cross1 = 0.5 * defect_2_lo,
+      correction_2_error = ksl_product_error(0.5, defect_2, correction_2),
+      correction_2_lo = correction_2_error + correction_2_cross1;
+  const double correction_3 = 0.5 * defect_3, correction_3_cross1 = 0.5 * defect_3_lo,
+      correction_3_error = ksl_product_error(0.5, defect_3, correction_3),
+      correction_3_lo = correction_3_error + correction_3_cross1;
+  const double correction_4 = 0.5 * defect_4, correction_4_cross1 = 0.5 * defect_4_lo,
+      correction_4_error = ksl_product_error(0.5, defect_4, correction_4),
+      correction_4_lo = correction_4_error + correction_4_cross1;
+  const double correction_5 = 0.5 * defect_5, correction_5_cross1 = 0.5 * defect_5_lo,
+      correction_5_error = ksl_product_error(0.5, defect_5, correction_5),
+      correction_5_lo = correction_5_error + correction_5_cross1;
+  const double self_00_new_a = self->m00 * correction_0,
+      self_00_new_a_cross1 = self->m00 * correction_0_lo,
+      self_00_new_a_error = ksl_product_error(self->m00, correction_0, self_00_new_a),
+      self_00_new_a_lo = self_00_new_a_error + self_00_new_a_cross1,
+      self_00_new_b = self->m01 * correction_3, self_00_new_b_cross1 = self->m01 * correction_3_lo,
+      self_00_new_b_error = ksl_product_error(self->m01, correction_3, self_00_new_b),
+      self_00_new_b_lo = self_00_new_b_error + self_00_new_b_cross1,
+      self_00_new_c = self_00_new_a + self_00_new_b,
+      self_00_new_c_error = ksl_sum_error(self_00_new_a, self_00_new_b, self_00_new_c),
+      self_00_new_c_lo1 = self_00_new_c_error + self_00_new_a_lo,
+      self_00_new_c_lo = self_00_new_c_lo1 + self_00_new_b_lo,
+      self_00_new_d = self->m02 * correction_4, self_00_new_d_cross1 = self->m02 * correction_4_lo,
+      self_00_new_d_error = ksl_product_error(self->m02, correction_4, self_00_new_d),
+      self_00_new_d_lo = self_00_new_d_error + self_00_new_d_cross1,
+      self_00_new_e = self_00_new_c + self_00_new_d,
+      self_00_new_e_error = ksl_sum_error(self_00_new_c, self_00_new_d, self_00_new_e),
+      self_00_new_e_lo1 = self_00_new_e_error + self_00_new_c_lo,
+      self_00_new_e_lo = self_00_new_e_lo1 + self_00_new_d_lo,
+      self_00_new = self->m00 + self_00_new_e,
+      self_00_new_error = ksl_sum_error(self->m00, self_00_new_e, self_00_new),
+      self_00_new_lo = self_00_new_error + self_00_new_e_lo;
+  const double self_01_new_a = self->m00 * correction_3,
+      self_01_new_a_cross1 = self->m00 * correction_3_lo,
+      self_01_new_a_error = ksl_product_error(self->m00, correction_3, self_01_new_a),
+      self_01_new_a_lo = self_01_new_a_error + self_01_new_a_cross1,
+      self_01_new_b = self->m01 * correction_1, self_01_new_b_cross1 = self->m01 * correction_1_lo,
+      self_01_new_b_error = ksl_product_error(self->m01, correction_1, self_01_new_b),
+      self_01_new_b_lo = self_01_new_b_error + self_01_new_b_cross1,
+      self_01_new_c = self_01_new_a + self_01_new_b,
+      self_01_new_c_error = ksl_sum_error(self_01_new_a, self_01_new_b, self_01_new_c),
+      self_01_new_c_lo1 = self_01_new_c_error + self_01_new_a_lo,
+      self_01_new_c_lo = self_01_new_c_lo1 + self_01_new_b_lo,
+      self_01_new_d = self->m02 * correction_5, self_01_new_d_cross1 = self->m02 * correction_5_lo,
+      self_01_new_d_error = ksl_product_error(self->m02, correction_5, self_01_new_d),
+      self_01_new_d_lo = self_01_new_d_error + self_01_new_d_cross1,
+      self_01_new_e = self_01_new_c + self_01_new_d,
+      self_01_new_e_error = ksl_sum_error(self_01_new_c, self_01_new_d, self_01_new_e),
+      self_01_new_e_lo1 = self_01_new_e_error + self_01_new_c_lo,
+      self_01_new_e_lo = self_01_new_e_lo1 + self_01_new_d_lo,
+      self_01_new = self_01_new_e + self->m01,
+      self_01_new_error = ksl_sum_error(self_01_new_e, self->m01, self_01_new),
+      self_01_new_lo = self_01_new_error + self_01_new_e_lo;
+  const double self_02_new_a = self->m00 * correction_4,
+      self_02_new_a_cross1 = self->m00 * correction_4_lo,
+      self_02_new_a_error = ksl_product_error(self->m00, correction_4, self_02_new_a),
+      self_02_new_a_lo = self_02_new_a_error + self_02_new_a_cross1,
+      self_02_new_b = self->m01 * correction_5, self_02_new_b_cross1 = self->m01 * correction_5_lo,
+      self_02_new_b_error = ksl_product_error(self->m01, correction_5, self_02_new_b),
+      self_02_new_b_lo = self_02_new_b_error + self_02_new_b_cross1,
+      self_02_new_c = self_02_new_a + self_02_new_b,
+      self_02_new_c_error = ksl_sum_error(self_02_new_a, self_02_new_b, self_02_new_c),
+      self_02_new_c_lo1 = self_02_new_c_error + self_02_new_a_lo,
+      self_02_new_c_lo = self_02_new_c_lo1 + self_02_new_b_lo,
+      self_02_new_d = self->m02 * correction_2, self_02_new_d_cross1 = self->m02 * correction_2_lo,
+      self_02_new_d_error = ksl_product_error(self->m02, correction_2, self_02_new_d),
+      self_02_new_d_lo = self_02_new_d_error + self_02_new_d_cross1,
+      self_02_new_e = self_02_new_c + self_02_new_d,
+      self_02_new_e_error = ksl_sum_error(self_02_new_c, self_02_new_d, self_02_new_e),
+      self_02_new_e_lo1 = self_02_new_e_error + self_02_new_c_lo,
+      self_02_new_e_lo = self_02_new_e_lo1 + self_02_new_d_lo,
+      self_02_new = self_02_new_e + self->m02,
+      self_02_new_error = ksl_sum_error(self_02_new_e, self->m02, self_02_new),
+      self_02_new_lo = self_02_new_error + self_02_new_e_lo;
+  const double self_10_new_a = self->m10 * correction_0,
+      self_10_new_a_cross1 = self->m10 * correction_0_lo,
+      self_10_new_a_error = ksl_product_error(self->m10, correction_0, self_10_new_a),
+      self_10_new_a_lo = self_10_new_a_error + self_10_new_a_cross1,
+      self_10_new_b = self->m11 * correction_3, self_10_new_b_cross1 = self->m11 * correction_3_lo,
+      self_10_new_b_error = ksl_product_error(self->m11, correction_3, self_10_new_b),
+      self_10_new_b_lo = self_10_new_b_error + self_10_new_b_cross1,
+      self_10_new_c = self_10_new_a + self_10_new_b,
+      self_10_new_c_error = ksl_sum_error(self_10_new_a, self_10_new_b, self_10_new_c),
+      self_10_new_c_lo1 = self_10_new_c_error + self_10_new_a_lo,
+      self_10_new_c_lo = self_10_new_c_lo1 + self_10_new_b_lo,
+      self_10_new_d = self->m12 * correction_4, self_10_new_d_cross1 = self->m12 * correction_4_lo,
+      self_10_new_d_error = ksl_product_error(self->m12, correction_4, self_10_new_d),
+      self_10_new_d_lo = self_10_new_d_error + self_10_new_d_cross1,
+      self_10_new_e = self_10_new_c + self_10_new_d,
+      self_10_new_e_error = ksl_sum_error(self_10_new_c, self_10_new_d, self_10_new_e),
+      self_10_new_e_lo1 = self_10_new_e_error + self_10_new_c_lo,
+      self_10_new_e_lo = self_10_new_e_lo1 + self_10_new_d_lo,
+      self_10_new = self->m10 + self_10_new_e,
+      self_10_new_error = ksl_sum_error(self->m10, self_10_new_e, self_10_new),
+      self_10_new_lo = self_10_new_error + self_10_new_e_lo;
+  const double self_11_new_a = self->m10 * correction_3,
+      self_11_new_a_cross1 = self->m10 * correction_3_lo,
+      self_11_new_a_error = ksl_product_error(self->m10, correction_3, self_11_new_a),
+      self_11_new_a_lo = self_11_new_a_error + self_11_new_a_cross1,
+      self_11_new_b = self->m11 * correction_1, self_11_new_b_cross1 = self->m11 * correction_1_lo,
+      self_11_new_b_error = ksl_product_error(self->m11, correction_1, self_11_new_b),
+      self_11_new_b_lo = self_11_new_b_error + self_11_new_b_cross1,
+      self_11_new_c = self_11_new_a + self_11_new_b,
+      self_11_new_c_error = ksl_sum_error(self_11_new_a, self_11_new_b, self_11_new_c),
+      self_11_new_c_lo1 = self_11_new_c_error + self_11_new_a_lo,
+      self_11_new_c_lo = self_11_new_c_lo1 + self_11_new_b_lo,
+      self_11_new_d = self->m12 * correction_5, self_11_new_d_cross1 = self->m12 * correction_5_lo,
+      self_11_new_d_error = ksl_product_error(self->m12, correction_5, self_11_new_d),
+      self_11_new_d_lo = self_11_new_d_error + self_11_new_d_cross1,
+      self_11_new_e = self_11_new_c + self_11_new_d,
+      self_11_new_e_error = ksl_sum_error(self_11_new_c, self_11_new_d, self_11_new_e),
+      self_11_new_e_lo1 = self_11_new_e_error + self_11_new_c_lo,
+      self_11_new_e_lo = self_11_new_e_lo1 + self_11_new_d_lo,
+      self_11_new = self_11_new_e + self->m11,
+      self_11_new_error = ksl_sum_error(self_11_new_e, self->m11, self_11_new),
+      self_11_new_lo = self_11_new_error + self_11_new_e_lo;
+  const double self_12_new_a = self->m10 * correction_4,
+      self_12_new_a_cross1 = self->m10 * correction_4_lo,
+      self_12_new_a_error = ksl_product_error(self->m10, correction_4, self_12_new_a),
+      self_12_new_a_lo = self_12_new_a_error + self_12_new_a_cross1,
+      self_12_new_b = self->m11 * correction_5, self_12_new_b_cross1 = self->m11 * correction_5_lo,
+      self_12_new_b_error = ksl_product_error(self->m11, correction_5, self_12_new_b),
+      self_12_new_b_lo = self_12_new_b_error + self_12_new_b_cross1,
+      self_12_new_c = self_12_new_a + self_12_new_b,
+      self_12_new_c_error = ksl_sum_error(self_12_new_a, self_12_new_b, self_12_new_c),
+      self_12_new_c_lo1 = self_12_new_c_error + self_12_new_a_lo,
+      self_12_new_c_lo = self_12_new_c_lo1 + self_12_new_b_lo,
+      self_12_new_d = self->m12 * correction_2, self_12_new_d_cross1 = self->m12 * correction_2_lo,
+      self_12_new_d_error = ksl_product_error(self->m12, correction_2, self_12_new_d),
+      self_12_new_d_lo = self_12_new_d_error + self_12_new_d_cross1,
+      self_12_new_e = self_12_new_c + self_12_new_d,
+      self_12_new_e_error = ksl_sum_error(self_12_new_c, self_12_new_d, self_12_new_e),
+      self_12_new_e_lo1 = self_12_new_e_error + self_12_new_c_lo,
+      self_12_new_e_lo = self_12_new_e_lo1 + self_12_new_d_lo,
+      self_12_new = self_12_new_e + self->m12,
+      self_12_new_error = ksl_sum_error(self_12_new_e, self->m12, self_12_new),
+      self_12_new_lo = self_12_new_error + self_12_new_e_lo;
+  const double self_20_new_a = self->m20 * correction_0,
+      self_20_new_a_cross1 = self->m20 * correction_0_lo,
+      self_20_new_a_error = ksl_product_error(self->m20, correction_0, self_20_new_a),
+      self_20_new_a_lo = self_20_new_a_error + self_20_new_a_cross1,
+      self_20_new_b = self->m21 * correction_3, self_20_new_b_cross1 = self->m21 * correction_3_lo,
+      self_20_new_b_error = ksl_product_error(self->m21, correction_3, self_20_new_b),
+      self_20_new_b_lo = self_20_new_b_error + self_20_new_b_cross1,
+      self_20_new_c = self_20_new_a + self_20_new_b,
+      self_20_new_c_error = ksl_sum_error(self_20_new_a, self_20_new_b, self_20_new_c),
+      self_20_new_c_lo1 = self_20_new_c_error + self_20_new_a_lo,
+      self_20_new_c_lo = self_20_new_c_lo1 + self_20_new_b_lo,
+      self_20_new_d = self->m22 * correction_4, self_20_new_d_cross1 = self->m22 * correction_4_lo,
+      self_20_new_d_error = ksl_product_error(self->m22, correction_4, self_20_new_d),
+      self_20_new_d_lo = self_20_new_d_error + self_20_new_d_cross1,
+      self_20_new_e = self_20_new_c + self_20_new_d,
+      self_20_new_e_error = ksl_sum_error(self_20_new_c, self_20_new_d, self_20_new_e),
+      self_20_new_e_lo1 = self_20_new_e_error + self_20_new_c_lo,
+      self_20_new_e_lo = self_20_new_e_lo1 + self_20_new_d_lo,
+      self_20_new = self->m20 + self_20_new_e,
+      self_20_new_error = ksl_sum_error(self->m20, self_20_new_e, self_20_new),
+      self_20_new_lo = self_20_new_error + self_20_new_e_lo;
+  const double self_21_new_a = self->m20 * correction_3,
+      self_21_new_a_cross1 = self->m20 * correction_3_lo,
+      self_21_new_a_error = ksl_product_error(self->m20, correction_3, self_21_new_a),
+      self_21_new_a_lo = self_21_new_a_error + self_21_new_a_cross1,
+      self_21_new_b = self->m21 * correction_1, self_21_new_b_cross1 = self->m21 * correction_1_lo,
+      self_21_new_b_error = ksl_product_error(self->m21, correction_1, self_21_new_b),
+      self_21_new_b_lo = self_21_new_b_error + self_21_new_b_cross1,
+      self_21_new_c = self_21_new_a + self_21_new_b,
+      self_21_new_c_error = ksl_sum_error(self_21_new_a, self_21_new_b, self_21_new_c),
+      self_21_new_c_lo1 = self_21_new_c_error + self_21_new_a_lo,
+      self_21_new_c_lo = self_21_new_c_lo1 + self_21_new_b_lo,
+      self_21_new_d = self->m22 * correction_5, self_21_new_d_cross1 = self->m22 * correction_5_lo,
+      self_21_new_d_error = ksl_product_error(self->m22, correction_5, self_21_new_d),
+      self_21_new_d_lo = self_21_new_d_error + self_21_new_d_cross1,
+      self_21_new_e = self_21_new_c + self_21_new_d,
+      self_21_new_e_error = ksl_sum_error(self_21_new_c, self_21_new_d, self_21_new_e),
+      self_21_new_e_lo1 = self_21_new_e_error + self_21_new_c_lo,
+      self_21_new_e_lo = self_21_new_e_lo1 + self_21_new_d_lo,
+      self_21_new = self_21_new_e + self->m21,
+      self_21_new_error = ksl_sum_error(self_21_new_e, self->m21, self_21_new),
+      self_21_new_lo = self_21_new_error + self_21_new_e_lo;
+  const double self_22_new_a = self->m20 * correction_4,
+      self_22_new_a_cross1 = self->m20 * correction_4_lo,
+      self_22_new_a_error = ksl_product_error(self->m20, correction_4, self_22_new_a),
+      self_22_new_a_lo = self_22_new_a_error + self_22_new_a_cross1,
+      self_22_new_b = self->m21 * correction_5, self_22_new_b_cross1 = self->m21 * correction_5_lo,
+      self_22_new_b_error = ksl_product_error(self->m21, correction_5, self_22_new_b),
+      self_22_new_b_lo = self_22_new_b_error + self_22_new_b_cross1,
+      self_22_new_c = self_22_new_a + self_22_new_b,
+      self_22_new_c_error = ksl_sum_error(self_22_new_a, self_22_new_b, self_22_new_c),
+      self_22_new_c_lo1 = self_22_new_c_error + self_22_new_a_lo,
+      self_22_new_c_lo = self_22_new_c_lo1 + self_22_new_b_lo,
+      self_22_new_d = self->m22 * correction_2, self_22_new_d_cross1 = self->m22 * correction_2_lo,
+      self_22_new_d_error = ksl_product_error(self->m22, correction_2, self_22_new_d),
+      self_22_new_d_lo = self_22_new_d_error + self_22_new_d_cross1,
+      self_22_new_e = self_22_new_c + self_22_new_d,
+      self_22_new_e_error = ksl_sum_error(self_22_new_c, self_22_new_d, self_22_new_e),
+      self_22_new_e_lo1 = self_22_new_e_error + self_22_new_c_lo,
+      self_22_new_e_lo = self_22_new_e_lo1 + self_22_new_d_lo,
+      self_22_new = self_22_new_e + self->m22,
+      self_22_new_error = ksl_sum_error(self_22_new_e, self->m22, self_22_new),
+      self_22_new_lo = self_22_new_error + self_22_new_e_lo;
+  const double self_00_new_rounded = self_00_new + self_00_new_lo;
+  const double self_01_new_rounded = self_01_new + self_01_new_lo;
+  const double self_02_new_rounded = self_02_new + self_02_new_lo;
+  const double self_10_new_rounded = self_10_new + self_10_new_lo;
+  const double self_11_new_rounded = self_11_new + self_11_new_lo;
+  const double self_12_new_rounded = self_12_new + self_12_new_lo;
+  const double self_20_new_rounded = self_20_new + self_20_new_lo;
+  const double self_21_new_rounded = self_21_new + self_21_new_lo;
+  const double self_22_new_rounded = self_22_new + self_22_new_lo;
+  self->m00 = self_00_new_rounded;
+  self->m01 = self_01_new_rounded;
+  self->m02 = self_02_new_rounded;
+  self->m10 = self_10_new_rounded;
+  self->m11 = self_11_new_rounded;
+  self->m12 = self_12_new_rounded;
+  self->m20 = self_20_new_rounded;
+  self->m21 = self_21_new_rounded;
+  self->m22 = self_22_new_rounded;
+}
+
+/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+   R, Ro: rotation or other 3×3 matrix.
+   84 mul, 156 add, 51 product error, 42 sum error, 6 neg.
+   Error <= u |result| + 75 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
+  const double defect_0a = R->m00 * R->m00,
+      defect_0a_lo = ksl_product_error(R->m00, R->m00, defect_0a), defect_0b = 1.0 - defect_0a,
+      defect_0b_error = ksl_difference_error(1.0, defect_0a, defect_0b),
+      defect_0b_lo = defect_0b_error - defect_0a_lo, defect_0c = R->m10 * R->m10,
+      defect_0c_lo = ksl_product_error(R->m10, R->m10, defect_0c),
+      defect_0d = defect_0b - defect_0c,
+      defect_0d_error = ksl_difference_error(defect_0b, defect_0c, defect_0d),
+      defect_0d_lo1 = defect_0d_error + defect_0b_lo, defect_0d_lo = defect_0d_lo1 - defect_0c_lo,
+      defect_0e = R->m20 * R->m20, defect_0e_lo = ksl_product_error(R->m20, R->m20, defect_0e),
+      defect_0 = defect_0d - defect_0e,
+      defect_0_error = ksl_difference_error(defect_0d, defect_0e, defect_0),
+      defect_0_lo1 = defect_0_error + defect_0d_lo, defect_0_lo = defect_0_lo1 - defect_0e_lo;
+  const double defect_1a = R->m01 * R->m01,
+      defect_1a_lo = ksl_product_error(R->m01, R->m01, defect_1a), defect_1b = 1.0 - defect_1a,
+      defect_1b_error = ksl_difference_error(1.0, defect_1a, defect_1b),
+      defect_1b_lo = defect_1b_error - defect_1a_lo, defect_1c = R->m11 * R->m11,
+      defect_1c_lo = ksl_product_error(R->m11, R->m11, defect_1c),
+      defect_1d = defect_1b - defect_1c,
+      defect_1d_error = ksl_difference_error(defect_1b, defect_1c, defect_1d),
+      defect_1d_lo1 = defect_1d_error + defect_1b_lo, defect_1d_lo = defect_1d_lo1 - defect_1c_lo,
+      defect_1e = R->m21 * R->m21, defect_1e_lo = ksl_product_error(R->m21, R->m21, defect_1e),
+      defect_1 = defect_1d - defect_1e,
+      defect_1_error = ksl_difference_error(defect_1d, defect_1e, defect_1),
+      defect_1_lo1 = defect_1_error + defect_1d_lo, defect_1_lo = defect_1_lo1 - defect_1e_lo;
+  const double defect_2a = R->m02 * R->m02,
+      defect_2a_lo = ksl_product_error(R->m02, R->m02, defect_2a), defect_2b = 1.0 - defect_2a,
+      defect_2b_error = ksl_difference_error(1.0, defect_2a, defect_2b),
+      defect_2b_lo = defect_2b_error - defect_2a_lo, defect_2c = R->m12 * R->m12,
+      defect_2c_lo = ksl_product_error(R->m12, R->m12, defect_2c),
+      defect_2d = defect_2b - defect_2c,
+      defect_2d_error = ksl_difference_error(defect_2b, defect_2c, defect_2d),
+      defect_2d_lo1 = defect_2d_error + defect_2b_lo, defect_2d_lo = defect_2d_lo1 - defect_2c_lo,
+      defect_2e = R->m22 * R->m22, defect_2e_lo = ksl_product_error(R->m22, R->m22, defect_2e),
+      defect_2 = defect_2d - defect_2e,
+      defect_2_error = ksl_difference_error(defect_2d, defect_2e, defect_2),
+      defect_2_lo1 = defect_2_error + defect_2d_lo, defect_2_lo = defect_2_lo1 - defect_2e_lo;
+  const double defect_3a = R->m00 * R->m01,
+      defect_3a_lo = ksl_product_error(R->m00, R->m01, defect_3a), defect_3b = R->m10 * R->m11,
+      defect_3b_lo = ksl_product_error(R->m10, R->m11, defect_3b),
+      defect_3c = defect_3a + defect_3b,
+      defect_3c_error = ksl_sum_error(defect_3a, defect_3b, defect_3c),
+      defect_3c_lo1 = defect_3c_error + defect_3a_lo, defect_3c_lo = defect_3c_lo1 + defect_3b_lo,
+      defect_3d = R->m20 * R->m21, defect_3d_lo = ksl_product_error(R->m20, R->m21, defect_3d),
+      defect_3e = defect_3c + defect_3d,
+      defect_3e_error = ksl_sum_error(defect_3c, defect_3d, defect_3e),
+      defect_3e_lo1 = defect_3e_error + defect_3c_lo, defect_3e_lo = defect_3e_lo1 + defect_3d_lo,
+      defect_3 = -defect_3e, defect_3_lo = -defect_3e_lo;
+  const double defect_4a = R->m00 * R->m02,
+      defect_4a_lo = ksl_product_error(R->m00, R->m02, defect_4a), defect_4b = R->m10 * R->m12,
+      defect_4b_lo = ksl_product_error(R->m10, R->m12, defect_4b),
+      defect_4c = defect_4a + defect_4b,
+      defect_4c_error = ksl_sum_error(defect_4a, defect_4b, defect_4c),
+      defect_4c_lo1 = defect_4c_error + defect_4a_lo, defect_4c_lo = defect_4c_lo1 + defect_4b_lo,
+      defect_4d = R->m20 * R->m22, defect_4d_lo = ksl_product_error(R->m20, R->m22, defect_4d),
+      defect_4e = defect_4c + defect_4d,
+      defect_4e_error = ksl_sum_error(defect_4c, defect_4d, defect_4e),
+      defect_4e_lo1 = defect_4e_error + defect_4c_lo, defect_4e_lo = defect_4e_lo1 + defect_4d_lo,
+      defect_4 = -defect_4e, defect_4_lo = -defect_4e_lo;
+  const double defect_5a = R->m01 * R->m02,
+      defect_5a_lo = ksl_product_error(R->m01, R->m02, defect_5a), defect_5b = R->m11 * R->m12,
+      defect_5b_lo = ksl_product_error(R->m11, R->m12, defect_5b),
+      defect_5c = defect_5a + defect_5b,
+      defect_5c_error = ksl_sum_error(defect_5a, defect_5b, defect_5c),
+      defect_5c_lo1 = defect_5c_error + defect_5a_lo, defect_5c_lo = defect_5c_lo1 + defect_5b_lo,
+      defect_5d = R->m21 * R->m22, defect_5d_lo = ksl_product_error(R->m21, R->m22, defect_5d),
+      defect_5e = defect_5c + defect_5d,
+      defect_5e_error = ksl_sum_error(defect_5c, defect_5d, defect_5e),
+      defect_5e_lo1 = defect_5e_error + defect_5c_lo, defect_5e_lo = defect_5e_lo1 + defect_5d_lo,
+      defect_5 = -defect_5e, defect_5_lo = -defect_5e_lo;
+  const double correction_0 = 0.5 * defect_0, correction_0_cross1 = 0.5 * defect_0_lo,
+      correction_0_error = ksl_product_error(0.5, defect_0, correction_0),
+      correction_0_lo = correction_0_error + correction_0_cross1;
+  const double correction_1 = 0.5 * defect_1, correction_1_cross1 = 0.5 * defect_1_lo,
+      correction_1_error = ksl_product_error(0.5, defect_1, correction_1),
+      correction_1_lo = correction_1_error + correction_1_cross1;
+  const double correction_2 = 0.5 * defect_2, correction_2_cross1 = 0.5 * defect_2_lo,
+      correction_2_error = ksl_product_error(0.5, defect_2, correction_2),
+      correction_2_lo = correction_2_error + correction_2_cross1;
+  const double correction_3 = 0.5 * defect_3, correction_3_cross1 = 0.5 * defect_3_lo,
+      correction_3_error = ksl_product_error(0.5, defect_3, correction_3),
+      correction_3_lo = correction_3_error + correction_3_cross1;
+  const double correction_4 = 0.5 * defect_4, correction_4_cross1 = 0.5 * defect_4_lo,
+      correction_4_error = ksl_product_error(0.5, defect_4, correction_4),
+      correction_4_lo = correction_4_error + correction_4_cross1;
+  const double correction_5 = 0.5 * defect_5, correction_5_cross1 = 0.5 * defect_5_lo,
+      correction_5_error = ksl_product_error(0.5, defect_5, correction_5),
+      correction_5_lo = correction_5_error + correction_5_cross1;
+  const double Ro_00a = R->m00 * correction_0, Ro_00a_cross1 = R->m00 * correction_0_lo,
+      Ro_00a_error = ksl_product_error(R->m00, correction_0, Ro_00a),
+      Ro_00a_lo = Ro_00a_error + Ro_00a_cross1, Ro_00b = R->m01 * correction_3,
+      Ro_00b_cross1 = R->m01 * correction_3_lo,
+      Ro_00b_error = ksl_product_error(R->m01, correction_3, Ro_00b),
+      Ro_00b_lo = Ro_00b_error + Ro_00b_cross1, Ro_00c = Ro_00a + Ro_00b,
+      Ro_00c_error = ksl_sum_error(Ro_00a, Ro_00b, Ro_00c), Ro_00c_lo1 = Ro_00c_error + Ro_00a_lo,
+      Ro_00c_lo = Ro_00c_lo1 + Ro_00b_lo, Ro_00d = R->m02 * correction_4,
+      Ro_00d_cross1 = R->m02 * correction_4_lo,
+      Ro_00d_error = ksl_product_error(R->m02, correction_4, Ro_00d),
+      Ro_00d_lo = Ro_00d_error + Ro_00d_cross1, Ro_00e = Ro_00c + Ro_00d,
+      Ro_00e_error = ksl_sum_error(Ro_00c, Ro_00d, Ro_00e), Ro_00e_lo1 = Ro_00e_error + Ro_00c_lo,
+      Ro_00e_lo = Ro_00e_lo1 + Ro_00d_lo, Ro_00 = R->m00 + Ro_00e,
+      Ro_00_error = ksl_sum_error(R->m00, Ro_00e, Ro_00), Ro_00_lo = Ro_00_error + Ro_00e_lo;
+  const double Ro_01a = R->m00 * correction_3, Ro_01a_cross1 = R->m00 * correction_3_lo,
+      Ro_01a_error = ksl_product_error(R->m00, correction_3, Ro_01a),
+      Ro_01a_lo = Ro_01a_error + Ro_01a_cross1, Ro_01b = R->m01 * correction_1,
+      Ro_01b_cross1 = R->m01 * correction_1_lo,
+      Ro_01b_error = ksl_product_error(R->m01, correction_1, Ro_01b),
+      Ro_01b_lo = Ro_01b_error + Ro_01b_cross1, Ro_01c = Ro_01a + Ro_01b,
+      Ro_01c_error = ksl_sum_error(Ro_01a, Ro_01b, Ro_01c), Ro_01c_lo1 = Ro_01c_error + Ro_01a_lo,
+      Ro_01c_lo = Ro_01c_lo1 + Ro_01b_lo, Ro_01d = R->m02 * correction_5,
+      Ro_01d_cross1 = R->m02 * correction_5_lo,
+      Ro_01d_error = ksl_product_error(R->m02, correction_5, Ro_01d),
+      Ro_01d_lo = Ro_01d_error + Ro_01d_cross1, Ro_01e = Ro_01c + Ro_01d,
+      Ro_01e_error = ksl_sum_error(Ro_01c, Ro_01d, Ro_01e), Ro_01e_lo1 = Ro_01e_error + Ro_01c_lo,
+      Ro_01e_lo = Ro_01e_lo1 + Ro_01d_lo, Ro_01 = Ro_01e + R->m01,
+      Ro_01_error = ksl_sum_error(Ro_01e, R->m01, Ro_01), Ro_01_lo = Ro_01_error + Ro_01e_lo;
+  const double Ro_02a = R->m00 * correction_4, Ro_02a_cross1 = R->m00 * correction_4_lo,
+      Ro_02a_error = ksl_product_error(R->m00, correction_4, Ro_02a),
+      Ro_02a_lo = Ro_02a_error + Ro_02a_cross1, Ro_02b = R->m01 * correction_5,
+      Ro_02b_cross1 = R->m01 * correction_5_lo,
+      Ro_02b_error = ksl_product_error(R->m01, correction_5, Ro_02b),
+      Ro_02b_lo = Ro_02b_error + Ro_02b_cross1, Ro_02c = Ro_02a + Ro_02b,
+      Ro_02c_error = ksl_sum_error(Ro_02a, Ro_02b, Ro_02c), Ro_02c_lo1 = Ro_02c_error + Ro_02a_lo,
+      Ro_02c_lo = Ro_02c_lo1 + Ro_02b_lo, Ro_02d = R->m02 * correction_2,
+      Ro_02d_cross1 = R->m02 * correction_2_lo,
+      Ro_02d_error = ksl_product_error(R->m02, correction_2, Ro_02d),
+      Ro_02d_lo = Ro_02d_error + Ro_02d_cross1, Ro_02e = Ro_02c + Ro_02d,
+      Ro_02e_error = ksl_sum_error(Ro_02c, Ro_02d, Ro_02e), Ro_02e_lo1 = Ro_02e_error + Ro_02c_lo,
+      Ro_02e_lo = Ro_02e_lo1 + Ro_02d_lo, Ro_02 = Ro_02e + R->m02,
+      Ro_02_error = ksl_sum_error(Ro_02e, R->m02, Ro_02), Ro_02_lo = Ro_02_error + Ro_02e_lo;
+  const double Ro_10a = R->m10 * correction_0, Ro_10a_cross1 = R->m10 * correction_0_lo,
+      Ro_10a_error = ksl_product_error(R->m10, correction_0, Ro_10a),
+      Ro_10a_lo = Ro_10a_error + Ro_10a_cross1, Ro_10b = R->m11 * correction_3,
+      Ro_10b_cross1 = R->m11 * correction_3_lo,
+      Ro_10b_error = ksl_product_error(R->m11, correction_3, Ro_10b),
+      Ro_10b_lo = Ro_10b_error + Ro_10b_cross1, Ro_10c = Ro_10a + Ro_10b,
+      Ro_10c_error = ksl_sum_error(Ro_10a, Ro_10b, Ro_10c), Ro_10c_lo1 = Ro_10c_error + Ro_10a_lo,
+      Ro_10c_lo = Ro_10c_lo1 + Ro_10b_lo, Ro_10d = R->m12 * correction_4,
+      Ro_10d_cross1 = R->m12 * correction_4_lo,
+      Ro_10d_error = ksl_product_error(R->m12, correction_4, Ro_10d),
+      Ro_10d_lo = Ro_10d_error + Ro_10d_cross1, Ro_10e = Ro_10c + Ro_10d,
+      Ro_10e_error = ksl_sum_error(Ro_10c, Ro_10d, Ro_10e), Ro_10e_lo1 = Ro_10e_error + Ro_10c_lo,
+      Ro_10e_lo = Ro_10e_lo1 + Ro_10d_lo, Ro_10 = R->m10 + Ro_10e,
+      Ro_10_error = ksl_sum_error(R->m10, Ro_10e, Ro_10), Ro_10_lo = Ro_10_error + Ro_10e_lo;
+  const double Ro_11a = R->m10 * correction_3, Ro_11a_cross1 = R->m10 * correction_3_lo,
+      Ro_11a_error = ksl_product_error(R->m10, correction_3, Ro_11a),
+      Ro_11a_lo = Ro_11a_error + Ro_11a_cross1, Ro_11b = R->m11 * correction_1,
+      Ro_11b_cross1 = R->m11 * correction_1_lo,
+      Ro_11b_error = ksl_product_error(R->m11, correction_1, Ro_11b),
+      Ro_11b_lo = Ro_11b_error + Ro_11b_cross1, Ro_11c = Ro_11a + Ro_11b,
+      Ro_11c_error = ksl_sum_error(Ro_11a, Ro_11b, Ro_11c), Ro_11c_lo1 = Ro_11c_error + Ro_11a_lo,
+      Ro_11c_lo = Ro_11c_lo1 + Ro_11b_lo, Ro_11d = R->m12 * correction_5,
+      Ro_11d_cross1 = R->m12 * correction_5_lo,
+      Ro_11d_error = ksl_product_error(R->m12, correction_5, Ro_11d),
+      Ro_11d_lo = Ro_11d_error + Ro_11d_cross1, Ro_11e = Ro_11c + Ro_11d,
+      Ro_11e_error = ksl_sum_error(Ro_11c, Ro_11d, Ro_11e), Ro_11e_lo1 = Ro_11e_error + Ro_11c_lo,
+      Ro_11e_lo = Ro_11e_lo1 + Ro_11d_lo, Ro_11 = Ro_11e + R->m11,
+      Ro_11_error = ksl_sum_error(Ro_11e, R->m11, Ro_11), Ro_11_lo = Ro_11_error + Ro_11e_lo;
+  const double Ro_12a = R->m10 * correction_4, Ro_12a_cross1 = R->m10 * correction_4_lo,
+      Ro_12a_error = ksl_product_error(R->m10, correction_4, Ro_12a),
+      Ro_12a_lo = Ro_12a_error + Ro_12a_cross1, Ro_12b = R->m11 * correction_5,
+      Ro_12b_cross1 = R->m11 * correction_5_lo,
+      Ro_12b_error = ksl_product_error(R->m11, correction_5, Ro_12b),
+      Ro_12b_lo = Ro_12b_error + Ro_12b_cross1, Ro_12c = Ro_12a + Ro_12b,
+      Ro_12c_error = ksl_sum_error(Ro_12a, Ro_12b, Ro_12c), Ro_12c_lo1 = Ro_12c_error + Ro_12a_lo,
+      Ro_12c_lo = Ro_12c_lo1 + Ro_12b_lo, Ro_12d = R->m12 * correction_2,
+      Ro_12d_cross1 = R->m12 * correction_2_lo,
+      Ro_12d_error = ksl_product_error(R->m12, correction_2, Ro_12d),
+      Ro_12d_lo = Ro_12d_error + Ro_12d_cross1, Ro_12e = Ro_12c + Ro_12d,
+      Ro_12e_error = ksl_sum_error(Ro_12c, Ro_12d, Ro_12e), Ro_12e_lo1 = Ro_12e_error + Ro_12c_lo,
+      Ro_12e_lo = Ro_12e_lo1 + Ro_12d_lo, Ro_12 = Ro_12e + R->m12,
+      Ro_12_error = ksl_sum_error(Ro_12e, R->m12, Ro_12), Ro_12_lo = Ro_12_error + Ro_12e_lo;
+  const double Ro_20a = R->m20 * correction_0, Ro_20a_cross1 = R->m20 * correction_0_lo,
+      Ro_20a_error = ksl_product_error(R->m20, correction_0, Ro_20a),
+      Ro_20a_lo = Ro_20a_error + Ro_20a_cross1, Ro_20b = R->m21 * correction_3,
+      Ro_20b_cross1 = R->m21 * correction_3_lo,
+      Ro_20b_error = ksl_product_error(R->m21, correction_3, Ro_20b),
+      Ro_20b_lo = Ro_20b_error + Ro_20b_cross1, Ro_20c = Ro_20a + Ro_20b,
+      Ro_20c_error = ksl_sum_error(Ro_20a, Ro_20b, Ro_20c), Ro_20c_lo1 = Ro_20c_error + Ro_20a_lo,
+      Ro_20c_lo = Ro_20c_lo1 + Ro_20b_lo, Ro_20d = R->m22 * correction_4,
+      Ro_20d_cross1 = R->m22 * correction_4_lo,
+      Ro_20d_error = ksl_product_error(R->m22, correction_4, Ro_20d),
+      Ro_20d_lo = Ro_20d_error + Ro_20d_cross1, Ro_20e = Ro_20c + Ro_20d,
+      Ro_20e_error = ksl_sum_error(Ro_20c, Ro_20d, Ro_20e), Ro_20e_lo1 = Ro_20e_error + Ro_20c_lo,
+      Ro_20e_lo = Ro_20e_lo1 + Ro_20d_lo, Ro_20 = R->m20 + Ro_20e,
+      Ro_20_error = ksl_sum_error(R->m20, Ro_20e, Ro_20), Ro_20_lo = Ro_20_error + Ro_20e_lo;
+  const double Ro_21a = R->m20 * correction_3, Ro_21a_cross1 = R->m20 * correction_3_lo,
+      Ro_21a_error = ksl_product_error(R->m20, correction_3, Ro_21a),
+      Ro_21a_lo = Ro_21a_error + Ro_21a_cross1, Ro_21b = R->m21 * correction_1,
+      Ro_21b_cross1 = R->m21 * correction_1_lo,
+      Ro_21b_error = ksl_product_error(R->m21, correction_1, Ro_21b),
+      Ro_21b_lo = Ro_21b_error + Ro_21b_cross1, Ro_21c = Ro_21a + Ro_21b,
+      Ro_21c_error = ksl_sum_error(Ro_21a, Ro_21b, Ro_21c), Ro_21c_lo1 = Ro_21c_error + Ro_21a_lo,
+      Ro_21c_lo = Ro_21c_lo1 + Ro_21b_lo, Ro_21d = R->m22 * correction_5,
+      Ro_21d_cross1 = R->m22 * correction_5_lo,
+      Ro_21d_error = ksl_product_error(R->m22, correction_5, Ro_21d),
+      Ro_21d_lo = Ro_21d_error + Ro_21d_cross1, Ro_21e = Ro_21c + Ro_21d,
+      Ro_21e_error = ksl_sum_error(Ro_21c, Ro_21d, Ro_21e), Ro_21e_lo1 = Ro_21e_error + Ro_21c_lo,
+      Ro_21e_lo = Ro_21e_lo1 + Ro_21d_lo, Ro_21 = Ro_21e + R->m21,
+      Ro_21_error = ksl_sum_error(Ro_21e, R->m21, Ro_21), Ro_21_lo = Ro_21_error + Ro_21e_lo;
+  const double Ro_22a = R->m20 * correction_4, Ro_22a_cross1 = R->m20 * correction_4_lo,
+      Ro_22a_error = ksl_product_error(R->m20, correction_4, Ro_22a),
+      Ro_22a_lo = Ro_22a_error + Ro_22a_cross1, Ro_22b = R->m21 * correction_5,
+      Ro_22b_cross1 = R->m21 * correction_5_lo,
+      Ro_22b_error = ksl_product_error(R->m21, correction_5, Ro_22b),
+      Ro_22b_lo = Ro_22b_error + Ro_22b_cross1, Ro_22c = Ro_22a + Ro_22b,
+      Ro_22c_error = ksl_sum_error(Ro_22a, Ro_22b, Ro_22c), Ro_22c_lo1 = Ro_22c_error + Ro_22a_lo,
+      Ro_22c_lo = Ro_22c_lo1 + Ro_22b_lo, Ro_22d = R->m22 * correction_2,
+      Ro_22d_cross1 = R->m22 * correction_2_lo,
+      Ro_22d_error = ksl_product_error(R->m22, correction_2, Ro_22d),
+      Ro_22d_lo = Ro_22d_error + Ro_22d_cross1, Ro_22e = Ro_22c + Ro_22d,
+      Ro_22e_error = ksl_sum_error(Ro_22c, Ro_22d, Ro_22e), Ro_22e_lo1 = Ro_22e_error + Ro_22c_lo,
+      Ro_22e_lo = Ro_22e_lo1 + Ro_22d_lo, Ro_22 = Ro_22e + R->m22,
+      Ro_22_error = ksl_sum_error(Ro_22e, R->m22, Ro_22), Ro_22_lo = Ro_22_error + Ro_22e_lo;
+  const double Ro_00_rounded = Ro_00 + Ro_00_lo;
+  const double Ro_01_rounded = Ro_01 + Ro_01_lo;
+  const double Ro_02_rounded = Ro_02 + Ro_02_lo;
+  const double Ro_10_rounded = Ro_10 + Ro_10_lo;
+  const double Ro_11_rounded = Ro_11 + Ro_11_lo;
+  const double Ro_12_rounded = Ro_12 + Ro_12_lo;
+  const double Ro_20_rounded = Ro_20 + Ro_20_lo;
+  const double Ro_21_rounded = Ro_21 + Ro_21_lo;
+  const double Ro_22_rounded = Ro_22 + Ro_22_lo;
+  Ro->m00 = Ro_00_rounded;
+  Ro->m01 = Ro_01_rounded;
+  Ro->m02 = Ro_02_rounded;
+  Ro->m10 = Ro_10_rounded;
+  Ro->m11 = Ro_11_rounded;
+  Ro->m12 = Ro_12_rounded;
+  Ro->m20 = Ro_20_rounded;
+  Ro->m21 = Ro_21_rounded;
+  Ro->m22 = Ro_22_rounded;
+}
+
+/* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
+   R: rotation or other 3×3 matrix; vo: vector.
+   11 mul, 20 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select. */
+static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
+  const double p_0 = (double)R->m21 - (double)R->m12;
+  const double p_1 = (double)R->m02 - (double)R->m20;
+  const double p_2 = (double)R->m10 - (double)R->m01;
+  const double s_0 = (double)R->m12 + (double)R->m21;
+  const double s_1 = (double)R->m02 + (double)R->m20;
+  const double s_2 = (double)R->m01 + (double)R->m10;
+  const double d_0a = (double)R->m00 + (double)R->m11, d_0b = d_0a + (double)R->m22,
+      d_0 = d_0b + 1.0;
+  const double d_1a = (double)R->m00 - (double)R->m11, d_1b = d_1a - (double)R->m22,
+      d_1 = d_1b + 1.0;
+  const double d_2a = (double)R->m11 - (double)R->m00, d_2b = d_2a - (double)R->m22,
+      d_2 = d_2b + 1.0;
+  const double d_3a = (double)R->m22 - (double)R->m00, d_3b = d_3a - (double)R->m11,
+      d_3 = d_3b + 1.0;
+  const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
+  const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
+  const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
+  const double low_3 = (double)R->m11 < (double)R->m00 ? s_1 : s_0;
+  const double high_0a = -(double)R->m11, high_0 = (double)R->m00 < high_0a ? p_2 : d_0;
+  const double high_1 = (double)R->m00 < high_0a ? s_1 : p_0;
+  const double high_2 = (double)R->m00 < high_0a ? s_0 : p_1;
+  const double high_3 = (double)R->m00 < high_0a ? d_3 : p_2;
+  const double column_0 = (double)R->m22 < 0.0 ? low_0 : high_0;
+  const double column_1 = (double)R->m22 < 0.0 ? low_1 : high_1;
+  const double column_2 = (double)R->m22 < 0.0 ? low_2 : high_2;
+  const double column_3 = (double)R->m22 < 0.0 ? low_3 : high_3;
+  const double upper_0a = -column_0, upper_0 = column_0 < 0.0 ? upper_0a : column_0;
+  const double upper_1a = -column_1, upper_1 = column_0 < 0.0 ? upper_1a : column_1;
+  const double upper_2a = -column_2, upper_2 = column_0 < 0.0 ? upper_2a : column_2;
+  const double upper_3a = -column_3, upper_3 = column_0 < 0.0 ? upper_3a : column_3;
+  const double v_s_size_0 = fabs(upper_1);
+  const double v_s_size_1 = fabs(upper_2);
+  const double v_s_size_2 = fabs(upper_3);
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
+      v_s = v_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : v_s_b;
+  const double v_y_0 = upper_1 * v_s;
+  const double v_y_1 = upper_2 * v_s;
+  const double v_y_2 = upper_3 * v_s;
+  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
+      v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
+  const double n = v_n * v_r;
+  const double half = atan2(n, upper_0);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double theta = 2.0 * half;
+  const double k = theta / divisor;
+  const double vector_0 = upper_1 * k;
+  const double vector_1 = upper_2 * k;
+  const double vector_2 = upper_3 * k;
+  vo->x = (float)vector_0;
+  vo->y = (float)vector_1;
+  vo->z = (float)vector_2;
+}
+
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
+   R: rotation or other 3×3 matrix; axis: vector.
+   8 mul, 20 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select. */
+static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
+    ksl_vec3f_t *axis) {
+  const double p_0 = (double)R->m21 - (double)R->m12;
+  const double p_1 = (double)R->m02 - (double)R->m20;
+  const double p_2 = (double)R->m10 - (double)R->m01;
+  const double s_0 = (double)R->m12 + (double)R->m21;
+  const double s_1 = (double)R->m02 + (double)R->m20;
+  const double s_2 = (double)R->m01 + (double)R->m10;
+  const double d_0a = (double)R->m00 + (double)R->m11, d_0b = d_0a + (double)R->m22,
+      d_0 = d_0b + 1.0;
+  const double d_1a = (double)R->m00 - (double)R->m11, d_1b = d_1a - (double)R->m22,
+      d_1 = d_1b + 1.0;
+  const double d_2a = (double)R->m11 - (double)R->m00, d_2b = d_2a - (double)R->m22,
+      d_2 = d_2b + 1.0;
+  const double d_3a = (double)R->m22 - (double)R->m00, d_3b = d_3a - (double)R->m11,
+      d_3 = d_3b + 1.0;
+  const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
+  const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
+  const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
+  const double low_3 = (double)R->m11 < (double)R->m00 ? s_1 : s_0;
+  const double high_0a = -(double)R->m11, high_0 = (double)R->m00 < high_0a ? p_2 : d_0;
+  const double high_1 = (double)R->m00 < high_0a ? s_1 : p_0;
+  const double high_2 = (double)R->m00 < high_0a ? s_0 : p_1;
+  const double high_3 = (double)R->m00 < high_0a ? d_3 : p_2;
+  const double column_0 = (double)R->m22 < 0.0 ? low_0 : high_0;
+  const double column_1 = (double)R->m22 < 0.0 ? low_1 : high_1;
+  const double column_2 = (double)R->m22 < 0.0 ? low_2 : high_2;
+  const double column_3 = (double)R->m22 < 0.0 ? low_3 : high_3;
+  const double upper_0a = -column_0, upper_0 = column_0 < 0.0 ? upper_0a : column_0;
+  const double upper_1a = -column_1, upper_1 = column_0 < 0.0 ? upper_1a : column_1;
+  const double upper_2a = -column_2, upper_2 = column_0 < 0.0 ? upper_2a : column_2;
+  const double upper_3a = -column_3, upper_3 = column_0 < 0.0 ? upper_3a : column_3;
+  const double v_s_size_0 = fabs(upper_1);
+  const double v_s_size_1 = fabs(upper_2);
+  const double v_s_size_2 = fabs(upper_3);
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
+      v_s = v_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : v_s_b;
+  const double v_y_0 = upper_1 * v_s;
+  const double v_y_1 = upper_2 * v_s;
+  const double v_y_2 = upper_3 * v_s;
+  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
+      v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
+  const double n = v_n * v_r;
+  const double half = atan2(n, upper_0);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double unit_0 = upper_1 / divisor;
+  const double unit_1 = upper_2 / divisor;
+  const double unit_2 = upper_3 / divisor;
+  const double angle = 2.0 * half;
+  const double axis_0 = n == 0.0 ? 1.0 : unit_0;
+  return (float)angle;
+}
+
+/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+   self: rotation or other 3×3 matrix.
+   51 mul, 42 add, 3 neg.
+   Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_mat3x3f_orthonormalize_accurate(ksl_mat3x3f_t *self) {
+  const double defect_0a = (double)self->m00 * (double)self->m00, defect_0b = 1.0 - defect_0a,
+      defect_0c = (double)self->m10 * (double)self->m10, defect_0d = defect_0b - defect_0c,
+      defect_0e = (double)self->m20 * (double)self->m20, defect_0 = defect_0d - defect_0e;
+  const double defect_1a = (double)self->m01 * (double)self->m01, defect_1b = 1.0 - defect_1a,
+      defect_1c = (double)self->m11 * (double)self->m11, defect_1d = defect_1b - defect_1c,
+      defect_1e = (double)self->m21 * (double)self->m21, defect_1 = defect_1d - defect_1e;
+  const double defect_2a = (double)self->m02 * (double)self->m02, defect_2b = 1.0 - defect_2a,
+      defect_2c = (double)self->m12 * (double)self->m12, defect_2d = defect_2b - defect_2c,
+      defect_2e = (double)self->m22 * (double)self->m22, defect_2 = defect_2d - defect_2e;
+  const double defect_3a = (double)self->m00 * (double)self->m01,
+      defect_3b = (double)self->m10 * (double)self->m11, defect_3c = defect_3a + defect_3b,
+      defect_3d = (double)self->m20 * (double)self->m21, defect_3e = defect_3c + defect_3d,
+      defect_3 = -defect_3e;
+  const double defect_4a = (double)self->m00 * (double)self->m02,
+      defect_4b = (double)self->m10 * (double)self->m12, defect_4c = defect_4a + defect_4b,
+      defect_4d = (double)self->m20 * (double)self->m22, defect_4e = defect_4c + defect_4d,
+      defect_4 = -defect_4e;
+  const double defect_5a = (double)self->m01 * (double)self->m02,
+      defect_5b = (double)self->m11 * (double)self->m12, defect_5c = defect_5a + defect_5b,
+      defect_5d = (double)self->m21 * (double)self->m22, defect_5e = defect_5c + defect_5d,
+      defect_5 = -defect_5e;
+  const double correction_0 = 0.5 * defect_0;
+  const double correction_1 = 0.5 * defect_1;
+  const double correction_2 = 0.5 * defect_2;
+  const double correction_3 = 0.5 * defect_3;
+  const double correction_4 = 0.5 * defect_4;
+  const double correction_5 = 0.5 * defect_5;
+  const double self_00_new_a = (double)self->m00 * correction_0,
+      self_00_new_b = (double)self->m01 * correction_3,
+      self_00_new_c = self_00_new_a + self_00_new_b,
+      self_00_new_d = (double)self->m02 * correction_4,
+      self_00_new_e = self_00_new_c + self_00_new_d,
+      self_00_new = (double)self->m00 + self_00_new_e;
+  const double self_01_new_a = (double)self->m00 * correction_3,
+      self_01_new_b = (double)self->m01 * correction_1,
+      self_01_new_c = self_01_new_a + self_01_new_b,
+      self_01_new_d = (double)self->m02 * correction_5,
+      self_01_new_e = self_01_new_c + self_01_new_d,
+      self_01_new = self_01_new_e + (double)self->m01;
+  const double self_02_new_a = (double)self->m00 * correction_4,
+      self_02_new_b = (double)self->m01 * correction_5,
+      self_02_new_c = self_02_new_a + self_02_new_b,
+      self_02_new_d = (double)self->m02 * correction_2,
+      self_02_new_e = self_02_new_c + self_02_new_d,
+      self_02_new = self_02_new_e + (double)self->m02;
+  const double self_10_new_a = (double)self->m10 * correction_0,
+      self_10_new_b = (double)self->m11 * correction_3,
+      self_10_new_c = self_10_new_a + self_10_new_b,
+      self_10_new_d = (double)self->m12 * correction_4,
+      self_10_new_e = self_10_new_c + self_10_new_d,
+      self_10_new = (double)self->m10 + self_10_new_e;
+  const double self_11_new_a = (double)self->m10 * correction_3,
+      self_11_new_b = (double)self->m11 * correction_1,
+      self_11_new_c = self_11_new_a + self_11_new_b,
+      self_11_new_d = (double)self->m12 * correction_5,
+      self_11_new_e = self_11_new_c + self_11_new_d,
+      self_11_new = self_11_new_e + (double)self->m11;
+  const double self_12_new_a = (double)self->m10 * correction_4,
+      self_12_new_b = (double)self->m11 * correction_5,
+      self_12_new_c = self_12_new_a + self_12_new_b,
+      self_12_new_d = (double)self->m12 * correction_2,
+      self_12_new_e = self_12_new_c + self_12_new_d,
+      self_12_new = self_12_new_e + (double)self->m12;
+  const double self_20_new_a = (double)self->m20 * correction_0,
+      self_20_new_b = (double)self->m21 * correction_3,
+      self_20_new_c = self_20_new_a + self_20_new_b,
+      self_20_new_d = (double)self->m22 * correction_4,
+      self_20_new_e = self_20_new_c + self_20_new_d,
+      self_20_new = (double)self->m20 + self_20_new_e;
+  const double self_21_new_a = (double)self->m20 * correction_3,
+      self_21_new_b = (double)self->m21 * correction_1,
+      self_21_new_c = self_21_new_a + self_21_new_b,
+      self_21_new_d = (double)self->m22 * correction_5,
+      self_21_new_e = self_21_new_c + self_21_new_d,
+      self_21_new = self_21_new_e + (double)self->m21;
+  const double self_22_new_a = (double)self->m20 * correction_4,
+      self_22_new_b = (double)self->m21 * correction_5,
+      self_22_new_c = self_22_new_a + self_22_new_b,
+      self_22_new_d = (double)self->m22 * correction_2,
+      self_22_new_e = self_22_new_c + self_22_new_d,
+      self_22_new = self_22_new_e + (double)self->m22;
+  self->m00 = (float)self_00_new;
+  self->m01 = (float)self_01_new;
+  self->m02 = (float)self_02_new;
+  self->m10 = (float)self_10_new;
+  self->m11 = (float)self_11_new;
+  self->m12 = (float)self_12_new;
+  self->m20 = (float)self_20_new;
+  self->m21 = (float)self_21_new;
+  self->m22 = (float)self_22_new;
+}
+
+/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+   R, Ro: rotation or other 3×3 matrix.
+   51 mul, 42 add, 3 neg.
+   Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_mat3x3f_orthonormalized_accurate(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
+  const double defect_0a = (double)R->m00 * (double)R->m00, defect_0b = 1.0 - defect_0a,
+      defect_0c = (double)R->m10 * (double)R->m10, defect_0d = defect_0b - defect_0c,
+      defect_0e = (double)R->m20 * (double)R->m20, defect_0 = defect_0d - defect_0e;
+  const double defect_1a = (double)R->m01 * (double)R->m01, defect_1b = 1.0 - defect_1a,
+      defect_1c = (double)R->m11 * (double)R->m11, defect_1d = defect_1b - defect_1c,
+      defect_1e = (double)R->m21 * (double)R->m21, defect_1 = defect_1d - defect_1e;
+  const double defect_2a = (double)R->m02 * (double)R->m02, defect_2b = 1.0 - defect_2a,
+      defect_2c = (double)R->m12 * (double)R->m12, defect_2d = defect_2b - defect_2c,
+      defect_2e = (double)R->m22 * (double)R->m22, defect_2 = defect_2d - defect_2e;
+  const double defect_3a = (double)R->m00 * (double)R->m01,
+      defect_3b = (double)R->m10 * (double)R->m11, defect_3c = defect_3a + defect_3b,
+      defect_3d = (double)R->m20 * (double)R->m21, defect_3e = defect_3c + defect_3d,
+      defect_3 = -defect_3e;
+  const double defect_4a = (double)R->m00 * (double)R->m02,
+      defect_4b = (double)R->m10 * (double)R->m12, defect_4c = defect_4a + defect_4b,
+      defect_4d = (double)R->m20 * (double)R->m22, defect_4e = defect_4c + defect_4d,
+      defect_4 = -defect_4e;
+  const double defect_5a = (double)R->m01 * (double)R->m02,
+      defect_5b = (double)R->m11 * (double)R->m12, defect_5c = defect_5a + defect_5b,
+      defect_5d = (double)R->m21 * (double)R->m22, defect_5e = defect_5c + defect_5d,
+      defect_5 = -defect_5e;
+  const double correction_0 = 0.5 * defect_0;
+  const double correction_1 = 0.5 * defect_1;
+  const double correction_2 = 0.5 * defect_2;
+  const double correction_3 = 0.5 * defect_3;
+  const double correction_4 = 0.5 * defect_4;
+  const double correction_5 = 0.5 * defect_5;
+  const double Ro_00a = (double)R->m00 * correction_0, Ro_00b = (double)R->m01 * correction_3,
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = (double)R->m02 * correction_4, Ro_00e = Ro_00c + Ro_00d,
+      Ro_00 = (double)R->m00 + Ro_00e;
+  const double Ro_01a = (double)R->m00 * correction_3, Ro_01b = (double)R->m01 * correction_1,
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = (double)R->m02 * correction_5, Ro_01e = Ro_01c + Ro_01d,
+      Ro_01 = Ro_01e + (double)R->m01;
+  const double Ro_02a = (double)R->m00 * correction_4, Ro_02b = (double)R->m01 * correction_5,
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = (double)R->m02 * correction_2, Ro_02e = Ro_02c + Ro_02d,
+      Ro_02 = Ro_02e + (double)R->m02;
+  const double Ro_10a = (double)R->m10 * correction_0, Ro_10b = (double)R->m11 * correction_3,
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = (double)R->m12 * correction_4, Ro_10e = Ro_10c + Ro_10d,
+      Ro_10 = (double)R->m10 + Ro_10e;
+  const double Ro_11a = (double)R->m10 * correction_3, Ro_11b = (double)R->m11 * correction_1,
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = (double)R->m12 * correction_5, Ro_11e = Ro_11c + Ro_11d,
+      Ro_11 = Ro_11e + (double)R->m11;
+  const double Ro_12a = (double)R->m10 * correction_4, Ro_12b = (double)R->m11 * correction_5,
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = (double)R->m12 * correction_2, Ro_12e = Ro_12c + Ro_12d,
+      Ro_12 = Ro_12e + (double)R->m12;
+  const double Ro_20a = (double)R->m20 * correction_0, Ro_20b = (double)R->m21 * correction_3,
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = (double)R->m22 * correction_4, Ro_20e = Ro_20c + Ro_20d,
+      Ro_20 = (double)R->m20 + Ro_20e;
+  const double Ro_21a = (double)R->m20 * correction_3, Ro_21b = (double)R->m21 * correction_1,
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = (double)R->m22 * correction_5, Ro_21e = Ro_21c + Ro_21d,
+      Ro_21 = Ro_21e + (double)R->m21;
+  const double Ro_22a = (double)R->m20 * correction_4, Ro_22b = (double)R->m21 * correction_5,
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = (double)R->m22 * correction_2, Ro_22e = Ro_22c + Ro_22d,
+      Ro_22 = Ro_22e + (double)R->m22;
+  Ro->m00 = (float)Ro_00;
+  Ro->m01 = (float)Ro_01;
+  Ro->m02 = (float)Ro_02;
+  Ro->m10 = (float)Ro_10;
+  Ro->m11 = (float)Ro_11;
+  Ro->m12 = (float)Ro_12;
+  Ro->m20 = (float)Ro_20;
+  Ro->m21 = (float)Ro_21;
+  Ro->m22 = (float)Ro_22;
 }
 
 #endif

@@ -6355,3 +6355,537 @@ static inline void ksl_working_crzf_fused(const ksl_SE3f_t *D, const ksl_coscrew
 }
 
 #endif
+
+/* Quaternions q = (w; v): products, rotations, conversions, interpolation.
+   Fused tier: products fused into sums. */
+#ifndef KSL_QUATERNION_FUSED_H
+#define KSL_QUATERNION_FUSED_H
+
+
+/* self = a self.
+   self: quaternion (w; x, y, z), the scalar first; a: number.
+   4 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_quaternion_scale_fused(ksl_quaternion_t *self, const double a) {
+  const double self_0_new = self->w * a;
+  const double self_1_new = self->x * a;
+  const double self_2_new = self->y * a;
+  const double self_3_new = self->z * a;
+  self->w = self_0_new;
+  self->x = self_1_new;
+  self->y = self_2_new;
+  self->z = self_3_new;
+}
+
+/* qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
+   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   5 mul, 1 add, 11 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qq_fused(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
+    ksl_quaternion_t *qo) {
+  const double qo_0b = q1->x * q2->x, qo_0d = fma(q1->y, q2->y, qo_0b),
+      qo_0f = fma(q1->z, q2->z, qo_0d), qo_0 = fma(q1->w, q2->w, -qo_0f);
+  const double qo_1a = q1->w * q2->x, qo_1c = fma(q1->x, q2->w, qo_1a), qo_1d = q1->y * q2->z,
+      qo_1f = fma(-q1->z, q2->y, qo_1d), qo_1 = qo_1c + qo_1f;
+  const double qo_2b = q1->z * q2->x, qo_2d = fma(-q1->x, q2->z, qo_2b),
+      qo_2e = fma(q1->w, q2->y, qo_2d), qo_2 = fma(q1->y, q2->w, qo_2e);
+  const double qo_3b = q1->x * q2->y, qo_3d = fma(-q1->y, q2->x, qo_3b),
+      qo_3e = fma(q1->w, q2->z, qo_3d), qo_3 = fma(q1->z, q2->w, qo_3e);
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* qo = q1* q2, q1* the conjugate.
+   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   7 mul, 3 add, 9 fma.
+   Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_qconjq_fused(const ksl_quaternion_t *q1,
+    const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
+  const double qo_0b = q1->x * q2->x, qo_0d = fma(q1->y, q2->y, qo_0b),
+      qo_0f = fma(q1->z, q2->z, qo_0d), qo_0 = fma(q1->w, q2->w, qo_0f);
+  const double qo_1a = q1->w * q2->x, qo_1c = fma(-q1->x, q2->w, qo_1a), qo_1d = q1->z * q2->y,
+      qo_1f = fma(-q1->y, q2->z, qo_1d), qo_1 = qo_1c + qo_1f;
+  const double qo_2a = q1->w * q2->y, qo_2c = fma(-q1->y, q2->w, qo_2a), qo_2d = q1->x * q2->z,
+      qo_2f = fma(-q1->z, q2->x, qo_2d), qo_2 = qo_2c + qo_2f;
+  const double qo_3a = q1->w * q2->z, qo_3c = fma(-q1->z, q2->w, qo_3a), qo_3d = q1->y * q2->x,
+      qo_3f = fma(-q1->x, q2->y, qo_3d), qo_3 = qo_3c + qo_3f;
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* qo = q1 q2*, q2* the conjugate.
+   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   7 mul, 3 add, 9 fma.
+   Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_qqconj_fused(const ksl_quaternion_t *q1,
+    const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
+  const double qo_0b = q1->x * q2->x, qo_0d = fma(q1->y, q2->y, qo_0b),
+      qo_0f = fma(q1->z, q2->z, qo_0d), qo_0 = fma(q1->w, q2->w, qo_0f);
+  const double qo_1a = q1->x * q2->w, qo_1c = fma(-q1->w, q2->x, qo_1a), qo_1d = q1->z * q2->y,
+      qo_1f = fma(-q1->y, q2->z, qo_1d), qo_1 = qo_1c + qo_1f;
+  const double qo_2a = q1->y * q2->w, qo_2c = fma(-q1->w, q2->y, qo_2a), qo_2d = q1->x * q2->z,
+      qo_2f = fma(-q1->z, q2->x, qo_2d), qo_2 = qo_2c + qo_2f;
+  const double qo_3a = q1->z * q2->w, qo_3c = fma(-q1->w, q2->z, qo_3a), qo_3d = q1->y * q2->x,
+      qo_3f = fma(-q1->x, q2->y, qo_3d), qo_3 = qo_3c + qo_3f;
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* vo = R(q) v, |q| = 1.
+   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   9 mul, 3 add, 9 fma.
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qv_fused(const ksl_quaternion_t *q, const ksl_vec3_t *v,
+    ksl_vec3_t *vo) {
+  const double c_0a = q->y * v->z, c_0 = fma(-q->z, v->y, c_0a);
+  const double c_1a = q->z * v->x, c_1 = fma(-q->x, v->z, c_1a);
+  const double c_2a = q->x * v->y, c_2 = fma(-q->y, v->x, c_2a);
+  const double t_0 = 2.0 * c_0;
+  const double t_1 = 2.0 * c_1;
+  const double t_2 = 2.0 * c_2;
+  const double turn_0b = q->y * t_2, turn_0d = fma(-q->z, t_1, turn_0b),
+      turn_0 = fma(q->w, t_0, turn_0d);
+  const double turn_1b = q->z * t_0, turn_1d = fma(-q->x, t_2, turn_1b),
+      turn_1 = fma(q->w, t_1, turn_1d);
+  const double turn_2b = q->x * t_1, turn_2d = fma(-q->y, t_0, turn_2b),
+      turn_2 = fma(q->w, t_2, turn_2d);
+  const double vo_0 = v->x + turn_0;
+  const double vo_1 = v->y + turn_1;
+  const double vo_2 = v->z + turn_2;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = R(q)^T v, |q| = 1.
+   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   9 mul, 3 add, 9 fma.
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qconjv_fused(const ksl_quaternion_t *q, const ksl_vec3_t *v,
+    ksl_vec3_t *vo) {
+  const double c_0a = q->z * v->y, c_0 = fma(-q->y, v->z, c_0a);
+  const double c_1a = q->x * v->z, c_1 = fma(-q->z, v->x, c_1a);
+  const double c_2a = q->y * v->x, c_2 = fma(-q->x, v->y, c_2a);
+  const double t_0 = 2.0 * c_0;
+  const double t_1 = 2.0 * c_1;
+  const double t_2 = 2.0 * c_2;
+  const double turn_0b = q->z * t_1, turn_0d = fma(-q->y, t_2, turn_0b),
+      turn_0 = fma(q->w, t_0, turn_0d);
+  const double turn_1b = q->x * t_2, turn_1d = fma(-q->z, t_0, turn_1b),
+      turn_1 = fma(q->w, t_1, turn_1d);
+  const double turn_2b = q->y * t_0, turn_2d = fma(-q->x, t_1, turn_2b),
+      turn_2 = fma(q->w, t_2, turn_2d);
+  const double vo_0 = v->x + turn_0;
+  const double vo_1 = v->y + turn_1;
+  const double vo_2 = v->z + turn_2;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* self = a self.
+   self: quaternion (w; x, y, z), the scalar first; a: number.
+   4 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_quaternionf_scale_fused(ksl_quaternionf_t *self, const float a) {
+  const float self_0_new = self->w * a;
+  const float self_1_new = self->x * a;
+  const float self_2_new = self->y * a;
+  const float self_3_new = self->z * a;
+  self->w = self_0_new;
+  self->x = self_1_new;
+  self->y = self_2_new;
+  self->z = self_3_new;
+}
+
+/* qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
+   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   5 mul, 1 add, 11 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qqf_fused(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
+    ksl_quaternionf_t *qo) {
+  const float qo_0b = q1->x * q2->x, qo_0d = fmaf(q1->y, q2->y, qo_0b),
+      qo_0f = fmaf(q1->z, q2->z, qo_0d), qo_0 = fmaf(q1->w, q2->w, -qo_0f);
+  const float qo_1a = q1->w * q2->x, qo_1c = fmaf(q1->x, q2->w, qo_1a), qo_1d = q1->y * q2->z,
+      qo_1f = fmaf(-q1->z, q2->y, qo_1d), qo_1 = qo_1c + qo_1f;
+  const float qo_2b = q1->z * q2->x, qo_2d = fmaf(-q1->x, q2->z, qo_2b),
+      qo_2e = fmaf(q1->w, q2->y, qo_2d), qo_2 = fmaf(q1->y, q2->w, qo_2e);
+  const float qo_3b = q1->x * q2->y, qo_3d = fmaf(-q1->y, q2->x, qo_3b),
+      qo_3e = fmaf(q1->w, q2->z, qo_3d), qo_3 = fmaf(q1->z, q2->w, qo_3e);
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* qo = q1* q2, q1* the conjugate.
+   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   7 mul, 3 add, 9 fma.
+   Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_qconjqf_fused(const ksl_quaternionf_t *q1,
+    const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
+  const float qo_0b = q1->x * q2->x, qo_0d = fmaf(q1->y, q2->y, qo_0b),
+      qo_0f = fmaf(q1->z, q2->z, qo_0d), qo_0 = fmaf(q1->w, q2->w, qo_0f);
+  const float qo_1a = q1->w * q2->x, qo_1c = fmaf(-q1->x, q2->w, qo_1a), qo_1d = q1->z * q2->y,
+      qo_1f = fmaf(-q1->y, q2->z, qo_1d), qo_1 = qo_1c + qo_1f;
+  const float qo_2a = q1->w * q2->y, qo_2c = fmaf(-q1->y, q2->w, qo_2a), qo_2d = q1->x * q2->z,
+      qo_2f = fmaf(-q1->z, q2->x, qo_2d), qo_2 = qo_2c + qo_2f;
+  const float qo_3a = q1->w * q2->z, qo_3c = fmaf(-q1->z, q2->w, qo_3a), qo_3d = q1->y * q2->x,
+      qo_3f = fmaf(-q1->x, q2->y, qo_3d), qo_3 = qo_3c + qo_3f;
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* qo = q1 q2*, q2* the conjugate.
+   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   7 mul, 3 add, 9 fma.
+   Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_qqconjf_fused(const ksl_quaternionf_t *q1,
+    const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
+  const float qo_0b = q1->x * q2->x, qo_0d = fmaf(q1->y, q2->y, qo_0b),
+      qo_0f = fmaf(q1->z, q2->z, qo_0d), qo_0 = fmaf(q1->w, q2->w, qo_0f);
+  const float qo_1a = q1->x * q2->w, qo_1c = fmaf(-q1->w, q2->x, qo_1a), qo_1d = q1->z * q2->y,
+      qo_1f = fmaf(-q1->y, q2->z, qo_1d), qo_1 = qo_1c + qo_1f;
+  const float qo_2a = q1->y * q2->w, qo_2c = fmaf(-q1->w, q2->y, qo_2a), qo_2d = q1->x * q2->z,
+      qo_2f = fmaf(-q1->z, q2->x, qo_2d), qo_2 = qo_2c + qo_2f;
+  const float qo_3a = q1->z * q2->w, qo_3c = fmaf(-q1->w, q2->z, qo_3a), qo_3d = q1->y * q2->x,
+      qo_3f = fmaf(-q1->x, q2->y, qo_3d), qo_3 = qo_3c + qo_3f;
+  qo->w = qo_0;
+  qo->x = qo_1;
+  qo->y = qo_2;
+  qo->z = qo_3;
+}
+
+/* vo = R(q) v, |q| = 1.
+   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   9 mul, 3 add, 9 fma.
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qvf_fused(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
+    ksl_vec3f_t *vo) {
+  const float c_0a = q->y * v->z, c_0 = fmaf(-q->z, v->y, c_0a);
+  const float c_1a = q->z * v->x, c_1 = fmaf(-q->x, v->z, c_1a);
+  const float c_2a = q->x * v->y, c_2 = fmaf(-q->y, v->x, c_2a);
+  const float t_0 = 2.0f * c_0;
+  const float t_1 = 2.0f * c_1;
+  const float t_2 = 2.0f * c_2;
+  const float turn_0b = q->y * t_2, turn_0d = fmaf(-q->z, t_1, turn_0b),
+      turn_0 = fmaf(q->w, t_0, turn_0d);
+  const float turn_1b = q->z * t_0, turn_1d = fmaf(-q->x, t_2, turn_1b),
+      turn_1 = fmaf(q->w, t_1, turn_1d);
+  const float turn_2b = q->x * t_1, turn_2d = fmaf(-q->y, t_0, turn_2b),
+      turn_2 = fmaf(q->w, t_2, turn_2d);
+  const float vo_0 = v->x + turn_0;
+  const float vo_1 = v->y + turn_1;
+  const float vo_2 = v->z + turn_2;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* vo = R(q)^T v, |q| = 1.
+   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   9 mul, 3 add, 9 fma.
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qconjvf_fused(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
+    ksl_vec3f_t *vo) {
+  const float c_0a = q->z * v->y, c_0 = fmaf(-q->y, v->z, c_0a);
+  const float c_1a = q->x * v->z, c_1 = fmaf(-q->z, v->x, c_1a);
+  const float c_2a = q->y * v->x, c_2 = fmaf(-q->x, v->y, c_2a);
+  const float t_0 = 2.0f * c_0;
+  const float t_1 = 2.0f * c_1;
+  const float t_2 = 2.0f * c_2;
+  const float turn_0b = q->z * t_1, turn_0d = fmaf(-q->y, t_2, turn_0b),
+      turn_0 = fmaf(q->w, t_0, turn_0d);
+  const float turn_1b = q->x * t_2, turn_1d = fmaf(-q->z, t_0, turn_1b),
+      turn_1 = fmaf(q->w, t_1, turn_1d);
+  const float turn_2b = q->y * t_0, turn_2d = fmaf(-q->x, t_1, turn_2b),
+      turn_2 = fmaf(q->w, t_2, turn_2d);
+  const float vo_0 = v->x + turn_0;
+  const float vo_1 = v->y + turn_1;
+  const float vo_2 = v->z + turn_2;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+#endif
+
+/* Exponentials and logarithms of rotations and displacements, their Jacobians, interpolation.
+   Fused tier: products fused into sums. */
+#ifndef KSL_EXPONENTIAL_FUSED_H
+#define KSL_EXPONENTIAL_FUSED_H
+
+
+/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+   self: rotation or other 3×3 matrix.
+   18 mul, 9 add, 33 fma, 3 neg.
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_mat3x3_orthonormalize_fused(ksl_mat3x3_t *self) {
+  const double defect_0b = fma(-self->m00, self->m00, 1.0),
+      defect_0d = fma(-self->m10, self->m10, defect_0b),
+      defect_0 = fma(-self->m20, self->m20, defect_0d);
+  const double defect_1b = fma(-self->m01, self->m01, 1.0),
+      defect_1d = fma(-self->m11, self->m11, defect_1b),
+      defect_1 = fma(-self->m21, self->m21, defect_1d);
+  const double defect_2b = fma(-self->m02, self->m02, 1.0),
+      defect_2d = fma(-self->m12, self->m12, defect_2b),
+      defect_2 = fma(-self->m22, self->m22, defect_2d);
+  const double defect_3a = self->m00 * self->m01, defect_3c = fma(self->m10, self->m11, defect_3a),
+      defect_3e = fma(self->m20, self->m21, defect_3c), defect_3 = -defect_3e;
+  const double defect_4a = self->m00 * self->m02, defect_4c = fma(self->m10, self->m12, defect_4a),
+      defect_4e = fma(self->m20, self->m22, defect_4c), defect_4 = -defect_4e;
+  const double defect_5a = self->m01 * self->m02, defect_5c = fma(self->m11, self->m12, defect_5a),
+      defect_5e = fma(self->m21, self->m22, defect_5c), defect_5 = -defect_5e;
+  const double correction_0 = 0.5 * defect_0;
+  const double correction_1 = 0.5 * defect_1;
+  const double correction_2 = 0.5 * defect_2;
+  const double correction_3 = 0.5 * defect_3;
+  const double correction_4 = 0.5 * defect_4;
+  const double correction_5 = 0.5 * defect_5;
+  const double self_00_new_a = self->m00 * correction_0,
+      self_00_new_c = fma(self->m01, correction_3, self_00_new_a),
+      self_00_new_e = fma(self->m02, correction_4, self_00_new_c),
+      self_00_new = self->m00 + self_00_new_e;
+  const double self_01_new_a = self->m00 * correction_3,
+      self_01_new_c = fma(self->m01, correction_1, self_01_new_a),
+      self_01_new_e = fma(self->m02, correction_5, self_01_new_c),
+      self_01_new = self_01_new_e + self->m01;
+  const double self_02_new_a = self->m00 * correction_4,
+      self_02_new_c = fma(self->m01, correction_5, self_02_new_a),
+      self_02_new_e = fma(self->m02, correction_2, self_02_new_c),
+      self_02_new = self_02_new_e + self->m02;
+  const double self_10_new_a = self->m10 * correction_0,
+      self_10_new_c = fma(self->m11, correction_3, self_10_new_a),
+      self_10_new_e = fma(self->m12, correction_4, self_10_new_c),
+      self_10_new = self->m10 + self_10_new_e;
+  const double self_11_new_a = self->m10 * correction_3,
+      self_11_new_c = fma(self->m11, correction_1, self_11_new_a),
+      self_11_new_e = fma(self->m12, correction_5, self_11_new_c),
+      self_11_new = self_11_new_e + self->m11;
+  const double self_12_new_a = self->m10 * correction_4,
+      self_12_new_c = fma(self->m11, correction_5, self_12_new_a),
+      self_12_new_e = fma(self->m12, correction_2, self_12_new_c),
+      self_12_new = self_12_new_e + self->m12;
+  const double self_20_new_a = self->m20 * correction_0,
+      self_20_new_c = fma(self->m21, correction_3, self_20_new_a),
+      self_20_new_e = fma(self->m22, correction_4, self_20_new_c),
+      self_20_new = self->m20 + self_20_new_e;
+  const double self_21_new_a = self->m20 * correction_3,
+      self_21_new_c = fma(self->m21, correction_1, self_21_new_a),
+      self_21_new_e = fma(self->m22, correction_5, self_21_new_c),
+      self_21_new = self_21_new_e + self->m21;
+  const double self_22_new_a = self->m20 * correction_4,
+      self_22_new_c = fma(self->m21, correction_5, self_22_new_a),
+      self_22_new_e = fma(self->m22, correction_2, self_22_new_c),
+      self_22_new = self_22_new_e + self->m22;
+  self->m00 = self_00_new;
+  self->m01 = self_01_new;
+  self->m02 = self_02_new;
+  self->m10 = self_10_new;
+  self->m11 = self_11_new;
+  self->m12 = self_12_new;
+  self->m20 = self_20_new;
+  self->m21 = self_21_new;
+  self->m22 = self_22_new;
+}
+
+/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+   R, Ro: rotation or other 3×3 matrix.
+   18 mul, 9 add, 33 fma, 3 neg.
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_mat3x3_orthonormalized_fused(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
+  const double defect_0b = fma(-R->m00, R->m00, 1.0), defect_0d = fma(-R->m10, R->m10, defect_0b),
+      defect_0 = fma(-R->m20, R->m20, defect_0d);
+  const double defect_1b = fma(-R->m01, R->m01, 1.0), defect_1d = fma(-R->m11, R->m11, defect_1b),
+      defect_1 = fma(-R->m21, R->m21, defect_1d);
+  const double defect_2b = fma(-R->m02, R->m02, 1.0), defect_2d = fma(-R->m12, R->m12, defect_2b),
+      defect_2 = fma(-R->m22, R->m22, defect_2d);
+  const double defect_3a = R->m00 * R->m01, defect_3c = fma(R->m10, R->m11, defect_3a),
+      defect_3e = fma(R->m20, R->m21, defect_3c), defect_3 = -defect_3e;
+  const double defect_4a = R->m00 * R->m02, defect_4c = fma(R->m10, R->m12, defect_4a),
+      defect_4e = fma(R->m20, R->m22, defect_4c), defect_4 = -defect_4e;
+  const double defect_5a = R->m01 * R->m02, defect_5c = fma(R->m11, R->m12, defect_5a),
+      defect_5e = fma(R->m21, R->m22, defect_5c), defect_5 = -defect_5e;
+  const double correction_0 = 0.5 * defect_0;
+  const double correction_1 = 0.5 * defect_1;
+  const double correction_2 = 0.5 * defect_2;
+  const double correction_3 = 0.5 * defect_3;
+  const double correction_4 = 0.5 * defect_4;
+  const double correction_5 = 0.5 * defect_5;
+  const double Ro_00a = R->m00 * correction_0, Ro_00c = fma(R->m01, correction_3, Ro_00a),
+      Ro_00e = fma(R->m02, correction_4, Ro_00c), Ro_00 = R->m00 + Ro_00e;
+  const double Ro_01a = R->m00 * correction_3, Ro_01c = fma(R->m01, correction_1, Ro_01a),
+      Ro_01e = fma(R->m02, correction_5, Ro_01c), Ro_01 = Ro_01e + R->m01;
+  const double Ro_02a = R->m00 * correction_4, Ro_02c = fma(R->m01, correction_5, Ro_02a),
+      Ro_02e = fma(R->m02, correction_2, Ro_02c), Ro_02 = Ro_02e + R->m02;
+  const double Ro_10a = R->m10 * correction_0, Ro_10c = fma(R->m11, correction_3, Ro_10a),
+      Ro_10e = fma(R->m12, correction_4, Ro_10c), Ro_10 = R->m10 + Ro_10e;
+  const double Ro_11a = R->m10 * correction_3, Ro_11c = fma(R->m11, correction_1, Ro_11a),
+      Ro_11e = fma(R->m12, correction_5, Ro_11c), Ro_11 = Ro_11e + R->m11;
+  const double Ro_12a = R->m10 * correction_4, Ro_12c = fma(R->m11, correction_5, Ro_12a),
+      Ro_12e = fma(R->m12, correction_2, Ro_12c), Ro_12 = Ro_12e + R->m12;
+  const double Ro_20a = R->m20 * correction_0, Ro_20c = fma(R->m21, correction_3, Ro_20a),
+      Ro_20e = fma(R->m22, correction_4, Ro_20c), Ro_20 = R->m20 + Ro_20e;
+  const double Ro_21a = R->m20 * correction_3, Ro_21c = fma(R->m21, correction_1, Ro_21a),
+      Ro_21e = fma(R->m22, correction_5, Ro_21c), Ro_21 = Ro_21e + R->m21;
+  const double Ro_22a = R->m20 * correction_4, Ro_22c = fma(R->m21, correction_5, Ro_22a),
+      Ro_22e = fma(R->m22, correction_2, Ro_22c), Ro_22 = Ro_22e + R->m22;
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+}
+
+/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+   self: rotation or other 3×3 matrix.
+   18 mul, 9 add, 33 fma, 3 neg.
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_mat3x3f_orthonormalize_fused(ksl_mat3x3f_t *self) {
+  const float defect_0b = fmaf(-self->m00, self->m00, 1.0f),
+      defect_0d = fmaf(-self->m10, self->m10, defect_0b),
+      defect_0 = fmaf(-self->m20, self->m20, defect_0d);
+  const float defect_1b = fmaf(-self->m01, self->m01, 1.0f),
+      defect_1d = fmaf(-self->m11, self->m11, defect_1b),
+      defect_1 = fmaf(-self->m21, self->m21, defect_1d);
+  const float defect_2b = fmaf(-self->m02, self->m02, 1.0f),
+      defect_2d = fmaf(-self->m12, self->m12, defect_2b),
+      defect_2 = fmaf(-self->m22, self->m22, defect_2d);
+  const float defect_3a = self->m00 * self->m01, defect_3c = fmaf(self->m10, self->m11, defect_3a),
+      defect_3e = fmaf(self->m20, self->m21, defect_3c), defect_3 = -defect_3e;
+  const float defect_4a = self->m00 * self->m02, defect_4c = fmaf(self->m10, self->m12, defect_4a),
+      defect_4e = fmaf(self->m20, self->m22, defect_4c), defect_4 = -defect_4e;
+  const float defect_5a = self->m01 * self->m02, defect_5c = fmaf(self->m11, self->m12, defect_5a),
+      defect_5e = fmaf(self->m21, self->m22, defect_5c), defect_5 = -defect_5e;
+  const float correction_0 = 0.5f * defect_0;
+  const float correction_1 = 0.5f * defect_1;
+  const float correction_2 = 0.5f * defect_2;
+  const float correction_3 = 0.5f * defect_3;
+  const float correction_4 = 0.5f * defect_4;
+  const float correction_5 = 0.5f * defect_5;
+  const float self_00_new_a = self->m00 * correction_0,
+      self_00_new_c = fmaf(self->m01, correction_3, self_00_new_a),
+      self_00_new_e = fmaf(self->m02, correction_4, self_00_new_c),
+      self_00_new = self->m00 + self_00_new_e;
+  const float self_01_new_a = self->m00 * correction_3,
+      self_01_new_c = fmaf(self->m01, correction_1, self_01_new_a),
+      self_01_new_e = fmaf(self->m02, correction_5, self_01_new_c),
+      self_01_new = self_01_new_e + self->m01;
+  const float self_02_new_a = self->m00 * correction_4,
+      self_02_new_c = fmaf(self->m01, correction_5, self_02_new_a),
+      self_02_new_e = fmaf(self->m02, correction_2, self_02_new_c),
+      self_02_new = self_02_new_e + self->m02;
+  const float self_10_new_a = self->m10 * correction_0,
+      self_10_new_c = fmaf(self->m11, correction_3, self_10_new_a),
+      self_10_new_e = fmaf(self->m12, correction_4, self_10_new_c),
+      self_10_new = self->m10 + self_10_new_e;
+  const float self_11_new_a = self->m10 * correction_3,
+      self_11_new_c = fmaf(self->m11, correction_1, self_11_new_a),
+      self_11_new_e = fmaf(self->m12, correction_5, self_11_new_c),
+      self_11_new = self_11_new_e + self->m11;
+  const float self_12_new_a = self->m10 * correction_4,
+      self_12_new_c = fmaf(self->m11, correction_5, self_12_new_a),
+      self_12_new_e = fmaf(self->m12, correction_2, self_12_new_c),
+      self_12_new = self_12_new_e + self->m12;
+  const float self_20_new_a = self->m20 * correction_0,
+      self_20_new_c = fmaf(self->m21, correction_3, self_20_new_a),
+      self_20_new_e = fmaf(self->m22, correction_4, self_20_new_c),
+      self_20_new = self->m20 + self_20_new_e;
+  const float self_21_new_a = self->m20 * correction_3,
+      self_21_new_c = fmaf(self->m21, correction_1, self_21_new_a),
+      self_21_new_e = fmaf(self->m22, correction_5, self_21_new_c),
+      self_21_new = self_21_new_e + self->m21;
+  const float self_22_new_a = self->m20 * correction_4,
+      self_22_new_c = fmaf(self->m21, correction_5, self_22_new_a),
+      self_22_new_e = fmaf(self->m22, correction_2, self_22_new_c),
+      self_22_new = self_22_new_e + self->m22;
+  self->m00 = self_00_new;
+  self->m01 = self_01_new;
+  self->m02 = self_02_new;
+  self->m10 = self_10_new;
+  self->m11 = self_11_new;
+  self->m12 = self_12_new;
+  self->m20 = self_20_new;
+  self->m21 = self_21_new;
+  self->m22 = self_22_new;
+}
+
+/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+   R, Ro: rotation or other 3×3 matrix.
+   18 mul, 9 add, 33 fma, 3 neg.
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_mat3x3f_orthonormalized_fused(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
+  const float defect_0b = fmaf(-R->m00, R->m00, 1.0f), defect_0d = fmaf(-R->m10, R->m10, defect_0b),
+      defect_0 = fmaf(-R->m20, R->m20, defect_0d);
+  const float defect_1b = fmaf(-R->m01, R->m01, 1.0f), defect_1d = fmaf(-R->m11, R->m11, defect_1b),
+      defect_1 = fmaf(-R->m21, R->m21, defect_1d);
+  const float defect_2b = fmaf(-R->m02, R->m02, 1.0f), defect_2d = fmaf(-R->m12, R->m12, defect_2b),
+      defect_2 = fmaf(-R->m22, R->m22, defect_2d);
+  const float defect_3a = R->m00 * R->m01, defect_3c = fmaf(R->m10, R->m11, defect_3a),
+      defect_3e = fmaf(R->m20, R->m21, defect_3c), defect_3 = -defect_3e;
+  const float defect_4a = R->m00 * R->m02, defect_4c = fmaf(R->m10, R->m12, defect_4a),
+      defect_4e = fmaf(R->m20, R->m22, defect_4c), defect_4 = -defect_4e;
+  const float defect_5a = R->m01 * R->m02, defect_5c = fmaf(R->m11, R->m12, defect_5a),
+      defect_5e = fmaf(R->m21, R->m22, defect_5c), defect_5 = -defect_5e;
+  const float correction_0 = 0.5f * defect_0;
+  const float correction_1 = 0.5f * defect_1;
+  const float correction_2 = 0.5f * defect_2;
+  const float correction_3 = 0.5f * defect_3;
+  const float correction_4 = 0.5f * defect_4;
+  const float correction_5 = 0.5f * defect_5;
+  const float Ro_00a = R->m00 * correction_0, Ro_00c = fmaf(R->m01, correction_3, Ro_00a),
+      Ro_00e = fmaf(R->m02, correction_4, Ro_00c), Ro_00 = R->m00 + Ro_00e;
+  const float Ro_01a = R->m00 * correction_3, Ro_01c = fmaf(R->m01, correction_1, Ro_01a),
+      Ro_01e = fmaf(R->m02, correction_5, Ro_01c), Ro_01 = Ro_01e + R->m01;
+  const float Ro_02a = R->m00 * correction_4, Ro_02c = fmaf(R->m01, correction_5, Ro_02a),
+      Ro_02e = fmaf(R->m02, correction_2, Ro_02c), Ro_02 = Ro_02e + R->m02;
+  const float Ro_10a = R->m10 * correction_0, Ro_10c = fmaf(R->m11, correction_3, Ro_10a),
+      Ro_10e = fmaf(R->m12, correction_4, Ro_10c), Ro_10 = R->m10 + Ro_10e;
+  const float Ro_11a = R->m10 * correction_3, Ro_11c = fmaf(R->m11, correction_1, Ro_11a),
+      Ro_11e = fmaf(R->m12, correction_5, Ro_11c), Ro_11 = Ro_11e + R->m11;
+  const float Ro_12a = R->m10 * correction_4, Ro_12c = fmaf(R->m11, correction_5, Ro_12a),
+      Ro_12e = fmaf(R->m12, correction_2, Ro_12c), Ro_12 = Ro_12e + R->m12;
+  const float Ro_20a = R->m20 * correction_0, Ro_20c = fmaf(R->m21, correction_3, Ro_20a),
+      Ro_20e = fmaf(R->m22, correction_4, Ro_20c), Ro_20 = R->m20 + Ro_20e;
+  const float Ro_21a = R->m20 * correction_3, Ro_21c = fmaf(R->m21, correction_1, Ro_21a),
+      Ro_21e = fmaf(R->m22, correction_5, Ro_21c), Ro_21 = Ro_21e + R->m21;
+  const float Ro_22a = R->m20 * correction_4, Ro_22c = fmaf(R->m21, correction_5, Ro_22a),
+      Ro_22e = fmaf(R->m22, correction_2, Ro_22c), Ro_22 = Ro_22e + R->m22;
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+}
+
+#endif

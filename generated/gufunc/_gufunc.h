@@ -66,6 +66,8 @@ extern const coscrew_gufunc coscrew_matrix_gufuncs[], coscrew_matrix_gufuncs_avx
 extern const coscrew_gufunc coscrew_trig_gufuncs[], coscrew_trig_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_screw_gufuncs[], coscrew_screw_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_coscrew_gufuncs[], coscrew_coscrew_gufuncs_avx2[];
+extern const coscrew_gufunc coscrew_quaternion_gufuncs[], coscrew_quaternion_gufuncs_avx2[];
+extern const coscrew_gufunc coscrew_exponential_gufuncs[], coscrew_exponential_gufuncs_avx2[];
 
 INLINED void load_scalar_double(
     double *x, const char *p, const npy_intp *s) {

@@ -147,6 +147,23 @@ working_ctz = dispatch(__name__, double.working_ctz, single.working_ctz)
 working_crx = dispatch(__name__, double.working_crx, single.working_crx)
 working_cry = dispatch(__name__, double.working_cry, single.working_cry)
 working_crz = dispatch(__name__, double.working_crz, single.working_crz)
+quaternion_scale = dispatch(__name__, double.quaternion_scale, single.quaternion_scale)
+quaternion_norm = dispatch(__name__, double.quaternion_norm, single.quaternion_norm)
+quaternion_normalize = dispatch(__name__, double.quaternion_normalize, single.quaternion_normalize)
+quaternion_normalized = dispatch(__name__, double.quaternion_normalized, single.quaternion_normalized)
+product_qq = dispatch(__name__, double.product_qq, single.product_qq)
+product_qconjq = dispatch(__name__, double.product_qconjq, single.product_qconjq)
+product_qqconj = dispatch(__name__, double.product_qqconj, single.product_qqconj)
+product_qv = dispatch(__name__, double.product_qv, single.product_qv)
+product_qconjv = dispatch(__name__, double.product_qconjv, single.product_qconjv)
+mat3x3_from_quaternion = dispatch(__name__, double.mat3x3_from_quaternion, single.mat3x3_from_quaternion)
+quaternion_from_mat3x3 = dispatch(__name__, double.quaternion_from_mat3x3, single.quaternion_from_mat3x3)
+axis_angle_from_quaternion = dispatch(__name__, double.axis_angle_from_quaternion, single.axis_angle_from_quaternion)
+quaternion_log = dispatch(__name__, double.quaternion_log, single.quaternion_log)
+SO3_log = dispatch(__name__, double.SO3_log, single.SO3_log)
+axis_angle_from_mat3x3 = dispatch(__name__, double.axis_angle_from_mat3x3, single.axis_angle_from_mat3x3)
+mat3x3_orthonormalize = dispatch(__name__, double.mat3x3_orthonormalize, single.mat3x3_orthonormalize)
+mat3x3_orthonormalized = dispatch(__name__, double.mat3x3_orthonormalized, single.mat3x3_orthonormalized)
 
 __all__ = [
     "double", "single", 
@@ -290,4 +307,21 @@ __all__ = [
     "working_crx",
     "working_cry",
     "working_crz",
+    "quaternion_scale",
+    "quaternion_norm",
+    "quaternion_normalize",
+    "quaternion_normalized",
+    "product_qq",
+    "product_qconjq",
+    "product_qqconj",
+    "product_qv",
+    "product_qconjv",
+    "mat3x3_from_quaternion",
+    "quaternion_from_mat3x3",
+    "axis_angle_from_quaternion",
+    "quaternion_log",
+    "SO3_log",
+    "axis_angle_from_mat3x3",
+    "mat3x3_orthonormalize",
+    "mat3x3_orthonormalized",
 ]

@@ -205,6 +205,46 @@ from coscrew.single.coscrew import (
     working_crz,
     coad,
 )
+from coscrew.single.quaternion import (
+    quaternion_copy,
+    quaternion_scale,
+    quaternion_setIdentity,
+    quaternion_conjugated,
+    quaternion_norm,
+    quaternion_normalize,
+    quaternion_normalized,
+    product_qq,
+    product_qconjq,
+    product_qqconj,
+    product_qv,
+    product_qconjv,
+    mat3x3_from_quaternion,
+    quaternion_from_mat3x3,
+    quaternion_from_axis_angle,
+    axis_angle_from_quaternion,
+    quaternion_exp,
+    quaternion_log,
+    quaternion_slerp,
+)
+from coscrew.single.exponential import (
+    SO3_exp,
+    SO3_log,
+    SO3_leftJacobian,
+    SO3_rightJacobian,
+    SO3_leftJacobianInverse,
+    SO3_rightJacobianInverse,
+    mat3x3_from_axis_angle,
+    axis_angle_from_mat3x3,
+    mat3x3_orthonormalize,
+    mat3x3_orthonormalized,
+    SE3_exp,
+    SE3_log,
+    SE3_leftJacobian,
+    SE3_rightJacobian,
+    SE3_leftJacobianInverse,
+    SE3_rightJacobianInverse,
+    SE3_interpolated,
+)
 
 SE3 = SE3_fromRt
 screw = screw_from_lin_ang

@@ -1415,6 +1415,271 @@ def coad(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.floa
     6 neg.  Exact.
     """
 
+def quaternion_copy(qi: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """qo = qi.
+
+    (4)->(4).  qi, qo: quaternion (w; x, y, z), the scalar first.
+    No arithmetic.  Exact.
+    """
+
+def quaternion_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """self = a self.
+
+    (4),()->(4).  self: quaternion (w; x, y, z), the scalar first; a: number.
+    4 mul.  Error <= u |result|, barring over- and underflow.
+    """
+
+def quaternion_setIdentity(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """self = (1; 0).
+
+    (4)->(4).  self: quaternion (w; x, y, z), the scalar first.
+    No arithmetic.  Exact.
+    """
+
+def quaternion_conjugated(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """qo = (w; -v), the inverse of q if |q| = 1.
+
+    (4)->(4).  q, qo: quaternion (w; x, y, z), the scalar first.
+    3 neg.  Exact.
+    """
+
+def quaternion_norm(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """|q| = sqrt(w^2 + v·v).
+
+    (4)->().  q: quaternion (w; x, y, z), the scalar first; norm: number.
+    9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select.
+    """
+
+def quaternion_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """self = self / |self|; zero stays zero.
+
+    (4)->(4).  self: quaternion (w; x, y, z), the scalar first.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    """
+
+def quaternion_normalized(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """qo = q / |q|; zero stays zero.
+
+    (4)->(4).  q, qo: quaternion (w; x, y, z), the scalar first.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    """
+
+def product_qq(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
+
+    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+    16 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def product_qconjq(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """qo = q1* q2, q1* the conjugate.
+
+    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+    16 mul, 12 add.  Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
+    """
+
+def product_qqconj(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """qo = q1 q2*, q2* the conjugate.
+
+    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+    16 mul, 12 add.  Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
+    """
+
+def product_qv(q: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """vo = R(q) v, |q| = 1.
+
+    (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+    18 mul, 12 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def product_qconjv(q: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """vo = R(q)^T v, |q| = 1.
+
+    (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+    18 mul, 12 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
+
+    (4)->(3,3).  q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
+    17 mul, 15 add, 1 div.
+    """
+
+def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
+
+    (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
+    4 mul, 21 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
+    """
+
+def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """qo = (cos angle/2; axis sin angle/2); axis of length 1.
+
+    (3),()->(4).  axis: vector; angle: number; qo: quaternion (w; x, y, z), the scalar first.
+    4 mul, 1 sin, 1 cos.
+    """
+
+def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
+    angle = 0; any multiple of a quaternion.
+
+    (4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.
+    8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
+    """
+
+def quaternion_exp(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the rotation vector v.
+
+    (3)->(4).  v: vector; qo: quaternion (w; x, y, z), the scalar first.
+    34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.
+    """
+
+def quaternion_log(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of
+    it.
+
+    (4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.
+    11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.
+    """
+
+def quaternion_slerp(q1: ArrayLike, q2: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
+
+    (4),(4),()->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first; k: number.
+    76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16
+    select.
+    """
+
+def SO3_exp(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
+
+    (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
+    48 mul, 67 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select.
+    """
+
+def SO3_log(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
+
+    (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
+    11 mul, 20 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
+    """
+
+def SO3_leftJacobian(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
+
+    (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
+    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select.
+    """
+
+def SO3_rightJacobian(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
+
+    (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
+    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 less, 10 select.
+    """
+
+def SO3_leftJacobianInverse(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
+    but 0.
+
+    (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
+    41 mul, 57 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 2 less, 7 select.
+    """
+
+def SO3_rightJacobianInverse(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
+    but 0.
+
+    (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
+    41 mul, 57 add, 3 div, 1 sqrt, 1 sin, 1 cos, 2 less, 7 select.
+    """
+
+def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
+
+    (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
+    15 mul, 12 add, 2 sin.
+    """
+
+def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
+
+    (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
+    8 mul, 20 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
+    """
+
+def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+
+    (3,3)->(3,3).  self: rotation or other 3×3 matrix.
+    51 mul, 42 add, 3 neg.  Error <= u |result| + 8 u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
+    """
+
+def mat3x3_orthonormalized(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+
+    (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
+    51 mul, 42 add, 3 neg.  Error <= u |result| + 8 u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
+    """
+
+def SE3_exp(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """D = exp s = [exp ω~ | J_l(ω) v].
+
+    (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
+    79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 less, 11 select.
+    """
+
+def SE3_log(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
+
+    (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+    48 mul, 49 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 11 less, 1 equal, 26 select.
+    """
+
+def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
+
+    (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 4 less, 12 select.
+    """
+
+def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
+
+    (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 4 less, 12 select.
+    """
+
+def SE3_leftJacobianInverse(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
+
+    (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+    180 mul, 172 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 2 less, 11 select.
+    """
+
+def SE3_rightJacobianInverse(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
+
+    (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+    180 mul, 172 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 2 less, 11 select.
+    """
+
+def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
+
+    (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
+    205 mul, 194 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 15 less, 1 equal, 37
+    select.
+    """
+
 SE3 = SE3_fromRt
 screw = screw_from_lin_ang
 coscrew = coscrew_from_lin_ang

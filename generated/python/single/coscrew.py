@@ -233,27 +233,27 @@ def coscrew_normalize(self):
     y_1 = p_1 * s
     y_2 = p_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    d = where(n == 0, 1, n)
+    divisor = where(n == 0, 1, n)
     up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
-    z_0 = self_0 * up
-    z_1 = self_1 * up
-    z_2 = self_2 * up
-    z_3 = self_3 * up
-    z_4 = self_4 * up
-    z_5 = self_5 * up
-    q_0 = z_0 / d
-    q_1 = z_1 / d
-    q_2 = z_2 / d
-    q_3 = z_3 / d
-    q_4 = z_4 / d
-    q_5 = z_5 / d
-    self_0_new = q_0 * down
-    self_1_new = q_1 * down
-    self_2_new = q_2 * down
-    self_3_new = q_3 * down
-    self_4_new = q_4 * down
-    self_5_new = q_5 * down
+    enlarged_0 = self_0 * up
+    enlarged_1 = self_1 * up
+    enlarged_2 = self_2 * up
+    enlarged_3 = self_3 * up
+    enlarged_4 = self_4 * up
+    enlarged_5 = self_5 * up
+    quotient_0 = enlarged_0 / divisor
+    quotient_1 = enlarged_1 / divisor
+    quotient_2 = enlarged_2 / divisor
+    quotient_3 = enlarged_3 / divisor
+    quotient_4 = enlarged_4 / divisor
+    quotient_5 = enlarged_5 / divisor
+    self_0_new = quotient_0 * down
+    self_1_new = quotient_1 * down
+    self_2_new = quotient_2 * down
+    self_3_new = quotient_3 * down
+    self_4_new = quotient_4 * down
+    self_5_new = quotient_5 * down
     return (self_0_new, self_1_new, self_2_new, self_3_new, self_4_new, self_5_new)
 
 
@@ -282,27 +282,27 @@ def coscrew_normalized(ci):
     y_1 = p_1 * s
     y_2 = p_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    d = where(n == 0, 1, n)
+    divisor = where(n == 0, 1, n)
     up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
-    z_0 = ci_0 * up
-    z_1 = ci_1 * up
-    z_2 = ci_2 * up
-    z_3 = ci_3 * up
-    z_4 = ci_4 * up
-    z_5 = ci_5 * up
-    q_0 = z_0 / d
-    q_1 = z_1 / d
-    q_2 = z_2 / d
-    q_3 = z_3 / d
-    q_4 = z_4 / d
-    q_5 = z_5 / d
-    co_0 = q_0 * down
-    co_1 = q_1 * down
-    co_2 = q_2 * down
-    co_3 = q_3 * down
-    co_4 = q_4 * down
-    co_5 = q_5 * down
+    enlarged_0 = ci_0 * up
+    enlarged_1 = ci_1 * up
+    enlarged_2 = ci_2 * up
+    enlarged_3 = ci_3 * up
+    enlarged_4 = ci_4 * up
+    enlarged_5 = ci_5 * up
+    quotient_0 = enlarged_0 / divisor
+    quotient_1 = enlarged_1 / divisor
+    quotient_2 = enlarged_2 / divisor
+    quotient_3 = enlarged_3 / divisor
+    quotient_4 = enlarged_4 / divisor
+    quotient_5 = enlarged_5 / divisor
+    co_0 = quotient_0 * down
+    co_1 = quotient_1 * down
+    co_2 = quotient_2 * down
+    co_3 = quotient_3 * down
+    co_4 = quotient_4 * down
+    co_5 = quotient_5 * down
     return (co_0, co_1, co_2, co_3, co_4, co_5)
 
 

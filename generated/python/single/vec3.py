@@ -220,18 +220,18 @@ def vec3_normalize(self):
     y_1 = self_1 * s
     y_2 = self_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    d = where(n == 0, 1, n)
+    divisor = where(n == 0, 1, n)
     up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
-    z_0 = self_0 * up
-    z_1 = self_1 * up
-    z_2 = self_2 * up
-    q_0 = z_0 / d
-    q_1 = z_1 / d
-    q_2 = z_2 / d
-    self_0_new = q_0 * down
-    self_1_new = q_1 * down
-    self_2_new = q_2 * down
+    enlarged_0 = self_0 * up
+    enlarged_1 = self_1 * up
+    enlarged_2 = self_2 * up
+    quotient_0 = enlarged_0 / divisor
+    quotient_1 = enlarged_1 / divisor
+    quotient_2 = enlarged_2 / divisor
+    self_0_new = quotient_0 * down
+    self_1_new = quotient_1 * down
+    self_2_new = quotient_2 * down
     return (self_0_new, self_1_new, self_2_new)
 
 
@@ -254,18 +254,18 @@ def vec3_normalized(v):
     y_1 = v_1 * s
     y_2 = v_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    d = where(n == 0, 1, n)
+    divisor = where(n == 0, 1, n)
     up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
-    z_0 = v_0 * up
-    z_1 = v_1 * up
-    z_2 = v_2 * up
-    q_0 = z_0 / d
-    q_1 = z_1 / d
-    q_2 = z_2 / d
-    vo_0 = q_0 * down
-    vo_1 = q_1 * down
-    vo_2 = q_2 * down
+    enlarged_0 = v_0 * up
+    enlarged_1 = v_1 * up
+    enlarged_2 = v_2 * up
+    quotient_0 = enlarged_0 / divisor
+    quotient_1 = enlarged_1 / divisor
+    quotient_2 = enlarged_2 / divisor
+    vo_0 = quotient_0 * down
+    vo_1 = quotient_1 * down
+    vo_2 = quotient_2 * down
     return (vo_0, vo_1, vo_2)
 
 

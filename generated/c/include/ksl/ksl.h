@@ -11,6 +11,8 @@
 #include "trig.h"
 #include "screw.h"
 #include "coscrew.h"
+#include "quaternion.h"
+#include "exponential.h"
 #include "ksl_selfcheck.h"
 
 #endif

@@ -9,5 +9,7 @@
 #include "matrix_accurate.h"
 #include "screw_accurate.h"
 #include "coscrew_accurate.h"
+#include "quaternion_accurate.h"
+#include "exponential_accurate.h"
 
 #endif

@@ -9,5 +9,7 @@
 #include "matrix_fused.h"
 #include "screw_fused.h"
 #include "coscrew_fused.h"
+#include "quaternion_fused.h"
+#include "exponential_fused.h"
 
 #endif

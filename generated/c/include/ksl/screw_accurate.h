@@ -274,76 +274,100 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double d = n == 0.0 ? 1.0 : n, d_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = self->m0 * up;
-  const double z_1 = self->m1 * up;
-  const double z_2 = self->m2 * up;
-  const double z_3 = self->m3 * up;
-  const double z_4 = self->m4 * up;
-  const double z_5 = self->m5 * up;
-  const double q_0 = z_0 / d, q_0_cross = q_0 * d_lo, q_0_product = q_0 * d,
-      q_0_product_error = ksl_product_error(q_0, d, q_0_product), q_0_rest = z_0 - q_0_product,
-      q_0_exact = q_0_rest - q_0_product_error, q_0_residual = q_0_exact - q_0_cross,
-      q_0_lo = q_0_residual / d;
-  const double q_1 = z_1 / d, q_1_cross = q_1 * d_lo, q_1_product = q_1 * d,
-      q_1_product_error = ksl_product_error(q_1, d, q_1_product), q_1_rest = z_1 - q_1_product,
-      q_1_exact = q_1_rest - q_1_product_error, q_1_residual = q_1_exact - q_1_cross,
-      q_1_lo = q_1_residual / d;
-  const double q_2 = z_2 / d, q_2_cross = q_2 * d_lo, q_2_product = q_2 * d,
-      q_2_product_error = ksl_product_error(q_2, d, q_2_product), q_2_rest = z_2 - q_2_product,
-      q_2_exact = q_2_rest - q_2_product_error, q_2_residual = q_2_exact - q_2_cross,
-      q_2_lo = q_2_residual / d;
-  const double q_3 = z_3 / d, q_3_cross = q_3 * d_lo, q_3_product = q_3 * d,
-      q_3_product_error = ksl_product_error(q_3, d, q_3_product), q_3_rest = z_3 - q_3_product,
-      q_3_exact = q_3_rest - q_3_product_error, q_3_residual = q_3_exact - q_3_cross,
-      q_3_lo = q_3_residual / d;
-  const double q_4 = z_4 / d, q_4_cross = q_4 * d_lo, q_4_product = q_4 * d,
-      q_4_product_error = ksl_product_error(q_4, d, q_4_product), q_4_rest = z_4 - q_4_product,
-      q_4_exact = q_4_rest - q_4_product_error, q_4_residual = q_4_exact - q_4_cross,
-      q_4_lo = q_4_residual / d;
-  const double q_5 = z_5 / d, q_5_cross = q_5 * d_lo, q_5_product = q_5 * d,
-      q_5_product_error = ksl_product_error(q_5, d, q_5_product), q_5_rest = z_5 - q_5_product,
-      q_5_exact = q_5_rest - q_5_product_error, q_5_residual = q_5_exact - q_5_cross,
-      q_5_lo = q_5_residual / d;
-  const double self_0_new_total = q_0 + q_0_lo, self_0_new_added = self_0_new_total - q_0,
-      self_0_new_remaining = q_0_lo - self_0_new_added, self_0_new = self_0_new_total * down,
+  const double enlarged_0 = self->m0 * up;
+  const double enlarged_1 = self->m1 * up;
+  const double enlarged_2 = self->m2 * up;
+  const double enlarged_3 = self->m3 * up;
+  const double enlarged_4 = self->m4 * up;
+  const double enlarged_5 = self->m5 * up;
+  const double quotient_0 = enlarged_0 / divisor, quotient_0_cross = quotient_0 * divisor_lo,
+      quotient_0_product = quotient_0 * divisor,
+      quotient_0_product_error = ksl_product_error(quotient_0, divisor, quotient_0_product),
+      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_exact = quotient_0_rest - quotient_0_product_error,
+      quotient_0_residual = quotient_0_exact - quotient_0_cross,
+      quotient_0_lo = quotient_0_residual / divisor;
+  const double quotient_1 = enlarged_1 / divisor, quotient_1_cross = quotient_1 * divisor_lo,
+      quotient_1_product = quotient_1 * divisor,
+      quotient_1_product_error = ksl_product_error(quotient_1, divisor, quotient_1_product),
+      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_exact = quotient_1_rest - quotient_1_product_error,
+      quotient_1_residual = quotient_1_exact - quotient_1_cross,
+      quotient_1_lo = quotient_1_residual / divisor;
+  const double quotient_2 = enlarged_2 / divisor, quotient_2_cross = quotient_2 * divisor_lo,
+      quotient_2_product = quotient_2 * divisor,
+      quotient_2_product_error = ksl_product_error(quotient_2, divisor, quotient_2_product),
+      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_exact = quotient_2_rest - quotient_2_product_error,
+      quotient_2_residual = quotient_2_exact - quotient_2_cross,
+      quotient_2_lo = quotient_2_residual / divisor;
+  const double quotient_3 = enlarged_3 / divisor, quotient_3_cross = quotient_3 * divisor_lo,
+      quotient_3_product = quotient_3 * divisor,
+      quotient_3_product_error = ksl_product_error(quotient_3, divisor, quotient_3_product),
+      quotient_3_rest = enlarged_3 - quotient_3_product,
+      quotient_3_exact = quotient_3_rest - quotient_3_product_error,
+      quotient_3_residual = quotient_3_exact - quotient_3_cross,
+      quotient_3_lo = quotient_3_residual / divisor;
+  const double quotient_4 = enlarged_4 / divisor, quotient_4_cross = quotient_4 * divisor_lo,
+      quotient_4_product = quotient_4 * divisor,
+      quotient_4_product_error = ksl_product_error(quotient_4, divisor, quotient_4_product),
+      quotient_4_rest = enlarged_4 - quotient_4_product,
+      quotient_4_exact = quotient_4_rest - quotient_4_product_error,
+      quotient_4_residual = quotient_4_exact - quotient_4_cross,
+      quotient_4_lo = quotient_4_residual / divisor;
+  const double quotient_5 = enlarged_5 / divisor, quotient_5_cross = quotient_5 * divisor_lo,
+      quotient_5_product = quotient_5 * divisor,
+      quotient_5_product_error = ksl_product_error(quotient_5, divisor, quotient_5_product),
+      quotient_5_rest = enlarged_5 - quotient_5_product,
+      quotient_5_exact = quotient_5_rest - quotient_5_product_error,
+      quotient_5_residual = quotient_5_exact - quotient_5_cross,
+      quotient_5_lo = quotient_5_residual / divisor;
+  const double self_0_new_total = quotient_0 + quotient_0_lo,
+      self_0_new_added = self_0_new_total - quotient_0,
+      self_0_new_remaining = quotient_0_lo - self_0_new_added, self_0_new = self_0_new_total * down,
       self_0_new_inverse = 1.0 / down, self_0_new_back = self_0_new * self_0_new_inverse,
       self_0_new_lost = self_0_new_total - self_0_new_back,
       self_0_new_rest = self_0_new_lost + self_0_new_remaining,
       self_0_new_small = self_0_new_rest * down,
       self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
-  const double self_1_new_total = q_1 + q_1_lo, self_1_new_added = self_1_new_total - q_1,
-      self_1_new_remaining = q_1_lo - self_1_new_added, self_1_new = self_1_new_total * down,
+  const double self_1_new_total = quotient_1 + quotient_1_lo,
+      self_1_new_added = self_1_new_total - quotient_1,
+      self_1_new_remaining = quotient_1_lo - self_1_new_added, self_1_new = self_1_new_total * down,
       self_1_new_back = self_1_new * self_0_new_inverse,
       self_1_new_lost = self_1_new_total - self_1_new_back,
       self_1_new_rest = self_1_new_lost + self_1_new_remaining,
       self_1_new_small = self_1_new_rest * down,
       self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
-  const double self_2_new_total = q_2 + q_2_lo, self_2_new_added = self_2_new_total - q_2,
-      self_2_new_remaining = q_2_lo - self_2_new_added, self_2_new = self_2_new_total * down,
+  const double self_2_new_total = quotient_2 + quotient_2_lo,
+      self_2_new_added = self_2_new_total - quotient_2,
+      self_2_new_remaining = quotient_2_lo - self_2_new_added, self_2_new = self_2_new_total * down,
       self_2_new_back = self_2_new * self_0_new_inverse,
       self_2_new_lost = self_2_new_total - self_2_new_back,
       self_2_new_rest = self_2_new_lost + self_2_new_remaining,
       self_2_new_small = self_2_new_rest * down,
       self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
-  const double self_3_new_total = q_3 + q_3_lo, self_3_new_added = self_3_new_total - q_3,
-      self_3_new_remaining = q_3_lo - self_3_new_added, self_3_new = self_3_new_total * down,
+  const double self_3_new_total = quotient_3 + quotient_3_lo,
+      self_3_new_added = self_3_new_total - quotient_3,
+      self_3_new_remaining = quotient_3_lo - self_3_new_added, self_3_new = self_3_new_total * down,
       self_3_new_back = self_3_new * self_0_new_inverse,
       self_3_new_lost = self_3_new_total - self_3_new_back,
       self_3_new_rest = self_3_new_lost + self_3_new_remaining,
       self_3_new_small = self_3_new_rest * down,
       self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
-  const double self_4_new_total = q_4 + q_4_lo, self_4_new_added = self_4_new_total - q_4,
-      self_4_new_remaining = q_4_lo - self_4_new_added, self_4_new = self_4_new_total * down,
+  const double self_4_new_total = quotient_4 + quotient_4_lo,
+      self_4_new_added = self_4_new_total - quotient_4,
+      self_4_new_remaining = quotient_4_lo - self_4_new_added, self_4_new = self_4_new_total * down,
       self_4_new_back = self_4_new * self_0_new_inverse,
       self_4_new_lost = self_4_new_total - self_4_new_back,
       self_4_new_rest = self_4_new_lost + self_4_new_remaining,
       self_4_new_small = self_4_new_rest * down,
       self_4_new_lo = self_4_new_lost == 0.0 ? 0.0 : self_4_new_small;
-  const double self_5_new_total = q_5 + q_5_lo, self_5_new_added = self_5_new_total - q_5,
-      self_5_new_remaining = q_5_lo - self_5_new_added, self_5_new = self_5_new_total * down,
+  const double self_5_new_total = quotient_5 + quotient_5_lo,
+      self_5_new_added = self_5_new_total - quotient_5,
+      self_5_new_remaining = quotient_5_lo - self_5_new_added, self_5_new = self_5_new_total * down,
       self_5_new_back = self_5_new * self_0_new_inverse,
       self_5_new_lost = self_5_new_total - self_5_new_back,
       self_5_new_rest = self_5_new_lost + self_5_new_remaining,
@@ -399,66 +423,84 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double d = n == 0.0 ? 1.0 : n, d_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = si->m0 * up;
-  const double z_1 = si->m1 * up;
-  const double z_2 = si->m2 * up;
-  const double z_3 = si->m3 * up;
-  const double z_4 = si->m4 * up;
-  const double z_5 = si->m5 * up;
-  const double q_0 = z_0 / d, q_0_cross = q_0 * d_lo, q_0_product = q_0 * d,
-      q_0_product_error = ksl_product_error(q_0, d, q_0_product), q_0_rest = z_0 - q_0_product,
-      q_0_exact = q_0_rest - q_0_product_error, q_0_residual = q_0_exact - q_0_cross,
-      q_0_lo = q_0_residual / d;
-  const double q_1 = z_1 / d, q_1_cross = q_1 * d_lo, q_1_product = q_1 * d,
-      q_1_product_error = ksl_product_error(q_1, d, q_1_product), q_1_rest = z_1 - q_1_product,
-      q_1_exact = q_1_rest - q_1_product_error, q_1_residual = q_1_exact - q_1_cross,
-      q_1_lo = q_1_residual / d;
-  const double q_2 = z_2 / d, q_2_cross = q_2 * d_lo, q_2_product = q_2 * d,
-      q_2_product_error = ksl_product_error(q_2, d, q_2_product), q_2_rest = z_2 - q_2_product,
-      q_2_exact = q_2_rest - q_2_product_error, q_2_residual = q_2_exact - q_2_cross,
-      q_2_lo = q_2_residual / d;
-  const double q_3 = z_3 / d, q_3_cross = q_3 * d_lo, q_3_product = q_3 * d,
-      q_3_product_error = ksl_product_error(q_3, d, q_3_product), q_3_rest = z_3 - q_3_product,
-      q_3_exact = q_3_rest - q_3_product_error, q_3_residual = q_3_exact - q_3_cross,
-      q_3_lo = q_3_residual / d;
-  const double q_4 = z_4 / d, q_4_cross = q_4 * d_lo, q_4_product = q_4 * d,
-      q_4_product_error = ksl_product_error(q_4, d, q_4_product), q_4_rest = z_4 - q_4_product,
-      q_4_exact = q_4_rest - q_4_product_error, q_4_residual = q_4_exact - q_4_cross,
-      q_4_lo = q_4_residual / d;
-  const double q_5 = z_5 / d, q_5_cross = q_5 * d_lo, q_5_product = q_5 * d,
-      q_5_product_error = ksl_product_error(q_5, d, q_5_product), q_5_rest = z_5 - q_5_product,
-      q_5_exact = q_5_rest - q_5_product_error, q_5_residual = q_5_exact - q_5_cross,
-      q_5_lo = q_5_residual / d;
-  const double so_0_total = q_0 + q_0_lo, so_0_added = so_0_total - q_0,
-      so_0_remaining = q_0_lo - so_0_added, so_0 = so_0_total * down, so_0_inverse = 1.0 / down,
-      so_0_back = so_0 * so_0_inverse, so_0_lost = so_0_total - so_0_back,
-      so_0_rest = so_0_lost + so_0_remaining, so_0_small = so_0_rest * down,
-      so_0_lo = so_0_lost == 0.0 ? 0.0 : so_0_small;
-  const double so_1_total = q_1 + q_1_lo, so_1_added = so_1_total - q_1,
-      so_1_remaining = q_1_lo - so_1_added, so_1 = so_1_total * down,
+  const double enlarged_0 = si->m0 * up;
+  const double enlarged_1 = si->m1 * up;
+  const double enlarged_2 = si->m2 * up;
+  const double enlarged_3 = si->m3 * up;
+  const double enlarged_4 = si->m4 * up;
+  const double enlarged_5 = si->m5 * up;
+  const double quotient_0 = enlarged_0 / divisor, quotient_0_cross = quotient_0 * divisor_lo,
+      quotient_0_product = quotient_0 * divisor,
+      quotient_0_product_error = ksl_product_error(quotient_0, divisor, quotient_0_product),
+      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_exact = quotient_0_rest - quotient_0_product_error,
+      quotient_0_residual = quotient_0_exact - quotient_0_cross,
+      quotient_0_lo = quotient_0_residual / divisor;
+  const double quotient_1 = enlarged_1 / divisor, quotient_1_cross = quotient_1 * divisor_lo,
+      quotient_1_product = quotient_1 * divisor,
+      quotient_1_product_error = ksl_product_error(quotient_1, divisor, quotient_1_product),
+      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_exact = quotient_1_rest - quotient_1_product_error,
+      quotient_1_residual = quotient_1_exact - quotient_1_cross,
+      quotient_1_lo = quotient_1_residual / divisor;
+  const double quotient_2 = enlarged_2 / divisor, quotient_2_cross = quotient_2 * divisor_lo,
+      quotient_2_product = quotient_2 * divisor,
+      quotient_2_product_error = ksl_product_error(quotient_2, divisor, quotient_2_product),
+      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_exact = quotient_2_rest - quotient_2_product_error,
+      quotient_2_residual = quotient_2_exact - quotient_2_cross,
+      quotient_2_lo = quotient_2_residual / divisor;
+  const double quotient_3 = enlarged_3 / divisor, quotient_3_cross = quotient_3 * divisor_lo,
+      quotient_3_product = quotient_3 * divisor,
+      quotient_3_product_error = ksl_product_error(quotient_3, divisor, quotient_3_product),
+      quotient_3_rest = enlarged_3 - quotient_3_product,
+      quotient_3_exact = quotient_3_rest - quotient_3_product_error,
+      quotient_3_residual = quotient_3_exact - quotient_3_cross,
+      quotient_3_lo = quotient_3_residual / divisor;
+  const double quotient_4 = enlarged_4 / divisor, quotient_4_cross = quotient_4 * divisor_lo,
+      quotient_4_product = quotient_4 * divisor,
+      quotient_4_product_error = ksl_product_error(quotient_4, divisor, quotient_4_product),
+      quotient_4_rest = enlarged_4 - quotient_4_product,
+      quotient_4_exact = quotient_4_rest - quotient_4_product_error,
+      quotient_4_residual = quotient_4_exact - quotient_4_cross,
+      quotient_4_lo = quotient_4_residual / divisor;
+  const double quotient_5 = enlarged_5 / divisor, quotient_5_cross = quotient_5 * divisor_lo,
+      quotient_5_product = quotient_5 * divisor,
+      quotient_5_product_error = ksl_product_error(quotient_5, divisor, quotient_5_product),
+      quotient_5_rest = enlarged_5 - quotient_5_product,
+      quotient_5_exact = quotient_5_rest - quotient_5_product_error,
+      quotient_5_residual = quotient_5_exact - quotient_5_cross,
+      quotient_5_lo = quotient_5_residual / divisor;
+  const double so_0_total = quotient_0 + quotient_0_lo, so_0_added = so_0_total - quotient_0,
+      so_0_remaining = quotient_0_lo - so_0_added, so_0 = so_0_total * down,
+      so_0_inverse = 1.0 / down, so_0_back = so_0 * so_0_inverse,
+      so_0_lost = so_0_total - so_0_back, so_0_rest = so_0_lost + so_0_remaining,
+      so_0_small = so_0_rest * down, so_0_lo = so_0_lost == 0.0 ? 0.0 : so_0_small;
+  const double so_1_total = quotient_1 + quotient_1_lo, so_1_added = so_1_total - quotient_1,
+      so_1_remaining = quotient_1_lo - so_1_added, so_1 = so_1_total * down,
       so_1_back = so_1 * so_0_inverse, so_1_lost = so_1_total - so_1_back,
       so_1_rest = so_1_lost + so_1_remaining, so_1_small = so_1_rest * down,
       so_1_lo = so_1_lost == 0.0 ? 0.0 : so_1_small;
-  const double so_2_total = q_2 + q_2_lo, so_2_added = so_2_total - q_2,
-      so_2_remaining = q_2_lo - so_2_added, so_2 = so_2_total * down,
+  const double so_2_total = quotient_2 + quotient_2_lo, so_2_added = so_2_total - quotient_2,
+      so_2_remaining = quotient_2_lo - so_2_added, so_2 = so_2_total * down,
       so_2_back = so_2 * so_0_inverse, so_2_lost = so_2_total - so_2_back,
       so_2_rest = so_2_lost + so_2_remaining, so_2_small = so_2_rest * down,
       so_2_lo = so_2_lost == 0.0 ? 0.0 : so_2_small;
-  const double so_3_total = q_3 + q_3_lo, so_3_added = so_3_total - q_3,
-      so_3_remaining = q_3_lo - so_3_added, so_3 = so_3_total * down,
+  const double so_3_total = quotient_3 + quotient_3_lo, so_3_added = so_3_total - quotient_3,
+      so_3_remaining = quotient_3_lo - so_3_added, so_3 = so_3_total * down,
       so_3_back = so_3 * so_0_inverse, so_3_lost = so_3_total - so_3_back,
       so_3_rest = so_3_lost + so_3_remaining, so_3_small = so_3_rest * down,
       so_3_lo = so_3_lost == 0.0 ? 0.0 : so_3_small;
-  const double so_4_total = q_4 + q_4_lo, so_4_added = so_4_total - q_4,
-      so_4_remaining = q_4_lo - so_4_added, so_4 = so_4_total * down,
+  const double so_4_total = quotient_4 + quotient_4_lo, so_4_added = so_4_total - quotient_4,
+      so_4_remaining = quotient_4_lo - so_4_added, so_4 = so_4_total * down,
       so_4_back = so_4 * so_0_inverse, so_4_lost = so_4_total - so_4_back,
       so_4_rest = so_4_lost + so_4_remaining, so_4_small = so_4_rest * down,
       so_4_lo = so_4_lost == 0.0 ? 0.0 : so_4_small;
-  const double so_5_total = q_5 + q_5_lo, so_5_added = so_5_total - q_5,
-      so_5_remaining = q_5_lo - so_5_added, so_5 = so_5_total * down,
+  const double so_5_total = quotient_5 + quotient_5_lo, so_5_added = so_5_total - quotient_5,
+      so_5_remaining = quotient_5_lo - so_5_added, so_5 = so_5_total * down,
       so_5_back = so_5 * so_0_inverse, so_5_lost = so_5_total - so_5_back,
       so_5_rest = so_5_lost + so_5_remaining, so_5_small = so_5_rest * down,
       so_5_lo = so_5_lost == 0.0 ? 0.0 : so_5_small;
@@ -1765,27 +1807,27 @@ static inline void ksl_screwf_normalize_accurate(ksl_screwf_t *self) {
   const double y_2 = p_2 * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
-  const double d = n == 0.0 ? 1.0 : n;
+  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = (double)self->m0 * up;
-  const double z_1 = (double)self->m1 * up;
-  const double z_2 = (double)self->m2 * up;
-  const double z_3 = (double)self->m3 * up;
-  const double z_4 = (double)self->m4 * up;
-  const double z_5 = (double)self->m5 * up;
-  const double q_0 = z_0 / d;
-  const double q_1 = z_1 / d;
-  const double q_2 = z_2 / d;
-  const double q_3 = z_3 / d;
-  const double q_4 = z_4 / d;
-  const double q_5 = z_5 / d;
-  const double self_0_new = q_0 * down;
-  const double self_1_new = q_1 * down;
-  const double self_2_new = q_2 * down;
-  const double self_3_new = q_3 * down;
-  const double self_4_new = q_4 * down;
-  const double self_5_new = q_5 * down;
+  const double enlarged_0 = (double)self->m0 * up;
+  const double enlarged_1 = (double)self->m1 * up;
+  const double enlarged_2 = (double)self->m2 * up;
+  const double enlarged_3 = (double)self->m3 * up;
+  const double enlarged_4 = (double)self->m4 * up;
+  const double enlarged_5 = (double)self->m5 * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double quotient_3 = enlarged_3 / divisor;
+  const double quotient_4 = enlarged_4 / divisor;
+  const double quotient_5 = enlarged_5 / divisor;
+  const double self_0_new = quotient_0 * down;
+  const double self_1_new = quotient_1 * down;
+  const double self_2_new = quotient_2 * down;
+  const double self_3_new = quotient_3 * down;
+  const double self_4_new = quotient_4 * down;
+  const double self_5_new = quotient_5 * down;
   self->m0 = (float)self_0_new;
   self->m1 = (float)self_1_new;
   self->m2 = (float)self_2_new;
@@ -1817,27 +1859,27 @@ static inline void ksl_screwf_normalized_accurate(const ksl_screwf_t *si, ksl_sc
   const double y_2 = p_2 * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
-  const double d = n == 0.0 ? 1.0 : n;
+  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = (double)si->m0 * up;
-  const double z_1 = (double)si->m1 * up;
-  const double z_2 = (double)si->m2 * up;
-  const double z_3 = (double)si->m3 * up;
-  const double z_4 = (double)si->m4 * up;
-  const double z_5 = (double)si->m5 * up;
-  const double q_0 = z_0 / d;
-  const double q_1 = z_1 / d;
-  const double q_2 = z_2 / d;
-  const double q_3 = z_3 / d;
-  const double q_4 = z_4 / d;
-  const double q_5 = z_5 / d;
-  const double so_0 = q_0 * down;
-  const double so_1 = q_1 * down;
-  const double so_2 = q_2 * down;
-  const double so_3 = q_3 * down;
-  const double so_4 = q_4 * down;
-  const double so_5 = q_5 * down;
+  const double enlarged_0 = (double)si->m0 * up;
+  const double enlarged_1 = (double)si->m1 * up;
+  const double enlarged_2 = (double)si->m2 * up;
+  const double enlarged_3 = (double)si->m3 * up;
+  const double enlarged_4 = (double)si->m4 * up;
+  const double enlarged_5 = (double)si->m5 * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double quotient_3 = enlarged_3 / divisor;
+  const double quotient_4 = enlarged_4 / divisor;
+  const double quotient_5 = enlarged_5 / divisor;
+  const double so_0 = quotient_0 * down;
+  const double so_1 = quotient_1 * down;
+  const double so_2 = quotient_2 * down;
+  const double so_3 = quotient_3 * down;
+  const double so_4 = quotient_4 * down;
+  const double so_5 = quotient_5 * down;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;

@@ -201,40 +201,52 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double d = n == 0.0 ? 1.0 : n, d_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = self->x * up;
-  const double z_1 = self->y * up;
-  const double z_2 = self->z * up;
-  const double q_0 = z_0 / d, q_0_cross = q_0 * d_lo, q_0_product = q_0 * d,
-      q_0_product_error = ksl_product_error(q_0, d, q_0_product), q_0_rest = z_0 - q_0_product,
-      q_0_exact = q_0_rest - q_0_product_error, q_0_residual = q_0_exact - q_0_cross,
-      q_0_lo = q_0_residual / d;
-  const double q_1 = z_1 / d, q_1_cross = q_1 * d_lo, q_1_product = q_1 * d,
-      q_1_product_error = ksl_product_error(q_1, d, q_1_product), q_1_rest = z_1 - q_1_product,
-      q_1_exact = q_1_rest - q_1_product_error, q_1_residual = q_1_exact - q_1_cross,
-      q_1_lo = q_1_residual / d;
-  const double q_2 = z_2 / d, q_2_cross = q_2 * d_lo, q_2_product = q_2 * d,
-      q_2_product_error = ksl_product_error(q_2, d, q_2_product), q_2_rest = z_2 - q_2_product,
-      q_2_exact = q_2_rest - q_2_product_error, q_2_residual = q_2_exact - q_2_cross,
-      q_2_lo = q_2_residual / d;
-  const double self_0_new_total = q_0 + q_0_lo, self_0_new_added = self_0_new_total - q_0,
-      self_0_new_remaining = q_0_lo - self_0_new_added, self_0_new = self_0_new_total * down,
+  const double enlarged_0 = self->x * up;
+  const double enlarged_1 = self->y * up;
+  const double enlarged_2 = self->z * up;
+  const double quotient_0 = enlarged_0 / divisor, quotient_0_cross = quotient_0 * divisor_lo,
+      quotient_0_product = quotient_0 * divisor,
+      quotient_0_product_error = ksl_product_error(quotient_0, divisor, quotient_0_product),
+      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_exact = quotient_0_rest - quotient_0_product_error,
+      quotient_0_residual = quotient_0_exact - quotient_0_cross,
+      quotient_0_lo = quotient_0_residual / divisor;
+  const double quotient_1 = enlarged_1 / divisor, quotient_1_cross = quotient_1 * divisor_lo,
+      quotient_1_product = quotient_1 * divisor,
+      quotient_1_product_error = ksl_product_error(quotient_1, divisor, quotient_1_product),
+      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_exact = quotient_1_rest - quotient_1_product_error,
+      quotient_1_residual = quotient_1_exact - quotient_1_cross,
+      quotient_1_lo = quotient_1_residual / divisor;
+  const double quotient_2 = enlarged_2 / divisor, quotient_2_cross = quotient_2 * divisor_lo,
+      quotient_2_product = quotient_2 * divisor,
+      quotient_2_product_error = ksl_product_error(quotient_2, divisor, quotient_2_product),
+      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_exact = quotient_2_rest - quotient_2_product_error,
+      quotient_2_residual = quotient_2_exact - quotient_2_cross,
+      quotient_2_lo = quotient_2_residual / divisor;
+  const double self_0_new_total = quotient_0 + quotient_0_lo,
+      self_0_new_added = self_0_new_total - quotient_0,
+      self_0_new_remaining = quotient_0_lo - self_0_new_added, self_0_new = self_0_new_total * down,
       self_0_new_inverse = 1.0 / down, self_0_new_back = self_0_new * self_0_new_inverse,
       self_0_new_lost = self_0_new_total - self_0_new_back,
       self_0_new_rest = self_0_new_lost + self_0_new_remaining,
       self_0_new_small = self_0_new_rest * down,
       self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
-  const double self_1_new_total = q_1 + q_1_lo, self_1_new_added = self_1_new_total - q_1,
-      self_1_new_remaining = q_1_lo - self_1_new_added, self_1_new = self_1_new_total * down,
+  const double self_1_new_total = quotient_1 + quotient_1_lo,
+      self_1_new_added = self_1_new_total - quotient_1,
+      self_1_new_remaining = quotient_1_lo - self_1_new_added, self_1_new = self_1_new_total * down,
       self_1_new_back = self_1_new * self_0_new_inverse,
       self_1_new_lost = self_1_new_total - self_1_new_back,
       self_1_new_rest = self_1_new_lost + self_1_new_remaining,
       self_1_new_small = self_1_new_rest * down,
       self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
-  const double self_2_new_total = q_2 + q_2_lo, self_2_new_added = self_2_new_total - q_2,
-      self_2_new_remaining = q_2_lo - self_2_new_added, self_2_new = self_2_new_total * down,
+  const double self_2_new_total = quotient_2 + quotient_2_lo,
+      self_2_new_added = self_2_new_total - quotient_2,
+      self_2_new_remaining = quotient_2_lo - self_2_new_added, self_2_new = self_2_new_total * down,
       self_2_new_back = self_2_new * self_0_new_inverse,
       self_2_new_lost = self_2_new_total - self_2_new_back,
       self_2_new_rest = self_2_new_lost + self_2_new_remaining,
@@ -275,36 +287,45 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double d = n == 0.0 ? 1.0 : n, d_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = v->x * up;
-  const double z_1 = v->y * up;
-  const double z_2 = v->z * up;
-  const double q_0 = z_0 / d, q_0_cross = q_0 * d_lo, q_0_product = q_0 * d,
-      q_0_product_error = ksl_product_error(q_0, d, q_0_product), q_0_rest = z_0 - q_0_product,
-      q_0_exact = q_0_rest - q_0_product_error, q_0_residual = q_0_exact - q_0_cross,
-      q_0_lo = q_0_residual / d;
-  const double q_1 = z_1 / d, q_1_cross = q_1 * d_lo, q_1_product = q_1 * d,
-      q_1_product_error = ksl_product_error(q_1, d, q_1_product), q_1_rest = z_1 - q_1_product,
-      q_1_exact = q_1_rest - q_1_product_error, q_1_residual = q_1_exact - q_1_cross,
-      q_1_lo = q_1_residual / d;
-  const double q_2 = z_2 / d, q_2_cross = q_2 * d_lo, q_2_product = q_2 * d,
-      q_2_product_error = ksl_product_error(q_2, d, q_2_product), q_2_rest = z_2 - q_2_product,
-      q_2_exact = q_2_rest - q_2_product_error, q_2_residual = q_2_exact - q_2_cross,
-      q_2_lo = q_2_residual / d;
-  const double vo_0_total = q_0 + q_0_lo, vo_0_added = vo_0_total - q_0,
-      vo_0_remaining = q_0_lo - vo_0_added, vo_0 = vo_0_total * down, vo_0_inverse = 1.0 / down,
-      vo_0_back = vo_0 * vo_0_inverse, vo_0_lost = vo_0_total - vo_0_back,
-      vo_0_rest = vo_0_lost + vo_0_remaining, vo_0_small = vo_0_rest * down,
-      vo_0_lo = vo_0_lost == 0.0 ? 0.0 : vo_0_small;
-  const double vo_1_total = q_1 + q_1_lo, vo_1_added = vo_1_total - q_1,
-      vo_1_remaining = q_1_lo - vo_1_added, vo_1 = vo_1_total * down,
+  const double enlarged_0 = v->x * up;
+  const double enlarged_1 = v->y * up;
+  const double enlarged_2 = v->z * up;
+  const double quotient_0 = enlarged_0 / divisor, quotient_0_cross = quotient_0 * divisor_lo,
+      quotient_0_product = quotient_0 * divisor,
+      quotient_0_product_error = ksl_product_error(quotient_0, divisor, quotient_0_product),
+      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_exact = quotient_0_rest - quotient_0_product_error,
+      quotient_0_residual = quotient_0_exact - quotient_0_cross,
+      quotient_0_lo = quotient_0_residual / divisor;
+  const double quotient_1 = enlarged_1 / divisor, quotient_1_cross = quotient_1 * divisor_lo,
+      quotient_1_product = quotient_1 * divisor,
+      quotient_1_product_error = ksl_product_error(quotient_1, divisor, quotient_1_product),
+      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_exact = quotient_1_rest - quotient_1_product_error,
+      quotient_1_residual = quotient_1_exact - quotient_1_cross,
+      quotient_1_lo = quotient_1_residual / divisor;
+  const double quotient_2 = enlarged_2 / divisor, quotient_2_cross = quotient_2 * divisor_lo,
+      quotient_2_product = quotient_2 * divisor,
+      quotient_2_product_error = ksl_product_error(quotient_2, divisor, quotient_2_product),
+      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_exact = quotient_2_rest - quotient_2_product_error,
+      quotient_2_residual = quotient_2_exact - quotient_2_cross,
+      quotient_2_lo = quotient_2_residual / divisor;
+  const double vo_0_total = quotient_0 + quotient_0_lo, vo_0_added = vo_0_total - quotient_0,
+      vo_0_remaining = quotient_0_lo - vo_0_added, vo_0 = vo_0_total * down,
+      vo_0_inverse = 1.0 / down, vo_0_back = vo_0 * vo_0_inverse,
+      vo_0_lost = vo_0_total - vo_0_back, vo_0_rest = vo_0_lost + vo_0_remaining,
+      vo_0_small = vo_0_rest * down, vo_0_lo = vo_0_lost == 0.0 ? 0.0 : vo_0_small;
+  const double vo_1_total = quotient_1 + quotient_1_lo, vo_1_added = vo_1_total - quotient_1,
+      vo_1_remaining = quotient_1_lo - vo_1_added, vo_1 = vo_1_total * down,
       vo_1_back = vo_1 * vo_0_inverse, vo_1_lost = vo_1_total - vo_1_back,
       vo_1_rest = vo_1_lost + vo_1_remaining, vo_1_small = vo_1_rest * down,
       vo_1_lo = vo_1_lost == 0.0 ? 0.0 : vo_1_small;
-  const double vo_2_total = q_2 + q_2_lo, vo_2_added = vo_2_total - q_2,
-      vo_2_remaining = q_2_lo - vo_2_added, vo_2 = vo_2_total * down,
+  const double vo_2_total = quotient_2 + quotient_2_lo, vo_2_added = vo_2_total - quotient_2,
+      vo_2_remaining = quotient_2_lo - vo_2_added, vo_2 = vo_2_total * down,
       vo_2_back = vo_2 * vo_0_inverse, vo_2_lost = vo_2_total - vo_2_back,
       vo_2_rest = vo_2_lost + vo_2_remaining, vo_2_small = vo_2_rest * down,
       vo_2_lo = vo_2_lost == 0.0 ? 0.0 : vo_2_small;
@@ -672,18 +693,18 @@ static inline void ksl_vec3f_normalize_accurate(ksl_vec3f_t *self) {
   const double y_2 = (double)self->z * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
-  const double d = n == 0.0 ? 1.0 : n;
+  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = (double)self->x * up;
-  const double z_1 = (double)self->y * up;
-  const double z_2 = (double)self->z * up;
-  const double q_0 = z_0 / d;
-  const double q_1 = z_1 / d;
-  const double q_2 = z_2 / d;
-  const double self_0_new = q_0 * down;
-  const double self_1_new = q_1 * down;
-  const double self_2_new = q_2 * down;
+  const double enlarged_0 = (double)self->x * up;
+  const double enlarged_1 = (double)self->y * up;
+  const double enlarged_2 = (double)self->z * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double self_0_new = quotient_0 * down;
+  const double self_1_new = quotient_1 * down;
+  const double self_2_new = quotient_2 * down;
   self->x = (float)self_0_new;
   self->y = (float)self_1_new;
   self->z = (float)self_2_new;
@@ -705,18 +726,18 @@ static inline void ksl_vec3f_normalized_accurate(const ksl_vec3f_t *v, ksl_vec3f
   const double y_2 = (double)v->z * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
-  const double d = n == 0.0 ? 1.0 : n;
+  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double z_0 = (double)v->x * up;
-  const double z_1 = (double)v->y * up;
-  const double z_2 = (double)v->z * up;
-  const double q_0 = z_0 / d;
-  const double q_1 = z_1 / d;
-  const double q_2 = z_2 / d;
-  const double vo_0 = q_0 * down;
-  const double vo_1 = q_1 * down;
-  const double vo_2 = q_2 * down;
+  const double enlarged_0 = (double)v->x * up;
+  const double enlarged_1 = (double)v->y * up;
+  const double enlarged_2 = (double)v->z * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double vo_0 = quotient_0 * down;
+  const double vo_1 = quotient_1 * down;
+  const double vo_2 = quotient_2 * down;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;

@@ -276,64 +276,82 @@ def coscrew_normalize(self):
     n_product = n * n
     n_residual = n_e - n_product - product_error(n, n, n_product) + n_e_lo
     n_lo = n_residual / where(n == 0, 1, n + n)
-    d = where(n == 0, 1, n)
-    d_lo = where(n == 0, 0, n_lo)
+    divisor = where(n == 0, 1, n)
+    divisor_lo = where(n == 0, 0, n_lo)
     up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
-    z_0 = self_0 * up
-    z_1 = self_1 * up
-    z_2 = self_2 * up
-    z_3 = self_3 * up
-    z_4 = self_4 * up
-    z_5 = self_5 * up
-    q_0 = z_0 / d
-    q_0_product = q_0 * d
-    q_0_lo = (z_0 - q_0_product - product_error(q_0, d, q_0_product) - q_0 * d_lo) / d
-    q_1 = z_1 / d
-    q_1_product = q_1 * d
-    q_1_lo = (z_1 - q_1_product - product_error(q_1, d, q_1_product) - q_1 * d_lo) / d
-    q_2 = z_2 / d
-    q_2_product = q_2 * d
-    q_2_lo = (z_2 - q_2_product - product_error(q_2, d, q_2_product) - q_2 * d_lo) / d
-    q_3 = z_3 / d
-    q_3_product = q_3 * d
-    q_3_lo = (z_3 - q_3_product - product_error(q_3, d, q_3_product) - q_3 * d_lo) / d
-    q_4 = z_4 / d
-    q_4_product = q_4 * d
-    q_4_lo = (z_4 - q_4_product - product_error(q_4, d, q_4_product) - q_4 * d_lo) / d
-    q_5 = z_5 / d
-    q_5_product = q_5 * d
-    q_5_lo = (z_5 - q_5_product - product_error(q_5, d, q_5_product) - q_5 * d_lo) / d
-    self_0_new_total = q_0 + q_0_lo
+    enlarged_0 = self_0 * up
+    enlarged_1 = self_1 * up
+    enlarged_2 = self_2 * up
+    enlarged_3 = self_3 * up
+    enlarged_4 = self_4 * up
+    enlarged_5 = self_5 * up
+    quotient_0 = enlarged_0 / divisor
+    quotient_0_product = quotient_0 * divisor
+    quotient_0_product_error = product_error(quotient_0, divisor, quotient_0_product)
+    quotient_0_exact = enlarged_0 - quotient_0_product - quotient_0_product_error
+    quotient_0_residual = quotient_0_exact - quotient_0 * divisor_lo
+    quotient_0_lo = quotient_0_residual / divisor
+    quotient_1 = enlarged_1 / divisor
+    quotient_1_product = quotient_1 * divisor
+    quotient_1_product_error = product_error(quotient_1, divisor, quotient_1_product)
+    quotient_1_exact = enlarged_1 - quotient_1_product - quotient_1_product_error
+    quotient_1_residual = quotient_1_exact - quotient_1 * divisor_lo
+    quotient_1_lo = quotient_1_residual / divisor
+    quotient_2 = enlarged_2 / divisor
+    quotient_2_product = quotient_2 * divisor
+    quotient_2_product_error = product_error(quotient_2, divisor, quotient_2_product)
+    quotient_2_exact = enlarged_2 - quotient_2_product - quotient_2_product_error
+    quotient_2_residual = quotient_2_exact - quotient_2 * divisor_lo
+    quotient_2_lo = quotient_2_residual / divisor
+    quotient_3 = enlarged_3 / divisor
+    quotient_3_product = quotient_3 * divisor
+    quotient_3_product_error = product_error(quotient_3, divisor, quotient_3_product)
+    quotient_3_exact = enlarged_3 - quotient_3_product - quotient_3_product_error
+    quotient_3_residual = quotient_3_exact - quotient_3 * divisor_lo
+    quotient_3_lo = quotient_3_residual / divisor
+    quotient_4 = enlarged_4 / divisor
+    quotient_4_product = quotient_4 * divisor
+    quotient_4_product_error = product_error(quotient_4, divisor, quotient_4_product)
+    quotient_4_exact = enlarged_4 - quotient_4_product - quotient_4_product_error
+    quotient_4_residual = quotient_4_exact - quotient_4 * divisor_lo
+    quotient_4_lo = quotient_4_residual / divisor
+    quotient_5 = enlarged_5 / divisor
+    quotient_5_product = quotient_5 * divisor
+    quotient_5_product_error = product_error(quotient_5, divisor, quotient_5_product)
+    quotient_5_exact = enlarged_5 - quotient_5_product - quotient_5_product_error
+    quotient_5_residual = quotient_5_exact - quotient_5 * divisor_lo
+    quotient_5_lo = quotient_5_residual / divisor
+    self_0_new_total = quotient_0 + quotient_0_lo
     self_0_new = self_0_new_total * down
     self_0_new_inverse = 1 / down
     self_0_new_lost = self_0_new_total - self_0_new * self_0_new_inverse
-    self_0_new_small = (self_0_new_lost + (q_0_lo - (self_0_new_total - q_0))) * down
+    self_0_new_small = (self_0_new_lost + (quotient_0_lo - (self_0_new_total - quotient_0))) * down
     self_0_new_lo = where(self_0_new_lost == 0, 0, self_0_new_small)
-    self_1_new_total = q_1 + q_1_lo
+    self_1_new_total = quotient_1 + quotient_1_lo
     self_1_new = self_1_new_total * down
     self_1_new_lost = self_1_new_total - self_1_new * self_0_new_inverse
-    self_1_new_small = (self_1_new_lost + (q_1_lo - (self_1_new_total - q_1))) * down
+    self_1_new_small = (self_1_new_lost + (quotient_1_lo - (self_1_new_total - quotient_1))) * down
     self_1_new_lo = where(self_1_new_lost == 0, 0, self_1_new_small)
-    self_2_new_total = q_2 + q_2_lo
+    self_2_new_total = quotient_2 + quotient_2_lo
     self_2_new = self_2_new_total * down
     self_2_new_lost = self_2_new_total - self_2_new * self_0_new_inverse
-    self_2_new_small = (self_2_new_lost + (q_2_lo - (self_2_new_total - q_2))) * down
+    self_2_new_small = (self_2_new_lost + (quotient_2_lo - (self_2_new_total - quotient_2))) * down
     self_2_new_lo = where(self_2_new_lost == 0, 0, self_2_new_small)
-    self_3_new_total = q_3 + q_3_lo
+    self_3_new_total = quotient_3 + quotient_3_lo
     self_3_new = self_3_new_total * down
     self_3_new_lost = self_3_new_total - self_3_new * self_0_new_inverse
-    self_3_new_small = (self_3_new_lost + (q_3_lo - (self_3_new_total - q_3))) * down
+    self_3_new_small = (self_3_new_lost + (quotient_3_lo - (self_3_new_total - quotient_3))) * down
     self_3_new_lo = where(self_3_new_lost == 0, 0, self_3_new_small)
-    self_4_new_total = q_4 + q_4_lo
+    self_4_new_total = quotient_4 + quotient_4_lo
     self_4_new = self_4_new_total * down
     self_4_new_lost = self_4_new_total - self_4_new * self_0_new_inverse
-    self_4_new_small = (self_4_new_lost + (q_4_lo - (self_4_new_total - q_4))) * down
+    self_4_new_small = (self_4_new_lost + (quotient_4_lo - (self_4_new_total - quotient_4))) * down
     self_4_new_lo = where(self_4_new_lost == 0, 0, self_4_new_small)
-    self_5_new_total = q_5 + q_5_lo
+    self_5_new_total = quotient_5 + quotient_5_lo
     self_5_new = self_5_new_total * down
     self_5_new_lost = self_5_new_total - self_5_new * self_0_new_inverse
-    self_5_new_small = (self_5_new_lost + (q_5_lo - (self_5_new_total - q_5))) * down
+    self_5_new_small = (self_5_new_lost + (quotient_5_lo - (self_5_new_total - quotient_5))) * down
     self_5_new_lo = where(self_5_new_lost == 0, 0, self_5_new_small)
     self_0_new_total = self_0_new + self_0_new_lo
     self_0_new_rounded = where(self_0_new_total == self_0_new_total, self_0_new_total, self_0_new)
@@ -388,64 +406,94 @@ def coscrew_normalized(ci):
     n_product = n * n
     n_residual = n_e - n_product - product_error(n, n, n_product) + n_e_lo
     n_lo = n_residual / where(n == 0, 1, n + n)
-    d = where(n == 0, 1, n)
-    d_lo = where(n == 0, 0, n_lo)
+    divisor = where(n == 0, 1, n)
+    divisor_lo = where(n == 0, 0, n_lo)
     up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
-    z_0 = ci_0 * up
-    z_1 = ci_1 * up
-    z_2 = ci_2 * up
-    z_3 = ci_3 * up
-    z_4 = ci_4 * up
-    z_5 = ci_5 * up
-    q_0 = z_0 / d
-    q_0_product = q_0 * d
-    q_0_lo = (z_0 - q_0_product - product_error(q_0, d, q_0_product) - q_0 * d_lo) / d
-    q_1 = z_1 / d
-    q_1_product = q_1 * d
-    q_1_lo = (z_1 - q_1_product - product_error(q_1, d, q_1_product) - q_1 * d_lo) / d
-    q_2 = z_2 / d
-    q_2_product = q_2 * d
-    q_2_lo = (z_2 - q_2_product - product_error(q_2, d, q_2_product) - q_2 * d_lo) / d
-    q_3 = z_3 / d
-    q_3_product = q_3 * d
-    q_3_lo = (z_3 - q_3_product - product_error(q_3, d, q_3_product) - q_3 * d_lo) / d
-    q_4 = z_4 / d
-    q_4_product = q_4 * d
-    q_4_lo = (z_4 - q_4_product - product_error(q_4, d, q_4_product) - q_4 * d_lo) / d
-    q_5 = z_5 / d
-    q_5_product = q_5 * d
-    q_5_lo = (z_5 - q_5_product - product_error(q_5, d, q_5_product) - q_5 * d_lo) / d
-    co_0_total = q_0 + q_0_lo
+    enlarged_0 = ci_0 * up
+    enlarged_1 = ci_1 * up
+    enlarged_2 = ci_2 * up
+    enlarged_3 = ci_3 * up
+    enlarged_4 = ci_4 * up
+    enlarged_5 = ci_5 * up
+    quotient_0 = enlarged_0 / divisor
+    quotient_0_product = quotient_0 * divisor
+    quotient_0_product_error = product_error(quotient_0, divisor, quotient_0_product)
+    quotient_0_exact = enlarged_0 - quotient_0_product - quotient_0_product_error
+    quotient_0_residual = quotient_0_exact - quotient_0 * divisor_lo
+    quotient_0_lo = quotient_0_residual / divisor
+    quotient_1 = enlarged_1 / divisor
+    quotient_1_product = quotient_1 * divisor
+    quotient_1_product_error = product_error(quotient_1, divisor, quotient_1_product)
+    quotient_1_exact = enlarged_1 - quotient_1_product - quotient_1_product_error
+    quotient_1_residual = quotient_1_exact - quotient_1 * divisor_lo
+    quotient_1_lo = quotient_1_residual / divisor
+    quotient_2 = enlarged_2 / divisor
+    quotient_2_product = quotient_2 * divisor
+    quotient_2_product_error = product_error(quotient_2, divisor, quotient_2_product)
+    quotient_2_exact = enlarged_2 - quotient_2_product - quotient_2_product_error
+    quotient_2_residual = quotient_2_exact - quotient_2 * divisor_lo
+    quotient_2_lo = quotient_2_residual / divisor
+    quotient_3 = enlarged_3 / divisor
+    quotient_3_product = quotient_3 * divisor
+    quotient_3_product_error = product_error(quotient_3, divisor, quotient_3_product)
+    quotient_3_exact = enlarged_3 - quotient_3_product - quotient_3_product_error
+    quotient_3_residual = quotient_3_exact - quotient_3 * divisor_lo
+    quotient_3_lo = quotient_3_residual / divisor
+    quotient_4 = enlarged_4 / divisor
+    quotient_4_product = quotient_4 * divisor
+    quotient_4_product_error = product_error(quotient_4, divisor, quotient_4_product)
+    quotient_4_exact = enlarged_4 - quotient_4_product - quotient_4_product_error
+    quotient_4_residual = quotient_4_exact - quotient_4 * divisor_lo
+    quotient_4_lo = quotient_4_residual / divisor
+    quotient_5 = enlarged_5 / divisor
+    quotient_5_product = quotient_5 * divisor
+    quotient_5_product_error = product_error(quotient_5, divisor, quotient_5_product)
+    quotient_5_exact = enlarged_5 - quotient_5_product - quotient_5_product_error
+    quotient_5_residual = quotient_5_exact - quotient_5 * divisor_lo
+    quotient_5_lo = quotient_5_residual / divisor
+    co_0_total = quotient_0 + quotient_0_lo
     co_0 = co_0_total * down
     co_0_inverse = 1 / down
     co_0_lost = co_0_total - co_0 * co_0_inverse
-    co_1_total = q_1 + q_1_lo
+    co_0_small = (co_0_lost + (quotient_0_lo - (co_0_total - quotient_0))) * down
+    co_0_lo = where(co_0_lost == 0, 0, co_0_small)
+    co_1_total = quotient_1 + quotient_1_lo
     co_1 = co_1_total * down
     co_1_lost = co_1_total - co_1 * co_0_inverse
-    co_2_total = q_2 + q_2_lo
+    co_1_small = (co_1_lost + (quotient_1_lo - (co_1_total - quotient_1))) * down
+    co_1_lo = where(co_1_lost == 0, 0, co_1_small)
+    co_2_total = quotient_2 + quotient_2_lo
     co_2 = co_2_total * down
     co_2_lost = co_2_total - co_2 * co_0_inverse
-    co_3_total = q_3 + q_3_lo
+    co_2_small = (co_2_lost + (quotient_2_lo - (co_2_total - quotient_2))) * down
+    co_2_lo = where(co_2_lost == 0, 0, co_2_small)
+    co_3_total = quotient_3 + quotient_3_lo
     co_3 = co_3_total * down
     co_3_lost = co_3_total - co_3 * co_0_inverse
-    co_4_total = q_4 + q_4_lo
+    co_3_small = (co_3_lost + (quotient_3_lo - (co_3_total - quotient_3))) * down
+    co_3_lo = where(co_3_lost == 0, 0, co_3_small)
+    co_4_total = quotient_4 + quotient_4_lo
     co_4 = co_4_total * down
     co_4_lost = co_4_total - co_4 * co_0_inverse
-    co_5_total = q_5 + q_5_lo
+    co_4_small = (co_4_lost + (quotient_4_lo - (co_4_total - quotient_4))) * down
+    co_4_lo = where(co_4_lost == 0, 0, co_4_small)
+    co_5_total = quotient_5 + quotient_5_lo
     co_5 = co_5_total * down
     co_5_lost = co_5_total - co_5 * co_0_inverse
-    co_0_total = co_0 + where(co_0_lost == 0, 0, (co_0_lost + (q_0_lo - (co_0_total - q_0))) * down)
+    co_5_small = (co_5_lost + (quotient_5_lo - (co_5_total - quotient_5))) * down
+    co_5_lo = where(co_5_lost == 0, 0, co_5_small)
+    co_0_total = co_0 + co_0_lo
     co_0_rounded = where(co_0_total == co_0_total, co_0_total, co_0)
-    co_1_total = co_1 + where(co_1_lost == 0, 0, (co_1_lost + (q_1_lo - (co_1_total - q_1))) * down)
+    co_1_total = co_1 + co_1_lo
     co_1_rounded = where(co_1_total == co_1_total, co_1_total, co_1)
-    co_2_total = co_2 + where(co_2_lost == 0, 0, (co_2_lost + (q_2_lo - (co_2_total - q_2))) * down)
+    co_2_total = co_2 + co_2_lo
     co_2_rounded = where(co_2_total == co_2_total, co_2_total, co_2)
-    co_3_total = co_3 + where(co_3_lost == 0, 0, (co_3_lost + (q_3_lo - (co_3_total - q_3))) * down)
+    co_3_total = co_3 + co_3_lo
     co_3_rounded = where(co_3_total == co_3_total, co_3_total, co_3)
-    co_4_total = co_4 + where(co_4_lost == 0, 0, (co_4_lost + (q_4_lo - (co_4_total - q_4))) * down)
+    co_4_total = co_4 + co_4_lo
     co_4_rounded = where(co_4_total == co_4_total, co_4_total, co_4)
-    co_5_total = co_5 + where(co_5_lost == 0, 0, (co_5_lost + (q_5_lo - (co_5_total - q_5))) * down)
+    co_5_total = co_5 + co_5_lo
     co_5_rounded = where(co_5_total == co_5_total, co_5_total, co_5)
     return (co_0_rounded, co_1_rounded, co_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
 

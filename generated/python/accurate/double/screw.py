@@ -276,64 +276,82 @@ def screw_normalize(self):
     n_product = n * n
     n_residual = n_e - n_product - product_error(n, n, n_product) + n_e_lo
     n_lo = n_residual / where(n == 0, 1, n + n)
-    d = where(n == 0, 1, n)
-    d_lo = where(n == 0, 0, n_lo)
+    divisor = where(n == 0, 1, n)
+    divisor_lo = where(n == 0, 0, n_lo)
     up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
-    z_0 = self_0 * up
-    z_1 = self_1 * up
-    z_2 = self_2 * up
-    z_3 = self_3 * up
-    z_4 = self_4 * up
-    z_5 = self_5 * up
-    q_0 = z_0 / d
-    q_0_product = q_0 * d
-    q_0_lo = (z_0 - q_0_product - product_error(q_0, d, q_0_product) - q_0 * d_lo) / d
-    q_1 = z_1 / d
-    q_1_product = q_1 * d
-    q_1_lo = (z_1 - q_1_product - product_error(q_1, d, q_1_product) - q_1 * d_lo) / d
-    q_2 = z_2 / d
-    q_2_product = q_2 * d
-    q_2_lo = (z_2 - q_2_product - product_error(q_2, d, q_2_product) - q_2 * d_lo) / d
-    q_3 = z_3 / d
-    q_3_product = q_3 * d
-    q_3_lo = (z_3 - q_3_product - product_error(q_3, d, q_3_product) - q_3 * d_lo) / d
-    q_4 = z_4 / d
-    q_4_product = q_4 * d
-    q_4_lo = (z_4 - q_4_product - product_error(q_4, d, q_4_product) - q_4 * d_lo) / d
-    q_5 = z_5 / d
-    q_5_product = q_5 * d
-    q_5_lo = (z_5 - q_5_product - product_error(q_5, d, q_5_product) - q_5 * d_lo) / d
-    self_0_new_total = q_0 + q_0_lo
+    enlarged_0 = self_0 * up
+    enlarged_1 = self_1 * up
+    enlarged_2 = self_2 * up
+    enlarged_3 = self_3 * up
+    enlarged_4 = self_4 * up
+    enlarged_5 = self_5 * up
+    quotient_0 = enlarged_0 / divisor
+    quotient_0_product = quotient_0 * divisor
+    quotient_0_product_error = product_error(quotient_0, divisor, quotient_0_product)
+    quotient_0_exact = enlarged_0 - quotient_0_product - quotient_0_product_error
+    quotient_0_residual = quotient_0_exact - quotient_0 * divisor_lo
+    quotient_0_lo = quotient_0_residual / divisor
+    quotient_1 = enlarged_1 / divisor
+    quotient_1_product = quotient_1 * divisor
+    quotient_1_product_error = product_error(quotient_1, divisor, quotient_1_product)
+    quotient_1_exact = enlarged_1 - quotient_1_product - quotient_1_product_error
+    quotient_1_residual = quotient_1_exact - quotient_1 * divisor_lo
+    quotient_1_lo = quotient_1_residual / divisor
+    quotient_2 = enlarged_2 / divisor
+    quotient_2_product = quotient_2 * divisor
+    quotient_2_product_error = product_error(quotient_2, divisor, quotient_2_product)
+    quotient_2_exact = enlarged_2 - quotient_2_product - quotient_2_product_error
+    quotient_2_residual = quotient_2_exact - quotient_2 * divisor_lo
+    quotient_2_lo = quotient_2_residual / divisor
+    quotient_3 = enlarged_3 / divisor
+    quotient_3_product = quotient_3 * divisor
+    quotient_3_product_error = product_error(quotient_3, divisor, quotient_3_product)
+    quotient_3_exact = enlarged_3 - quotient_3_product - quotient_3_product_error
+    quotient_3_residual = quotient_3_exact - quotient_3 * divisor_lo
+    quotient_3_lo = quotient_3_residual / divisor
+    quotient_4 = enlarged_4 / divisor
+    quotient_4_product = quotient_4 * divisor
+    quotient_4_product_error = product_error(quotient_4, divisor, quotient_4_product)
+    quotient_4_exact = enlarged_4 - quotient_4_product - quotient_4_product_error
+    quotient_4_residual = quotient_4_exact - quotient_4 * divisor_lo
+    quotient_4_lo = quotient_4_residual / divisor
+    quotient_5 = enlarged_5 / divisor
+    quotient_5_product = quotient_5 * divisor
+    quotient_5_product_error = product_error(quotient_5, divisor, quotient_5_product)
+    quotient_5_exact = enlarged_5 - quotient_5_product - quotient_5_product_error
+    quotient_5_residual = quotient_5_exact - quotient_5 * divisor_lo
+    quotient_5_lo = quotient_5_residual / divisor
+    self_0_new_total = quotient_0 + quotient_0_lo
     self_0_new = self_0_new_total * down
     self_0_new_inverse = 1 / down
     self_0_new_lost = self_0_new_total - self_0_new * self_0_new_inverse
-    self_0_new_small = (self_0_new_lost + (q_0_lo - (self_0_new_total - q_0))) * down
+    self_0_new_small = (self_0_new_lost + (quotient_0_lo - (self_0_new_total - quotient_0))) * down
     self_0_new_lo = where(self_0_new_lost == 0, 0, self_0_new_small)
-    self_1_new_total = q_1 + q_1_lo
+    self_1_new_total = quotient_1 + quotient_1_lo
     self_1_new = self_1_new_total * down
     self_1_new_lost = self_1_new_total - self_1_new * self_0_new_inverse
-    self_1_new_small = (self_1_new_lost + (q_1_lo - (self_1_new_total - q_1))) * down
+    self_1_new_small = (self_1_new_lost + (quotient_1_lo - (self_1_new_total - quotient_1))) * down
     self_1_new_lo = where(self_1_new_lost == 0, 0, self_1_new_small)
-    self_2_new_total = q_2 + q_2_lo
+    self_2_new_total = quotient_2 + quotient_2_lo
     self_2_new = self_2_new_total * down
     self_2_new_lost = self_2_new_total - self_2_new * self_0_new_inverse
-    self_2_new_small = (self_2_new_lost + (q_2_lo - (self_2_new_total - q_2))) * down
+    self_2_new_small = (self_2_new_lost + (quotient_2_lo - (self_2_new_total - quotient_2))) * down
     self_2_new_lo = where(self_2_new_lost == 0, 0, self_2_new_small)
-    self_3_new_total = q_3 + q_3_lo
+    self_3_new_total = quotient_3 + quotient_3_lo
     self_3_new = self_3_new_total * down
     self_3_new_lost = self_3_new_total - self_3_new * self_0_new_inverse
-    self_3_new_small = (self_3_new_lost + (q_3_lo - (self_3_new_total - q_3))) * down
+    self_3_new_small = (self_3_new_lost + (quotient_3_lo - (self_3_new_total - quotient_3))) * down
     self_3_new_lo = where(self_3_new_lost == 0, 0, self_3_new_small)
-    self_4_new_total = q_4 + q_4_lo
+    self_4_new_total = quotient_4 + quotient_4_lo
     self_4_new = self_4_new_total * down
     self_4_new_lost = self_4_new_total - self_4_new * self_0_new_inverse
-    self_4_new_small = (self_4_new_lost + (q_4_lo - (self_4_new_total - q_4))) * down
+    self_4_new_small = (self_4_new_lost + (quotient_4_lo - (self_4_new_total - quotient_4))) * down
     self_4_new_lo = where(self_4_new_lost == 0, 0, self_4_new_small)
-    self_5_new_total = q_5 + q_5_lo
+    self_5_new_total = quotient_5 + quotient_5_lo
     self_5_new = self_5_new_total * down
     self_5_new_lost = self_5_new_total - self_5_new * self_0_new_inverse
-    self_5_new_small = (self_5_new_lost + (q_5_lo - (self_5_new_total - q_5))) * down
+    self_5_new_small = (self_5_new_lost + (quotient_5_lo - (self_5_new_total - quotient_5))) * down
     self_5_new_lo = where(self_5_new_lost == 0, 0, self_5_new_small)
     self_0_new_total = self_0_new + self_0_new_lo
     self_0_new_rounded = where(self_0_new_total == self_0_new_total, self_0_new_total, self_0_new)
@@ -388,64 +406,94 @@ def screw_normalized(si):
     n_product = n * n
     n_residual = n_e - n_product - product_error(n, n, n_product) + n_e_lo
     n_lo = n_residual / where(n == 0, 1, n + n)
-    d = where(n == 0, 1, n)
-    d_lo = where(n == 0, 0, n_lo)
+    divisor = where(n == 0, 1, n)
+    divisor_lo = where(n == 0, 0, n_lo)
     up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
-    z_0 = si_0 * up
-    z_1 = si_1 * up
-    z_2 = si_2 * up
-    z_3 = si_3 * up
-    z_4 = si_4 * up
-    z_5 = si_5 * up
-    q_0 = z_0 / d
-    q_0_product = q_0 * d
-    q_0_lo = (z_0 - q_0_product - product_error(q_0, d, q_0_product) - q_0 * d_lo) / d
-    q_1 = z_1 / d
-    q_1_product = q_1 * d
-    q_1_lo = (z_1 - q_1_product - product_error(q_1, d, q_1_product) - q_1 * d_lo) / d
-    q_2 = z_2 / d
-    q_2_product = q_2 * d
-    q_2_lo = (z_2 - q_2_product - product_error(q_2, d, q_2_product) - q_2 * d_lo) / d
-    q_3 = z_3 / d
-    q_3_product = q_3 * d
-    q_3_lo = (z_3 - q_3_product - product_error(q_3, d, q_3_product) - q_3 * d_lo) / d
-    q_4 = z_4 / d
-    q_4_product = q_4 * d
-    q_4_lo = (z_4 - q_4_product - product_error(q_4, d, q_4_product) - q_4 * d_lo) / d
-    q_5 = z_5 / d
-    q_5_product = q_5 * d
-    q_5_lo = (z_5 - q_5_product - product_error(q_5, d, q_5_product) - q_5 * d_lo) / d
-    so_0_total = q_0 + q_0_lo
+    enlarged_0 = si_0 * up
+    enlarged_1 = si_1 * up
+    enlarged_2 = si_2 * up
+    enlarged_3 = si_3 * up
+    enlarged_4 = si_4 * up
+    enlarged_5 = si_5 * up
+    quotient_0 = enlarged_0 / divisor
+    quotient_0_product = quotient_0 * divisor
+    quotient_0_product_error = product_error(quotient_0, divisor, quotient_0_product)
+    quotient_0_exact = enlarged_0 - quotient_0_product - quotient_0_product_error
+    quotient_0_residual = quotient_0_exact - quotient_0 * divisor_lo
+    quotient_0_lo = quotient_0_residual / divisor
+    quotient_1 = enlarged_1 / divisor
+    quotient_1_product = quotient_1 * divisor
+    quotient_1_product_error = product_error(quotient_1, divisor, quotient_1_product)
+    quotient_1_exact = enlarged_1 - quotient_1_product - quotient_1_product_error
+    quotient_1_residual = quotient_1_exact - quotient_1 * divisor_lo
+    quotient_1_lo = quotient_1_residual / divisor
+    quotient_2 = enlarged_2 / divisor
+    quotient_2_product = quotient_2 * divisor
+    quotient_2_product_error = product_error(quotient_2, divisor, quotient_2_product)
+    quotient_2_exact = enlarged_2 - quotient_2_product - quotient_2_product_error
+    quotient_2_residual = quotient_2_exact - quotient_2 * divisor_lo
+    quotient_2_lo = quotient_2_residual / divisor
+    quotient_3 = enlarged_3 / divisor
+    quotient_3_product = quotient_3 * divisor
+    quotient_3_product_error = product_error(quotient_3, divisor, quotient_3_product)
+    quotient_3_exact = enlarged_3 - quotient_3_product - quotient_3_product_error
+    quotient_3_residual = quotient_3_exact - quotient_3 * divisor_lo
+    quotient_3_lo = quotient_3_residual / divisor
+    quotient_4 = enlarged_4 / divisor
+    quotient_4_product = quotient_4 * divisor
+    quotient_4_product_error = product_error(quotient_4, divisor, quotient_4_product)
+    quotient_4_exact = enlarged_4 - quotient_4_product - quotient_4_product_error
+    quotient_4_residual = quotient_4_exact - quotient_4 * divisor_lo
+    quotient_4_lo = quotient_4_residual / divisor
+    quotient_5 = enlarged_5 / divisor
+    quotient_5_product = quotient_5 * divisor
+    quotient_5_product_error = product_error(quotient_5, divisor, quotient_5_product)
+    quotient_5_exact = enlarged_5 - quotient_5_product - quotient_5_product_error
+    quotient_5_residual = quotient_5_exact - quotient_5 * divisor_lo
+    quotient_5_lo = quotient_5_residual / divisor
+    so_0_total = quotient_0 + quotient_0_lo
     so_0 = so_0_total * down
     so_0_inverse = 1 / down
     so_0_lost = so_0_total - so_0 * so_0_inverse
-    so_1_total = q_1 + q_1_lo
+    so_0_small = (so_0_lost + (quotient_0_lo - (so_0_total - quotient_0))) * down
+    so_0_lo = where(so_0_lost == 0, 0, so_0_small)
+    so_1_total = quotient_1 + quotient_1_lo
     so_1 = so_1_total * down
     so_1_lost = so_1_total - so_1 * so_0_inverse
-    so_2_total = q_2 + q_2_lo
+    so_1_small = (so_1_lost + (quotient_1_lo - (so_1_total - quotient_1))) * down
+    so_1_lo = where(so_1_lost == 0, 0, so_1_small)
+    so_2_total = quotient_2 + quotient_2_lo
     so_2 = so_2_total * down
     so_2_lost = so_2_total - so_2 * so_0_inverse
-    so_3_total = q_3 + q_3_lo
+    so_2_small = (so_2_lost + (quotient_2_lo - (so_2_total - quotient_2))) * down
+    so_2_lo = where(so_2_lost == 0, 0, so_2_small)
+    so_3_total = quotient_3 + quotient_3_lo
     so_3 = so_3_total * down
     so_3_lost = so_3_total - so_3 * so_0_inverse
-    so_4_total = q_4 + q_4_lo
+    so_3_small = (so_3_lost + (quotient_3_lo - (so_3_total - quotient_3))) * down
+    so_3_lo = where(so_3_lost == 0, 0, so_3_small)
+    so_4_total = quotient_4 + quotient_4_lo
     so_4 = so_4_total * down
     so_4_lost = so_4_total - so_4 * so_0_inverse
-    so_5_total = q_5 + q_5_lo
+    so_4_small = (so_4_lost + (quotient_4_lo - (so_4_total - quotient_4))) * down
+    so_4_lo = where(so_4_lost == 0, 0, so_4_small)
+    so_5_total = quotient_5 + quotient_5_lo
     so_5 = so_5_total * down
     so_5_lost = so_5_total - so_5 * so_0_inverse
-    so_0_total = so_0 + where(so_0_lost == 0, 0, (so_0_lost + (q_0_lo - (so_0_total - q_0))) * down)
+    so_5_small = (so_5_lost + (quotient_5_lo - (so_5_total - quotient_5))) * down
+    so_5_lo = where(so_5_lost == 0, 0, so_5_small)
+    so_0_total = so_0 + so_0_lo
     so_0_rounded = where(so_0_total == so_0_total, so_0_total, so_0)
-    so_1_total = so_1 + where(so_1_lost == 0, 0, (so_1_lost + (q_1_lo - (so_1_total - q_1))) * down)
+    so_1_total = so_1 + so_1_lo
     so_1_rounded = where(so_1_total == so_1_total, so_1_total, so_1)
-    so_2_total = so_2 + where(so_2_lost == 0, 0, (so_2_lost + (q_2_lo - (so_2_total - q_2))) * down)
+    so_2_total = so_2 + so_2_lo
     so_2_rounded = where(so_2_total == so_2_total, so_2_total, so_2)
-    so_3_total = so_3 + where(so_3_lost == 0, 0, (so_3_lost + (q_3_lo - (so_3_total - q_3))) * down)
+    so_3_total = so_3 + so_3_lo
     so_3_rounded = where(so_3_total == so_3_total, so_3_total, so_3)
-    so_4_total = so_4 + where(so_4_lost == 0, 0, (so_4_lost + (q_4_lo - (so_4_total - q_4))) * down)
+    so_4_total = so_4 + so_4_lo
     so_4_rounded = where(so_4_total == so_4_total, so_4_total, so_4)
-    so_5_total = so_5 + where(so_5_lost == 0, 0, (so_5_lost + (q_5_lo - (so_5_total - q_5))) * down)
+    so_5_total = so_5 + so_5_lo
     so_5_rounded = where(so_5_total == so_5_total, so_5_total, so_5)
     return (so_0_rounded, so_1_rounded, so_2_rounded, so_3_rounded, so_4_rounded, so_5_rounded)
 

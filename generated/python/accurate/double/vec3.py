@@ -229,37 +229,46 @@ def vec3_normalize(self):
     n_product = n * n
     n_residual = n_e - n_product - product_error(n, n, n_product) + n_e_lo
     n_lo = n_residual / where(n == 0, 1, n + n)
-    d = where(n == 0, 1, n)
-    d_lo = where(n == 0, 0, n_lo)
+    divisor = where(n == 0, 1, n)
+    divisor_lo = where(n == 0, 0, n_lo)
     up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
-    z_0 = self_0 * up
-    z_1 = self_1 * up
-    z_2 = self_2 * up
-    q_0 = z_0 / d
-    q_0_product = q_0 * d
-    q_0_lo = (z_0 - q_0_product - product_error(q_0, d, q_0_product) - q_0 * d_lo) / d
-    q_1 = z_1 / d
-    q_1_product = q_1 * d
-    q_1_lo = (z_1 - q_1_product - product_error(q_1, d, q_1_product) - q_1 * d_lo) / d
-    q_2 = z_2 / d
-    q_2_product = q_2 * d
-    q_2_lo = (z_2 - q_2_product - product_error(q_2, d, q_2_product) - q_2 * d_lo) / d
-    self_0_new_total = q_0 + q_0_lo
+    enlarged_0 = self_0 * up
+    enlarged_1 = self_1 * up
+    enlarged_2 = self_2 * up
+    quotient_0 = enlarged_0 / divisor
+    quotient_0_product = quotient_0 * divisor
+    quotient_0_product_error = product_error(quotient_0, divisor, quotient_0_product)
+    quotient_0_exact = enlarged_0 - quotient_0_product - quotient_0_product_error
+    quotient_0_residual = quotient_0_exact - quotient_0 * divisor_lo
+    quotient_0_lo = quotient_0_residual / divisor
+    quotient_1 = enlarged_1 / divisor
+    quotient_1_product = quotient_1 * divisor
+    quotient_1_product_error = product_error(quotient_1, divisor, quotient_1_product)
+    quotient_1_exact = enlarged_1 - quotient_1_product - quotient_1_product_error
+    quotient_1_residual = quotient_1_exact - quotient_1 * divisor_lo
+    quotient_1_lo = quotient_1_residual / divisor
+    quotient_2 = enlarged_2 / divisor
+    quotient_2_product = quotient_2 * divisor
+    quotient_2_product_error = product_error(quotient_2, divisor, quotient_2_product)
+    quotient_2_exact = enlarged_2 - quotient_2_product - quotient_2_product_error
+    quotient_2_residual = quotient_2_exact - quotient_2 * divisor_lo
+    quotient_2_lo = quotient_2_residual / divisor
+    self_0_new_total = quotient_0 + quotient_0_lo
     self_0_new = self_0_new_total * down
     self_0_new_inverse = 1 / down
     self_0_new_lost = self_0_new_total - self_0_new * self_0_new_inverse
-    self_0_new_small = (self_0_new_lost + (q_0_lo - (self_0_new_total - q_0))) * down
+    self_0_new_small = (self_0_new_lost + (quotient_0_lo - (self_0_new_total - quotient_0))) * down
     self_0_new_lo = where(self_0_new_lost == 0, 0, self_0_new_small)
-    self_1_new_total = q_1 + q_1_lo
+    self_1_new_total = quotient_1 + quotient_1_lo
     self_1_new = self_1_new_total * down
     self_1_new_lost = self_1_new_total - self_1_new * self_0_new_inverse
-    self_1_new_small = (self_1_new_lost + (q_1_lo - (self_1_new_total - q_1))) * down
+    self_1_new_small = (self_1_new_lost + (quotient_1_lo - (self_1_new_total - quotient_1))) * down
     self_1_new_lo = where(self_1_new_lost == 0, 0, self_1_new_small)
-    self_2_new_total = q_2 + q_2_lo
+    self_2_new_total = quotient_2 + quotient_2_lo
     self_2_new = self_2_new_total * down
     self_2_new_lost = self_2_new_total - self_2_new * self_0_new_inverse
-    self_2_new_small = (self_2_new_lost + (q_2_lo - (self_2_new_total - q_2))) * down
+    self_2_new_small = (self_2_new_lost + (quotient_2_lo - (self_2_new_total - quotient_2))) * down
     self_2_new_lo = where(self_2_new_lost == 0, 0, self_2_new_small)
     self_0_new_total = self_0_new + self_0_new_lo
     self_0_new_rounded = where(self_0_new_total == self_0_new_total, self_0_new_total, self_0_new)
@@ -301,37 +310,52 @@ def vec3_normalized(v):
     n_product = n * n
     n_residual = n_e - n_product - product_error(n, n, n_product) + n_e_lo
     n_lo = n_residual / where(n == 0, 1, n + n)
-    d = where(n == 0, 1, n)
-    d_lo = where(n == 0, 0, n_lo)
+    divisor = where(n == 0, 1, n)
+    divisor_lo = where(n == 0, 0, n_lo)
     up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
-    z_0 = v_0 * up
-    z_1 = v_1 * up
-    z_2 = v_2 * up
-    q_0 = z_0 / d
-    q_0_product = q_0 * d
-    q_0_lo = (z_0 - q_0_product - product_error(q_0, d, q_0_product) - q_0 * d_lo) / d
-    q_1 = z_1 / d
-    q_1_product = q_1 * d
-    q_1_lo = (z_1 - q_1_product - product_error(q_1, d, q_1_product) - q_1 * d_lo) / d
-    q_2 = z_2 / d
-    q_2_product = q_2 * d
-    q_2_lo = (z_2 - q_2_product - product_error(q_2, d, q_2_product) - q_2 * d_lo) / d
-    vo_0_total = q_0 + q_0_lo
+    enlarged_0 = v_0 * up
+    enlarged_1 = v_1 * up
+    enlarged_2 = v_2 * up
+    quotient_0 = enlarged_0 / divisor
+    quotient_0_product = quotient_0 * divisor
+    quotient_0_product_error = product_error(quotient_0, divisor, quotient_0_product)
+    quotient_0_exact = enlarged_0 - quotient_0_product - quotient_0_product_error
+    quotient_0_residual = quotient_0_exact - quotient_0 * divisor_lo
+    quotient_0_lo = quotient_0_residual / divisor
+    quotient_1 = enlarged_1 / divisor
+    quotient_1_product = quotient_1 * divisor
+    quotient_1_product_error = product_error(quotient_1, divisor, quotient_1_product)
+    quotient_1_exact = enlarged_1 - quotient_1_product - quotient_1_product_error
+    quotient_1_residual = quotient_1_exact - quotient_1 * divisor_lo
+    quotient_1_lo = quotient_1_residual / divisor
+    quotient_2 = enlarged_2 / divisor
+    quotient_2_product = quotient_2 * divisor
+    quotient_2_product_error = product_error(quotient_2, divisor, quotient_2_product)
+    quotient_2_exact = enlarged_2 - quotient_2_product - quotient_2_product_error
+    quotient_2_residual = quotient_2_exact - quotient_2 * divisor_lo
+    quotient_2_lo = quotient_2_residual / divisor
+    vo_0_total = quotient_0 + quotient_0_lo
     vo_0 = vo_0_total * down
     vo_0_inverse = 1 / down
     vo_0_lost = vo_0_total - vo_0 * vo_0_inverse
-    vo_1_total = q_1 + q_1_lo
+    vo_0_small = (vo_0_lost + (quotient_0_lo - (vo_0_total - quotient_0))) * down
+    vo_0_lo = where(vo_0_lost == 0, 0, vo_0_small)
+    vo_1_total = quotient_1 + quotient_1_lo
     vo_1 = vo_1_total * down
     vo_1_lost = vo_1_total - vo_1 * vo_0_inverse
-    vo_2_total = q_2 + q_2_lo
+    vo_1_small = (vo_1_lost + (quotient_1_lo - (vo_1_total - quotient_1))) * down
+    vo_1_lo = where(vo_1_lost == 0, 0, vo_1_small)
+    vo_2_total = quotient_2 + quotient_2_lo
     vo_2 = vo_2_total * down
     vo_2_lost = vo_2_total - vo_2 * vo_0_inverse
-    vo_0_total = vo_0 + where(vo_0_lost == 0, 0, (vo_0_lost + (q_0_lo - (vo_0_total - q_0))) * down)
+    vo_2_small = (vo_2_lost + (quotient_2_lo - (vo_2_total - quotient_2))) * down
+    vo_2_lo = where(vo_2_lost == 0, 0, vo_2_small)
+    vo_0_total = vo_0 + vo_0_lo
     vo_0_rounded = where(vo_0_total == vo_0_total, vo_0_total, vo_0)
-    vo_1_total = vo_1 + where(vo_1_lost == 0, 0, (vo_1_lost + (q_1_lo - (vo_1_total - q_1))) * down)
+    vo_1_total = vo_1 + vo_1_lo
     vo_1_rounded = where(vo_1_total == vo_1_total, vo_1_total, vo_1)
-    vo_2_total = vo_2 + where(vo_2_lost == 0, 0, (vo_2_lost + (q_2_lo - (vo_2_total - q_2))) * down)
+    vo_2_total = vo_2 + vo_2_lo
     vo_2_rounded = where(vo_2_total == vo_2_total, vo_2_total, vo_2)
     return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
 

@@ -156,3 +156,24 @@ from coscrew.accurate.single.coscrew import (
     working_cry,
     working_crz,
 )
+from coscrew.accurate.single.quaternion import (
+    quaternion_scale,
+    quaternion_norm,
+    quaternion_normalize,
+    quaternion_normalized,
+    product_qq,
+    product_qconjq,
+    product_qqconj,
+    product_qv,
+    product_qconjv,
+    mat3x3_from_quaternion,
+    quaternion_from_mat3x3,
+    axis_angle_from_quaternion,
+    quaternion_log,
+)
+from coscrew.accurate.single.exponential import (
+    SO3_log,
+    axis_angle_from_mat3x3,
+    mat3x3_orthonormalize,
+    mat3x3_orthonormalized,
+)

@@ -1098,3 +1098,131 @@ def working_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ..
     m).
     3 mul.  Error <= u |result|, barring over- and underflow.
     """
+
+def quaternion_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """self = a self.
+
+    (4),()->(4).  self: quaternion (w; x, y, z), the scalar first; a: number.
+    4 mul.  Error <= u |result|, barring over- and underflow.
+    """
+
+def quaternion_norm(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """|q| = sqrt(w^2 + v·v).
+
+    (4)->().  q: quaternion (w; x, y, z), the scalar first; norm: number.
+    9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select.
+    """
+
+def quaternion_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """self = self / |self|; zero stays zero.
+
+    (4)->(4).  self: quaternion (w; x, y, z), the scalar first.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    """
+
+def quaternion_normalized(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """qo = q / |q|; zero stays zero.
+
+    (4)->(4).  q, qo: quaternion (w; x, y, z), the scalar first.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    """
+
+def product_qq(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
+
+    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+    16 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def product_qconjq(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """qo = q1* q2, q1* the conjugate.
+
+    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+    16 mul, 12 add.  Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
+    """
+
+def product_qqconj(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """qo = q1 q2*, q2* the conjugate.
+
+    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+    16 mul, 12 add.  Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
+    """
+
+def product_qv(q: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """vo = R(q) v, |q| = 1.
+
+    (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+    18 mul, 12 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def product_qconjv(q: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """vo = R(q)^T v, |q| = 1.
+
+    (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+    18 mul, 12 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
+
+    (4)->(3,3).  q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
+    17 mul, 15 add, 1 div.
+    """
+
+def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
+
+    (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
+    4 mul, 21 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
+    """
+
+def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
+    angle = 0; any multiple of a quaternion.
+
+    (4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.
+    8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
+    """
+
+def quaternion_log(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of
+    it.
+
+    (4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.
+    11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.
+    """
+
+def SO3_log(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
+
+    (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
+    11 mul, 20 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
+    """
+
+def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
+
+    (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
+    8 mul, 20 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
+    """
+
+def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+
+    (3,3)->(3,3).  self: rotation or other 3×3 matrix.
+    51 mul, 42 add, 3 neg.  Error <= u |result| + 8 u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
+    """
+
+def mat3x3_orthonormalized(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+
+    (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
+    51 mul, 42 add, 3 neg.  Error <= u |result| + 8 u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
+    """

@@ -1,0 +1,216 @@
+"""Exponentials and logarithms of rotations and displacements, their Jacobians, interpolation.
+
+A rotation vector v = θ a turns by the angle θ about the unit axis a; exp s of a screw s = (v; ω) is the
+displacement by the motion s in unit time.
+"""
+
+from functools import partial
+
+import sympy as sp
+
+from coscrew_codegen.algebra import (I3, O3, ang, blocks, compose, displacement, inverse, lin,
+                                     rotation, skew, stack, translation)
+from coscrew_codegen.operations.norm import Let, prefixed, unnamed
+from coscrew_codegen.operations.operation import Operation
+from coscrew_codegen.operations.quaternion import ANGLE, UNIT_AXIS, axis_angle
+from coscrew_codegen.operations.rotation import quaternion_of, rodrigues, rotation_vector, upper
+from coscrew_codegen.operations.series import Angle, b, g
+from coscrew_codegen.quantity import MAT3X3, MAT6X6, SCALAR, SCREW, SE3, VEC3, Argument
+
+FAMILY = "exponential"
+
+_v, _vo, _axis = (Argument(name, VEC3) for name in ("v", "vo", "axis"))
+_R, _Ro, _self = (Argument(name, MAT3X3) for name in ("R", "Ro", "self"))
+_D, _D1, _D2, _Do = (Argument(name, SE3) for name in ("D", "D1", "D2", "Do"))
+_s, _so, _M = Argument("s", SCREW), Argument("so", SCREW), Argument("M", MAT6X6)
+_angle, _k = Argument("angle", SCALAR), Argument("k", SCALAR)
+
+
+def _op(name, statement, inputs, outputs, formula, derivation=None, normwise=()):
+    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation,
+                     normwise=normwise)
+
+
+# Rotations.  `sign` is 1 for left Jacobians, -1 for right ones: J_r(v) = J_l(-v).
+
+
+def _matrix(v: sp.Matrix, alpha: sp.Expr, beta: sp.Expr) -> sp.Matrix:
+    return I3 + alpha * skew(v) + beta * skew(v)**2
+
+
+def _exp(v: sp.Matrix) -> sp.Matrix:
+    return _matrix(v, g(1, v.dot(v)), g(2, v.dot(v)))
+
+
+def _bound_exp(let: Let, v: sp.Matrix) -> sp.Matrix:
+    across, g1, g2 = Angle.of(let, v).g(0, 1, 2)
+    return rodrigues(let, v, g1, g2, across)
+
+
+def _log(let: Let, R: sp.Matrix) -> tuple[sp.Matrix, Angle]:
+    return rotation_vector(let, upper(let, quaternion_of(let, R)))
+
+
+def _jacobian(sign: int, v: sp.Matrix) -> sp.Matrix:
+    return _matrix(v, sign * g(2, v.dot(v)), g(3, v.dot(v)))
+
+
+def _bound_jacobian(sign: int, let: Let, v: sp.Matrix) -> sp.Matrix:
+    g1, g2, g3 = Angle.of(let, v).g(1, 2, 3)
+    return rodrigues(let, v, sign * g2, g3, g1)
+
+
+def _jacobian_inverse(sign: int, v: sp.Matrix) -> sp.Matrix:
+    return _matrix(v, -sign * sp.Rational(1, 2), b(v.dot(v)))
+
+
+def _bound_jacobian_inverse(sign: int, let: Let, v: sp.Matrix) -> sp.Matrix:
+    return rodrigues(let, v, -sign * sp.Rational(1, 2), Angle.of(let, v).b())
+
+
+def _bound_turn(let: Let, axis: sp.Matrix, angle: sp.Expr) -> sp.Matrix:
+    half_sine = let("h", sp.sin(let("half", angle / 2)))
+    return rodrigues(let, axis, let("sine", sp.sin(angle)), let("versine", 2 * half_sine**2))
+
+
+def _newton(let: Let, R: sp.Matrix) -> sp.Matrix:
+    """R + R (I - R^T R) / 2."""
+    defect = I3 - R.T * R
+    upper_half = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+    d = let("defect", sp.Matrix([defect[i, j] for i, j in upper_half]))
+    x, y, z, xy, xz, yz = let("correction", d / 2)
+    return R + R * sp.Matrix([[x, xy, xz], [xy, y, yz], [xz, yz, z]])
+
+
+_NEWTON = "the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2"
+
+_ROTATIONS = (
+    _op("SO3_exp", "R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|", (_v,), (_R,),
+        _exp, _bound_exp, (("R", 5),)),
+    _op("SO3_log", "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as "
+        "much as R", (_R,), (_vo,), lambda R: _log(unnamed, R)[0], lambda let, R: _log(let, R)[0],
+        (("vo", 4),)),
+    *(_op(f"SO3_{side}Jacobian", f"R = J_{side[0]}(v) = I {'+-'[sign < 0]} (1 - cos θ)/θ^2 v~ + "
+          "(θ - sin θ)/θ^3 v~^2, θ = |v|", (_v,), (_R,), partial(_jacobian, sign),
+          partial(_bound_jacobian, sign), (("R", 3),))
+      for side, sign in (("left", 1), ("right", -1))),
+    *(_op(f"SO3_{side}JacobianInverse", f"R = J_{side[0]}(v)^-1 = I {'-+'[sign < 0]} v~/2 + "
+          "(1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π but 0", (_v,), (_R,),
+          partial(_jacobian_inverse, sign), partial(_bound_jacobian_inverse, sign), (("R", 4),))
+      for side, sign in (("left", 1), ("right", -1))),
+    _op("mat3x3_from_axis_angle", f"R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; {UNIT_AXIS}",
+        (_axis, _angle), (_R,), lambda a, t: _matrix(a, sp.sin(t), 1 - sp.cos(t)), _bound_turn,
+        (("R", 5),)),
+    _op("axis_angle_from_mat3x3", f"angle and axis of the rotation R; {ANGLE}", (_R,),
+        (_angle, _axis), lambda R: axis_angle(unnamed, quaternion_of(unnamed, R)),
+        lambda let, R: axis_angle(let, quaternion_of(let, R)), (("angle", 4), ("axis", 4))),
+    _op("mat3x3_orthonormalize", f"self = {_NEWTON}", (_self,), (_self,),
+        lambda R: _newton(unnamed, R), _newton),
+    _op("mat3x3_orthonormalized", f"Ro = {_NEWTON}", (_R,), (_Ro,),
+        lambda R: _newton(unnamed, R), _newton),
+)
+
+
+# displacements
+
+
+def _move(s: sp.Matrix) -> sp.Matrix:
+    return displacement(_exp(ang(s)), _jacobian(1, ang(s)) * lin(s))
+
+
+def _bound_move(let: Let, s: sp.Matrix) -> sp.Matrix:
+    v, w = lin(s), ang(s)
+    across, g1, g2, g3 = Angle.of(let, w).g(0, 1, 2, 3)
+    turned = let("turned", g2 * let("u", w.cross(v)))
+    along = let("along", let("pitch", g3 * let("wv", w.dot(v))) * w)
+    return displacement(rodrigues(let, w, g1, g2, across), g1 * v + let("across_axis", turned + along))
+
+
+def _screw_of(D: sp.Matrix) -> sp.Matrix:
+    w, angle = _log(unnamed, rotation(D))
+    return stack(_matrix(w, -sp.Rational(1, 2), b(angle.square)) * translation(D), w)
+
+
+def _bound_screw_of(let: Let, D: sp.Matrix) -> sp.Matrix:
+    t = translation(D)
+    w, angle = _log(let, rotation(D))
+    u = let("u", w.cross(t))
+    small = let("small", angle.b() * let("uu", w.cross(u)) - u / 2)
+    return stack(t + small, w)
+
+
+def _coupling(let: Let, s: sp.Matrix, orders: tuple[sp.Expr, ...]) -> sp.Matrix:
+    """The block of J_l(s) that couples v to ω: with d = v·ω,
+    g2 v~ + d (2 g4 - g3) ω~ + g3 (v ω^T + ω v^T - 2 d I) - d (g4 - 3 g5) ω~^2."""
+    v, w = lin(s), ang(s)
+    g2, g3, g4, g5 = orders
+    d = let("vw", v.dot(w))
+    turn = let("turn", let("turn_rate", 2 * g4 - g3) * d)
+    bend = let("bend", let("bend_rate", g4 - 3 * g5) * d)
+    q, y, z = let("q", g2 * v + turn * w), let("g3_v", g3 * v), let("bend_w", bend * w)
+    xy, xz, yz = let("symmetric", sp.Matrix([y[i] * w[j] + y[j] * w[i] - z[i] * w[j]
+                                             for i, j in ((0, 1), (0, 2), (1, 2))]))
+    x, y, z = let("diagonal", sp.Matrix([z[i] * w[i] + z[j] * w[j] - 2 * (y[i] * w[i] + y[j] * w[j])
+                                         for i, j in ((1, 2), (0, 2), (0, 1))]))
+    return sp.Matrix([[x, xy, xz], [xy, y, yz], [xz, yz, z]]) + skew(q)
+
+
+def _motion_jacobian(sign: int, s: sp.Matrix) -> sp.Matrix:
+    w = ang(s)
+    J = _jacobian(sign, w)
+    return blocks(J, _coupling(unnamed, sign * s, _orders(w)), O3, J)
+
+
+def _bound_motion_jacobian(sign: int, let: Let, s: sp.Matrix) -> sp.Matrix:
+    g1, *orders = Angle.of(let, ang(s)).g(1, 2, 3, 4, 5)
+    J = let("J", rodrigues(let, ang(s), sign * orders[0], orders[1], g1))
+    return blocks(J, _coupling(let, sign * s, orders), O3, J)
+
+
+def _motion_jacobian_inverse(sign: int, s: sp.Matrix) -> sp.Matrix:
+    w = ang(s)
+    J = _jacobian_inverse(sign, w)
+    return blocks(J, -J * _coupling(unnamed, sign * s, _orders(w)) * J, O3, J)
+
+
+def _bound_motion_jacobian_inverse(sign: int, let: Let, s: sp.Matrix) -> sp.Matrix:
+    angle = Angle.of(let, ang(s))
+    J = let("J", rodrigues(let, ang(s), -sign * sp.Rational(1, 2), angle.b()))
+    Q = let("Q", _coupling(let, sign * s, angle.g(2, 3, 4, 5)))
+    return blocks(J, -J * let("QJ", Q * J), O3, J)
+
+
+def _orders(w: sp.Matrix) -> tuple[sp.Expr, ...]:
+    return tuple(g(k, w.dot(w)) for k in (2, 3, 4, 5))
+
+
+def _interpolated(D1: sp.Matrix, D2: sp.Matrix, k: sp.Expr) -> sp.Matrix:
+    return compose(D1, _move(k * _screw_of(compose(inverse(D1), D2))))
+
+
+def _bound_interpolated(let: Let, D1: sp.Matrix, D2: sp.Matrix, k: sp.Expr) -> sp.Matrix:
+    R1 = rotation(D1)
+    apart = let("apart", translation(D2) - translation(D1))
+    between = let("between", displacement(R1.T * rotation(D2), R1.T * apart))
+    s = let("screw", k * let("whole", _bound_screw_of(prefixed(let, "log"), between)))
+    return compose(D1, let("step", _bound_move(prefixed(let, "exp"), s)))
+
+
+_DISPLACEMENTS = (
+    _op("SE3_exp", "D = exp s = [exp ω~ | J_l(ω) v]", (_s,), (_D,), _move, _bound_move,
+        (("R", 5), ("t", 6))),
+    _op("SE3_log", "so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R", (_D,), (_so,),
+        _screw_of, _bound_screw_of, (("lin", 6), ("ang", 4))),
+    *(_op(f"SE3_{side}Jacobian", f"M = J_{side[0]}(s) = Σ ({'-' * (sign < 0)}[ad](s))^k / (k+1)!",
+          (_s,), (_M,), partial(_motion_jacobian, sign), partial(_bound_motion_jacobian, sign),
+          (("M", 8),)) for side, sign in (("left", 1), ("right", -1))),
+    *(_op(f"SE3_{side}JacobianInverse", f"M = J_{side[0]}(s)^-1; singular where |ω| is a multiple "
+          "of 2π but 0", (_s,), (_M,), partial(_motion_jacobian_inverse, sign),
+          partial(_bound_motion_jacobian_inverse, sign), (("M", 10),))
+      for side, sign in (("left", 1), ("right", -1))),
+    _op("SE3_interpolated", "Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 "
+        "at k = 1", (_D1, _D2, _k), (_Do,), _interpolated, _bound_interpolated,
+        (("R", 12), ("t", 20))),
+)
+
+OPERATIONS = (*_ROTATIONS, *_DISPLACEMENTS)

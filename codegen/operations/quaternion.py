@@ -1,0 +1,131 @@
+"""Quaternions q = (w; v): products, rotations, conversions, interpolation.
+
+Those of norm 1 are rotations, q and -q the same one.
+"""
+
+import sympy as sp
+
+
+from coscrew_codegen.operations.linear import linear_space
+from coscrew_codegen.operations.norm import (Let, divided, l2, nonzero, prefixed, safe_norm,
+                                             safe_normalized, unnamed)
+from coscrew_codegen.operations.operation import Operation
+from coscrew_codegen.operations.rotation import (conjugate, half_angle, quaternion_of,
+                                                 quaternion_product, rodrigues, rotation_vector,
+                                                 upper, versor)
+from coscrew_codegen.quantity import MAT3X3, QUATERNION, SCALAR, VEC3, Argument
+
+FAMILY = "quaternion"
+
+_q, _q1, _q2, _qo, _self = (Argument(name, QUATERNION) for name in ("q", "q1", "q2", "qo", "self"))
+_v, _vo, _axis = (Argument(name, VEC3) for name in ("v", "vo", "axis"))
+_angle, _norm, _k = (Argument(name, SCALAR) for name in ("angle", "norm", "k"))
+_R = Argument("R", MAT3X3)
+
+UNIT_AXIS = "axis of length 1"
+ANGLE = "0 <= angle <= π; the axis is (1, 0, 0) where angle = 0"
+
+
+def _op(name, statement, inputs, outputs, formula, derivation=None, normwise=()):
+    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation,
+                     normwise=normwise)
+
+
+def _normalized(q: sp.Matrix) -> sp.Matrix:
+    return divided(q, nonzero(l2(q)))
+
+
+def _bound_normalized(let: Let, q: sp.Matrix) -> sp.Matrix:
+    return safe_normalized(let, q, q)
+
+
+def _rotated(let: Let, q: sp.Matrix, v: sp.Matrix) -> sp.Matrix:
+    """v + 2 w u × v + 2 u × (u × v)."""
+    w, u = q[0], q[1:, :]
+    t = let("t", 2 * let("c", u.cross(v)))
+    return v + let("turn", w * t + u.cross(t))
+
+
+_PRODUCTS = (
+    _op("quaternion_setIdentity", "self = (1; 0)", (_self,), (_self,),
+        lambda q: sp.Matrix([1, 0, 0, 0])),
+    _op("quaternion_conjugated", "qo = (w; -v), the inverse of q if |q| = 1", (_q,), (_qo,), conjugate),
+    _op("quaternion_norm", "|q| = sqrt(w^2 + v·v)", (_q,), (_norm,), l2, safe_norm),
+    _op("quaternion_normalize", "self = self / |self|; zero stays zero", (_self,), (_self,),
+        _normalized, _bound_normalized),
+    _op("quaternion_normalized", "qo = q / |q|; zero stays zero", (_q,), (_qo,), _normalized,
+        _bound_normalized),
+    _op("product_qq", "qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2)", (_q1, _q2), (_qo,),
+        quaternion_product),
+    _op("product_qconjq", "qo = q1* q2, q1* the conjugate", (_q1, _q2), (_qo,),
+        lambda p, q: quaternion_product(conjugate(p), q)),
+    _op("product_qqconj", "qo = q1 q2*, q2* the conjugate", (_q1, _q2), (_qo,),
+        lambda p, q: quaternion_product(p, conjugate(q))),
+    _op("product_qv", "vo = R(q) v, |q| = 1", (_q, _v), (_vo,),
+        lambda q, v: _rotated(unnamed, q, v), _rotated),
+    _op("product_qconjv", "vo = R(q)^T v, |q| = 1", (_q, _v), (_vo,),
+        lambda q, v: _rotated(unnamed, conjugate(q), v),
+        lambda let, q, v: _rotated(let, conjugate(q), v)),
+)
+
+
+def _matrix_of(let: Let, q: sp.Matrix) -> sp.Matrix:
+    d = let("scale", 2 / let("square", q.dot(q)))
+    return rodrigues(let, q[1:, :], let("scale_w", d * q[0]), d)
+
+
+def _of_matrix(let: Let, R: sp.Matrix) -> sp.Matrix:
+    q = upper(let, quaternion_of(let, R))
+    return divided(q, let("length", l2(q)))
+
+
+def _of_axis_angle(let: Let, axis: sp.Matrix, angle: sp.Expr) -> sp.Matrix:
+    half = let("half", angle / 2)
+    return sp.Matrix.vstack(sp.Matrix([sp.cos(half)]), let("sine", sp.sin(half)) * axis)
+
+
+def axis_angle(let: Let, q: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
+    """2 atan2(|v|, w), v / |v| of any multiple of a quaternion."""
+    q = upper(let, q)
+    half, n, divisor = half_angle(let, q)
+    x, y, z = let("unit", divided(q[1:, :], divisor))
+    return 2 * half, sp.Matrix([sp.Piecewise((1, sp.Eq(n, 0)), (x, True)), y, z])
+
+
+def _log(let: Let, q: sp.Matrix) -> sp.Matrix:
+    return rotation_vector(let, upper(let, q))[0]
+
+
+def _slerp(let: Let, q1: sp.Matrix, q2: sp.Matrix, k: sp.Expr) -> sp.Matrix:
+    between = upper(let, let("between", quaternion_product(conjugate(q1), q2)))
+    half, _, divisor = half_angle(let, between)
+    step = let("step", let("rate", half / divisor) * let("kv", k * between[1:, :]))
+    return quaternion_product(q1, let("power", versor(prefixed(let, "exp"), step)))
+
+
+_CONVERSIONS = (
+    _op("mat3x3_from_quaternion", "R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square "
+        "neither over- nor underflows", (_q,), (_R,), lambda q: _matrix_of(unnamed, q), _matrix_of,
+        (("R", 5),)),
+    _op("quaternion_from_mat3x3", "qo with R(qo) = R and w >= 0; of an R that is not quite a "
+        "rotation, off by as much as R", (_R,), (_qo,), lambda R: _of_matrix(unnamed, R),
+        _of_matrix, (("qo", 5),)),
+    _op("quaternion_from_axis_angle", f"qo = (cos angle/2; axis sin angle/2); {UNIT_AXIS}",
+        (_axis, _angle), (_qo,), lambda a, angle: _of_axis_angle(unnamed, a, angle),
+        _of_axis_angle, (("qo", 3),)),
+    _op("axis_angle_from_quaternion", f"angle = 2 atan2(|v|, |w|), axis = ±v / |v|; {ANGLE}; any "
+        "multiple of a quaternion", (_q,), (_angle, _axis),
+        lambda q: axis_angle(unnamed, q), axis_angle, (("angle", 4), ("axis", 4))),
+    _op("quaternion_exp", "qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the "
+        "rotation vector v", (_v,), (_qo,), lambda v: versor(unnamed, v / 2),
+        lambda let, v: versor(let, let("h", v / 2)), (("qo", 4),)),
+    _op("quaternion_log", "vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or "
+        "of any multiple of it", (_q,), (_vo,), lambda q: _log(unnamed, q), _log, (("vo", 4),)),
+    _op("quaternion_slerp", "qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; "
+        "|q1| = |q2| = 1", (_q1, _q2, _k), (_qo,), lambda p, q, k: _slerp(unnamed, p, q, k),
+        _slerp, (("qo", 8),)),
+)
+
+OPERATIONS = (*(op for op in linear_space(FAMILY, QUATERNION, "q")
+                if op.name in ("quaternion_copy", "quaternion_scale")),
+              *_PRODUCTS, *_CONVERSIONS)

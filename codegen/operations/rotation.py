@@ -1,0 +1,83 @@
+"""Rotations as matrices, quaternions and rotation vectors: what kernels about them are made of."""
+
+import sympy as sp
+
+from coscrew_codegen.algebra import skew
+from coscrew_codegen.operations.norm import Let, nonzero, prefixed, safe_norm
+from coscrew_codegen.operations.series import Angle, far, taylor
+
+
+def rodrigues(let: Let, v: sp.Matrix, alpha: sp.Expr, beta: sp.Expr,
+              across: sp.Expr | None = None) -> sp.Matrix:
+    """I + α v~ + β v~².  What is symmetric in it is computed once.
+
+    `across`, where given, is 1 - β v·v: then each diagonal entry is 1 - β (v_j² + v_k²) or
+    across + β v_i², whichever subtracts or adds less."""
+    x, y, z = let("beta_v", beta * v)
+    xx, yy, zz, xy, xz, yz = let("m", sp.Matrix(
+        [x * v[0], y * v[1], z * v[2], x * v[1], x * v[2], y * v[2]]))
+    others = let("others", sp.Matrix([yy + zz, xx + zz, xx + yy]))
+    x, y, z = (1 - other if across is None else
+               let(f"diagonal{i}", sp.Piecewise((across + own, own < other), (1 - other, True)))
+               for i, (own, other) in enumerate(zip((xx, yy, zz), others, strict=True)))
+    symmetric = sp.Matrix([[x, xy, xz], [xy, y, yz], [xz, yz, z]])
+    return symmetric + skew(let("alpha_v", alpha * v))
+
+
+def quaternion_product(p: sp.Matrix, q: sp.Matrix) -> sp.Matrix:
+    """(w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2)."""
+    (w1, v1), (w2, v2) = (p[0], p[1:, :]), (q[0], q[1:, :])
+    return sp.Matrix.vstack(sp.Matrix([w1 * w2 - v1.dot(v2)]), w1 * v2 + w2 * v1 + v1.cross(v2))
+
+
+def conjugate(q: sp.Matrix) -> sp.Matrix:
+    """(w; -v), the inverse of a quaternion of norm 1."""
+    return sp.Matrix([q[0], -q[1], -q[2], -q[3]])
+
+
+def quaternion_of(let: Let, R: sp.Matrix) -> sp.Matrix:
+    """A positive multiple of the quaternion of R: a column of 4 q q^T whose diagonal entry is at
+    least 1, so that nothing cancels."""
+    a, b, c = R[0, 0], R[1, 1], R[2, 2]
+    p = let("p", sp.Matrix([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]))
+    s = let("s", sp.Matrix([R[2, 1] + R[1, 2], R[0, 2] + R[2, 0], R[1, 0] + R[0, 1]]))
+    w, x, y, z = let("d", sp.Matrix([1 + a + b + c, 1 + a - b - c, 1 - a + b - c, 1 - a - b + c]))
+
+    def choice(name, test, first, second):
+        return let(name, sp.Matrix([sp.Piecewise((one, test), (other, True))
+                                    for one, other in zip(first, second, strict=True)]))
+
+    low = choice("low", b < a, (p[0], x, s[2], s[1]), (p[1], s[2], y, s[0]))
+    high = choice("high", a < -b, (p[2], s[1], s[0], z), (w, p[0], p[1], p[2]))
+    return choice("column", c < 0, low, high)
+
+
+def upper(let: Let, q: sp.Matrix) -> sp.Matrix:
+    """q or -q, whichever has w >= 0."""
+    return let("upper", q.applyfunc(lambda x: sp.Piecewise((-x, q[0] < 0), (x, True))))
+
+
+def half_angle(let: Let, q: sp.Matrix) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+    """θ/2 = atan2(|v|, w), in [0, π/2]; |v|; and |v|, or 1 where it is zero, to divide by."""
+    n = let("n", safe_norm(prefixed(let, "v"), q[1:, :]))
+    return let("half", sp.atan2(n, q[0])), n, let("divisor", nonzero(n))
+
+
+def rotation_vector(let: Let, q: sp.Matrix) -> tuple[sp.Matrix, Angle]:
+    """θ v / |v|, and θ, of any positive multiple of a quaternion with w >= 0."""
+    half, n, divisor = half_angle(let, q)
+    theta = let("theta", 2 * half)
+    k = let("k", theta / divisor)
+    return let("vector", k * q[1:, :]), Angle.known(let, theta, n, q[0])
+
+
+def versor(let: Let, h: sp.Matrix) -> sp.Matrix:
+    """exp (0; h) = (cos |h|; h sin |h| / |h|)."""
+    x = let("x", h.dot(h))
+    size = let("size", sp.sqrt(x))
+    cosine, sine = (let(name, far(x, function(size), sp.Integer(1)))
+                    for name, function in (("cosine", sp.cos), ("sine", sp.sin)))
+    far_k = let("far_k", sine / let("divisor", far(x, size, sp.Integer(2))))
+    k = let("k", far(x, far_k, taylor(1, x)))
+    near = let("near", 1 - x * let("g2", taylor(2, x)))
+    return sp.Matrix.vstack(sp.Matrix([far(x, cosine, near)]), k * h)

@@ -1,0 +1,120 @@
+"""Functions of an angle's square that closed forms lose digits of, bound where a kernel needs them.
+
+    g(k, θ²) = Σ (-θ²)^j / (2j + k)!      b(θ²) = (1 - θ/2 cot θ/2) / θ²
+
+g(1) = sin θ / θ, g(2) = (1 - cos θ) / θ², g(3) = (θ - sin θ) / θ³; g(k + 2) = (1/k! - g(k)) / θ².
+Up to θ = 2 they are their series, beyond it closed forms in sin θ and cos θ, called only there.
+"""
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from coscrew_codegen.operations.norm import Let
+from coscrew_codegen.operations.operation import GRID
+
+_NEAR = sp.Integer(4)  # θ² where the series end
+_TAYLOR_TERMS, _BERNOULLI_TERMS = 13, 17  # what is left out is below u / 4 there, in double
+
+
+class g(sp.Function):
+    """g(k, θ²), as formulas write it."""
+
+    nargs = 2
+
+
+class b(sp.Function):
+    """b(θ²), as formulas write it; singular at θ = 2π."""
+
+    nargs = 1
+
+
+@dataclass(frozen=True)
+class Angle:
+    """θ, θ², and where θ > 2 what the closed forms need of it; smaller, they are any numbers."""
+
+    let: Let
+    square: sp.Expr
+    angle: sp.Expr
+    sine: sp.Expr
+    cosine: sp.Expr
+    cotangent: sp.Expr  # of θ/2
+
+    @classmethod
+    def of(cls, let: Let, vector: sp.Matrix) -> "Angle":
+        """The angle of a rotation vector.  θ² is rounded about once: the squares of the components'
+        leading digits add up exactly.  θ = sqrt(θ²) is off by half an ulp, as much as 2 u of sin θ
+        near π; the residual |v|² - θ² makes up for it."""
+        shifted = let("shifted", vector.applyfunc(lambda x: x + GRID))
+        high = let("high", shifted.applyfunc(lambda x: x - GRID))
+        low, sum_ = let("low", vector - high), let("sum", vector + high)
+        squares, cross = let("squares", high.dot(high)), let("cross", low.dot(sum_))
+        x = let("x", squares + cross)
+        theta = let("theta", far(x, sp.sqrt(x), sp.Integer(2)))
+        top = let("theta_high", let("theta_shifted", theta + GRID) - GRID)
+        bottom = let("theta_low", theta - top)
+        rest = let("cross_rest", cross - bottom * let("theta_sum", theta + top))
+        delta = let("delta", let("residual", let("exact", squares - top**2) + rest) / (2 * theta))
+        sine = let("far_sine", far(x, sp.sin(theta), sp.Integer(1)))
+        cosine = let("far_cosine", far(x, sp.cos(theta), sp.Integer(0)))
+        corrected = let("sine", sine + delta * cosine), let("cosine", cosine - delta * sine)
+        return cls(let, x, theta, *corrected, _half_cotangent(let, *corrected))
+
+    @classmethod
+    def known(cls, let: Let, theta: sp.Expr, sine: sp.Expr, cosine: sp.Expr) -> "Angle":
+        """A given angle and any common multiple of sin θ/2, cos θ/2; for b alone."""
+        x = let("x", theta**2)
+        divisor = let("far_sine", far(x, sine, sp.Integer(1)))
+        return cls(let, x, theta, sine, cosine, let("cotangent", cosine / divisor))
+
+    def g(self, *orders: int) -> tuple[sp.Expr, ...]:
+        """g(k, θ²) for these k, in rising order; g(0) = cos θ needs g(2) besides."""
+        let, x = self.let, self.square
+        far_x = let("far_x", far(x, x, _NEAR))
+        closed = {1: let("closed1", self.sine / self.angle),
+                  2: let("closed2", let("versine", 1 - self.cosine) / far_x)}
+        for k in range(3, max(orders) + 1):
+            rest = let(f"rest{k}", sp.Rational(1, sp.factorial(k - 2)) - closed[k - 2])
+            closed[k] = let(f"closed{k}", rest / far_x)
+        found = {k: let(f"g{k}", far(x, closed[k], taylor(k, x))) for k in orders if k}
+        if 0 in orders:
+            found[0] = let("g0", far(x, self.cosine, 1 - x * found[2]))
+        return tuple(found[k] for k in orders)
+
+    def b(self) -> sp.Expr:
+        """b(θ²)."""
+        let, x = self.let, self.square
+        rest = let("b_rest", 1 - self.angle * self.cotangent / 2)
+        closed = let("closed_b", rest / let("b_divisor", far(x, x, _NEAR)))
+        return let("b", far(x, closed, _bernoulli(x)))
+
+
+def _half_cotangent(let: Let, sine: sp.Expr, cosine: sp.Expr) -> sp.Expr:
+    """cot θ/2 = sin θ / (1 - cos θ) = (1 + cos θ) / sin θ, whichever adds numbers of one sign."""
+    obtuse = cosine < 0
+    above = let("above", sp.Piecewise((sine, obtuse), (1 + cosine, True)))
+    below = let("below", sp.Piecewise((1 - cosine, obtuse), (sine, True)))
+    return let("cotangent", above / below)
+
+
+def far(x: sp.Expr, value: sp.Expr, near: sp.Expr) -> sp.Piecewise:
+    """`near` where the series serve, `value` beyond."""
+    return sp.Piecewise((near, x < _NEAR), (value, True))
+
+
+def taylor(k: int, x: sp.Expr) -> sp.Expr:
+    """g(k, x) where the series serve."""
+    return horner([sp.Rational((-1)**j, sp.factorial(2 * j + k)) for j in range(_TAYLOR_TERMS)], x)
+
+
+def _bernoulli(x: sp.Expr) -> sp.Expr:
+    return horner([abs(sp.bernoulli(2 * j)) / sp.factorial(2 * j)
+                   for j in range(1, _BERNOULLI_TERMS + 1)], x)
+
+
+def horner(coefficients: list[sp.Rational], x: sp.Expr) -> sp.Expr:
+    """c0 + x (c1 + x (c2 + …))."""
+    *rest, total = coefficients
+    for coefficient in reversed(rest):
+        total = coefficient + x * total
+    return total

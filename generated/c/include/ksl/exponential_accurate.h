@@ -1,0 +1,1134 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* Exponentials and logarithms of rotations and displacements, their Jacobians, interpolation.
+   Accurate tier: double compensated, single computed in double. */
+#ifndef KSL_EXPONENTIAL_ACCURATE_H
+#define KSL_EXPONENTIAL_ACCURATE_H
+
+#include "ksl_exact.h"
+
+/* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
+   R: rotation or other 3×3 matrix; vo: vector.
+   39 mul, 78 add, 9 product error, 20 sum error, 6 div, 1 sqrt, 1 atan2, 12 neg, 3 abs, 13 less,
+     9 equal, 53 select. */
+static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
+  const double p_0 = R->m21 - R->m12, p_0_lo = ksl_difference_error(R->m21, R->m12, p_0);
+  const double p_1 = R->m02 - R->m20, p_1_lo = ksl_difference_error(R->m02, R->m20, p_1);
+  const double p_2 = R->m10 - R->m01, p_2_lo = ksl_difference_error(R->m10, R->m01, p_2);
+  const double s_0 = R->m12 + R->m21, s_0_lo = ksl_sum_error(R->m12, R->m21, s_0);
+  const double s_1 = R->m02 + R->m20, s_1_lo = ksl_sum_error(R->m02, R->m20, s_1);
+  const double s_2 = R->m01 + R->m10, s_2_lo = ksl_sum_error(R->m01, R->m10, s_2);
+  const double d_0a = R->m00 + R->m11, d_0a_lo = ksl_sum_error(R->m00, R->m11, d_0a),
+      d_0b = d_0a + R->m22, d_0b_error = ksl_sum_error(d_0a, R->m22, d_0b),
+      d_0b_lo = d_0b_error + d_0a_lo, d_0 = d_0b + 1.0, d_0_error = ksl_sum_error(d_0b, 1.0, d_0),
+      d_0_lo = d_0_error + d_0b_lo;
+  const double d_1a = R->m00 - R->m11, d_1a_lo = ksl_difference_error(R->m00, R->m11, d_1a),
+      d_1b = d_1a - R->m22, d_1b_error = ksl_difference_error(d_1a, R->m22, d_1b),
+      d_1b_lo = d_1b_error + d_1a_lo, d_1 = d_1b + 1.0, d_1_error = ksl_sum_error(d_1b, 1.0, d_1),
+      d_1_lo = d_1_error + d_1b_lo;
+  const double d_2a = R->m11 - R->m00, d_2a_lo = ksl_difference_error(R->m11, R->m00, d_2a),
+      d_2b = d_2a - R->m22, d_2b_error = ksl_difference_error(d_2a, R->m22, d_2b),
+      d_2b_lo = d_2b_error + d_2a_lo, d_2 = d_2b + 1.0, d_2_error = ksl_sum_error(d_2b, 1.0, d_2),
+      d_2_lo = d_2_error + d_2b_lo;
+  const double d_3a = R->m22 - R->m00, d_3a_lo = ksl_difference_error(R->m22, R->m00, d_3a),
+      d_3b = d_3a - R->m11, d_3b_error = ksl_difference_error(d_3a, R->m11, d_3b),
+      d_3b_lo = d_3b_error + d_3a_lo, d_3 = d_3b + 1.0, d_3_error = ksl_sum_error(d_3b, 1.0, d_3),
+      d_3_lo = d_3_error + d_3b_lo;
+  const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
+  const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
+  const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
+  const double low_3 = R->m11 < R->m00 ? s_1 : s_0, low_3_lo = R->m11 < R->m00 ? s_1_lo : s_0_lo;
+  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0,
+      high_0_lo = R->m00 < high_0a ? p_2_lo : d_0_lo;
+  const double high_1 = R->m00 < high_0a ? s_1 : p_0,
+      high_1_lo = R->m00 < high_0a ? s_1_lo : p_0_lo;
+  const double high_2 = R->m00 < high_0a ? s_0 : p_1,
+      high_2_lo = R->m00 < high_0a ? s_0_lo : p_1_lo;
+  const double high_3 = R->m00 < high_0a ? d_3 : p_2,
+      high_3_lo = R->m00 < high_0a ? d_3_lo : p_2_lo;
+  const double column_0 = R->m22 < 0.0 ? low_0 : high_0,
+      column_0_lo = R->m22 < 0.0 ? low_0_lo : high_0_lo;
+  const double column_1 = R->m22 < 0.0 ? low_1 : high_1,
+      column_1_lo = R->m22 < 0.0 ? low_1_lo : high_1_lo;
+  const double column_2 = R->m22 < 0.0 ? low_2 : high_2,
+      column_2_lo = R->m22 < 0.0 ? low_2_lo : high_2_lo;
+  const double column_3 = R->m22 < 0.0 ? low_3 : high_3,
+      column_3_lo = R->m22 < 0.0 ? low_3_lo : high_3_lo;
+  const double upper_0a = -column_0, upper_0a_lo = -column_0_lo,
+      upper_0 = column_0 < 0.0 ? upper_0a : column_0,
+      upper_0_lo = column_0 < 0.0 ? upper_0a_lo : column_0_lo;
+  const double upper_1a = -column_1, upper_1a_lo = -column_1_lo,
+      upper_1 = column_0 < 0.0 ? upper_1a : column_1,
+      upper_1_lo = column_0 < 0.0 ? upper_1a_lo : column_1_lo;
+  const double upper_2a = -column_2, upper_2a_lo = -column_2_lo,
+      upper_2 = column_0 < 0.0 ? upper_2a : column_2,
+      upper_2_lo = column_0 < 0.0 ? upper_2a_lo : column_2_lo;
+  const double upper_3a = -column_3, upper_3a_lo = -column_3_lo,
+      upper_3 = column_0 < 0.0 ? upper_3a : column_3,
+      upper_3_lo = column_0 < 0.0 ? upper_3a_lo : column_3_lo;
+  const double v_s_size_0 = fabs(upper_1), v_s_size_0_opposite = -upper_1_lo,
+      v_s_size_0_lo = upper_1 < 0.0 ? v_s_size_0_opposite : upper_1_lo;
+  const double v_s_size_1 = fabs(upper_2), v_s_size_1_opposite = -upper_2_lo,
+      v_s_size_1_lo = upper_2 < 0.0 ? v_s_size_1_opposite : upper_2_lo;
+  const double v_s_size_2 = fabs(upper_3), v_s_size_2_opposite = -upper_3_lo,
+      v_s_size_2_lo = upper_3 < 0.0 ? v_s_size_2_opposite : upper_3_lo;
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0,
+      v_s_largest1_lo = v_s_size_0 < v_s_size_1 ? v_s_size_1_lo : v_s_size_0_lo;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1,
+      v_s_largest2_lo = v_s_largest1 < v_s_size_2 ? v_s_size_2_lo : v_s_largest1_lo;
+  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+  const double v_y_0_total = upper_1 + upper_1_lo, v_y_0_added = v_y_0_total - upper_1,
+      v_y_0_remaining = upper_1_lo - v_y_0_added, v_y_0 = v_y_0_total * v_s,
+      v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
+      v_y_0_lost = v_y_0_total - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_remaining,
+      v_y_0_small = v_y_0_rest * v_s, v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
+  const double v_y_1_total = upper_2 + upper_2_lo, v_y_1_added = v_y_1_total - upper_2,
+      v_y_1_remaining = upper_2_lo - v_y_1_added, v_y_1 = v_y_1_total * v_s,
+      v_y_1_back = v_y_1 * v_y_0_inverse, v_y_1_lost = v_y_1_total - v_y_1_back,
+      v_y_1_rest = v_y_1_lost + v_y_1_remaining, v_y_1_small = v_y_1_rest * v_s,
+      v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
+  const double v_y_2_total = upper_3 + upper_3_lo, v_y_2_added = v_y_2_total - upper_3,
+      v_y_2_remaining = upper_3_lo - v_y_2_added, v_y_2 = v_y_2_total * v_s,
+      v_y_2_back = v_y_2 * v_y_0_inverse, v_y_2_lost = v_y_2_total - v_y_2_back,
+      v_y_2_rest = v_y_2_lost + v_y_2_remaining, v_y_2_small = v_y_2_rest * v_s,
+      v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
+  const double v_n_a = v_y_0 * v_y_0, v_n_a_cross1 = v_y_0_lo * v_y_0,
+      v_n_a_cross2 = v_y_0 * v_y_0_lo, v_n_a_error = ksl_product_error(v_y_0, v_y_0, v_n_a),
+      v_n_a_lo1 = v_n_a_error + v_n_a_cross1, v_n_a_lo = v_n_a_lo1 + v_n_a_cross2,
+      v_n_b = v_y_1 * v_y_1, v_n_b_cross1 = v_y_1_lo * v_y_1, v_n_b_cross2 = v_y_1 * v_y_1_lo,
+      v_n_b_error = ksl_product_error(v_y_1, v_y_1, v_n_b), v_n_b_lo1 = v_n_b_error + v_n_b_cross1,
+      v_n_b_lo = v_n_b_lo1 + v_n_b_cross2, v_n_c = v_n_a + v_n_b,
+      v_n_c_error = ksl_sum_error(v_n_a, v_n_b, v_n_c), v_n_c_lo1 = v_n_c_error + v_n_a_lo,
+      v_n_c_lo = v_n_c_lo1 + v_n_b_lo, v_n_d = v_y_2 * v_y_2, v_n_d_cross1 = v_y_2_lo * v_y_2,
+      v_n_d_cross2 = v_y_2 * v_y_2_lo, v_n_d_error = ksl_product_error(v_y_2, v_y_2, v_n_d),
+      v_n_d_lo1 = v_n_d_error + v_n_d_cross1, v_n_d_lo = v_n_d_lo1 + v_n_d_cross2,
+      v_n_e = v_n_c + v_n_d, v_n_e_error = ksl_sum_error(v_n_c, v_n_d, v_n_e),
+      v_n_e_lo1 = v_n_e_error + v_n_c_lo, v_n_e_lo = v_n_e_lo1 + v_n_d_lo, v_n = sqrt(v_n_e),
+      v_n_product = v_n * v_n, v_n_product_error = ksl_product_error(v_n, v_n, v_n_product),
+      v_n_rest = v_n_e - v_n_product, v_n_exact = v_n_rest - v_n_product_error,
+      v_n_residual = v_n_exact + v_n_e_lo, v_n_twice = v_n + v_n,
+      v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
+  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+  const double n_total = v_n + v_n_lo, n_added = n_total - v_n, n_remaining = v_n_lo - n_added,
+      n = n_total * v_r, n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_total - n_back,
+      n_rest = n_lost + n_remaining, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
+  const double half = atan2(n, upper_0), half_cross0 = upper_0 * n_lo, half_cross1 = n * upper_0_lo,
+      half_cross = half_cross0 - half_cross1, half_square0 = upper_0 * upper_0,
+      half_square1 = n * n, half_square = half_square0 + half_square1,
+      half_lo = half_cross / half_square;
+  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double theta = 2.0 * half, theta_cross1 = 2.0 * half_lo,
+      theta_error = ksl_product_error(2.0, half, theta), theta_lo = theta_error + theta_cross1;
+  const double k = theta / divisor, k_cross = k * divisor_lo, k_product = k * divisor,
+      k_product_error = ksl_product_error(k, divisor, k_product), k_rest = theta - k_product,
+      k_exact = k_rest - k_product_error, k_lo1 = k_exact + theta_lo, k_residual = k_lo1 - k_cross,
+      k_lo = k_residual / divisor;
+  const double vector_0 = upper_1 * k, vector_0_cross1 = upper_1_lo * k,
+      vector_0_cross2 = upper_1 * k_lo, vector_0_error = ksl_product_error(upper_1, k, vector_0),
+      vector_0_lo1 = vector_0_error + vector_0_cross1, vector_0_lo = vector_0_lo1 + vector_0_cross2;
+  const double vector_1 = upper_2 * k, vector_1_cross1 = upper_2_lo * k,
+      vector_1_cross2 = upper_2 * k_lo, vector_1_error = ksl_product_error(upper_2, k, vector_1),
+      vector_1_lo1 = vector_1_error + vector_1_cross1, vector_1_lo = vector_1_lo1 + vector_1_cross2;
+  const double vector_2 = upper_3 * k, vector_2_cross1 = upper_3_lo * k,
+      vector_2_cross2 = upper_3 * k_lo, vector_2_error = ksl_product_error(upper_3, k, vector_2),
+      vector_2_lo1 = vector_2_error + vector_2_cross1, vector_2_lo = vector_2_lo1 + vector_2_cross2;
+  const double vector_0_total = vector_0 + vector_0_lo,
+      vector_0_rounded = vector_0_total == vector_0_total ? vector_0_total : vector_0;
+  const double vector_1_total = vector_1 + vector_1_lo,
+      vector_1_rounded = vector_1_total == vector_1_total ? vector_1_total : vector_1;
+  const double vector_2_total = vector_2 + vector_2_lo,
+      vector_2_rounded = vector_2_total == vector_2_total ? vector_2_total : vector_2;
+  vo->x = vector_0_rounded;
+  vo->y = vector_1_rounded;
+  vo->z = vector_2_rounded;
+}
+
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
+   R: rotation or other 3×3 matrix; axis: vector.
+   34 mul, 81 add, 8 product error, 20 sum error, 10 div, 1 sqrt, 1 atan2, 12 neg, 3 abs, 13
+     less, 10 equal, 56 select. */
+static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
+  const double p_0 = R->m21 - R->m12, p_0_lo = ksl_difference_error(R->m21, R->m12, p_0);
+  const double p_1 = R->m02 - R->m20, p_1_lo = ksl_difference_error(R->m02, R->m20, p_1);
+  const double p_2 = R->m10 - R->m01, p_2_lo = ksl_difference_error(R->m10, R->m01, p_2);
+  const double s_0 = R->m12 + R->m21, s_0_lo = ksl_sum_error(R->m12, R->m21, s_0);
+  const double s_1 = R->m02 + R->m20, s_1_lo = ksl_sum_error(R->m02, R->m20, s_1);
+  const double s_2 = R->m01 + R->m10, s_2_lo = ksl_sum_error(R->m01, R->m10, s_2);
+  const double d_0a = R->m00 + R->m11, d_0a_lo = ksl_sum_error(R->m00, R->m11, d_0a),
+      d_0b = d_0a + R->m22, d_0b_error = ksl_sum_error(d_0a, R->m22, d_0b),
+      d_0b_lo = d_0b_error + d_0a_lo, d_0 = d_0b + 1.0, d_0_error = ksl_sum_error(d_0b, 1.0, d_0),
+      d_0_lo = d_0_error + d_0b_lo;
+  const double d_1a = R->m00 - R->m11, d_1a_lo = ksl_difference_error(R->m00, R->m11, d_1a),
+      d_1b = d_1a - R->m22, d_1b_error = ksl_difference_error(d_1a, R->m22, d_1b),
+      d_1b_lo = d_1b_error + d_1a_lo, d_1 = d_1b + 1.0, d_1_error = ksl_sum_error(d_1b, 1.0, d_1),
+      d_1_lo = d_1_error + d_1b_lo;
+  const double d_2a = R->m11 - R->m00, d_2a_lo = ksl_difference_error(R->m11, R->m00, d_2a),
+      d_2b = d_2a - R->m22, d_2b_error = ksl_difference_error(d_2a, R->m22, d_2b),
+      d_2b_lo = d_2b_error + d_2a_lo, d_2 = d_2b + 1.0, d_2_error = ksl_sum_error(d_2b, 1.0, d_2),
+      d_2_lo = d_2_error + d_2b_lo;
+  const double d_3a = R->m22 - R->m00, d_3a_lo = ksl_difference_error(R->m22, R->m00, d_3a),
+      d_3b = d_3a - R->m11, d_3b_error = ksl_difference_error(d_3a, R->m11, d_3b),
+      d_3b_lo = d_3b_error + d_3a_lo, d_3 = d_3b + 1.0, d_3_error = ksl_sum_error(d_3b, 1.0, d_3),
+      d_3_lo = d_3_error + d_3b_lo;
+  const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
+  const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
+  const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
+  const double low_3 = R->m11 < R->m00 ? s_1 : s_0, low_3_lo = R->m11 < R->m00 ? s_1_lo : s_0_lo;
+  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0,
+      high_0_lo = R->m00 < high_0a ? p_2_lo : d_0_lo;
+  const double high_1 = R->m00 < high_0a ? s_1 : p_0,
+      high_1_lo = R->m00 < high_0a ? s_1_lo : p_0_lo;
+  const double high_2 = R->m00 < high_0a ? s_0 : p_1,
+      high_2_lo = R->m00 < high_0a ? s_0_lo : p_1_lo;
+  const double high_3 = R->m00 < high_0a ? d_3 : p_2,
+      high_3_lo = R->m00 < high_0a ? d_3_lo : p_2_lo;
+  const double column_0 = R->m22 < 0.0 ? low_0 : high_0,
+      column_0_lo = R->m22 < 0.0 ? low_0_lo : high_0_lo;
+  const double column_1 = R->m22 < 0.0 ? low_1 : high_1,
+      column_1_lo = R->m22 < 0.0 ? low_1_lo : high_1_lo;
+  const double column_2 = R->m22 < 0.0 ? low_2 : high_2,
+      column_2_lo = R->m22 < 0.0 ? low_2_lo : high_2_lo;
+  const double column_3 = R->m22 < 0.0 ? low_3 : high_3,
+      column_3_lo = R->m22 < 0.0 ? low_3_lo : high_3_lo;
+  const double upper_0a = -column_0, upper_0a_lo = -column_0_lo,
+      upper_0 = column_0 < 0.0 ? upper_0a : column_0,
+      upper_0_lo = column_0 < 0.0 ? upper_0a_lo : column_0_lo;
+  const double upper_1a = -column_1, upper_1a_lo = -column_1_lo,
+      upper_1 = column_0 < 0.0 ? upper_1a : column_1,
+      upper_1_lo = column_0 < 0.0 ? upper_1a_lo : column_1_lo;
+  const double upper_2a = -column_2, upper_2a_lo = -column_2_lo,
+      upper_2 = column_0 < 0.0 ? upper_2a : column_2,
+      upper_2_lo = column_0 < 0.0 ? upper_2a_lo : column_2_lo;
+  const double upper_3a = -column_3, upper_3a_lo = -column_3_lo,
+      upper_3 = column_0 < 0.0 ? upper_3a : column_3,
+      upper_3_lo = column_0 < 0.0 ? upper_3a_lo : column_3_lo;
+  const double v_s_size_0 = fabs(upper_1), v_s_size_0_opposite = -upper_1_lo,
+      v_s_size_0_lo = upper_1 < 0.0 ? v_s_size_0_opposite : upper_1_lo;
+  const double v_s_size_1 = fabs(upper_2), v_s_size_1_opposite = -upper_2_lo,
+      v_s_size_1_lo = upper_2 < 0.0 ? v_s_size_1_opposite : upper_2_lo;
+  const double v_s_size_2 = fabs(upper_3), v_s_size_2_opposite = -upper_3_lo,
+      v_s_size_2_lo = upper_3 < 0.0 ? v_s_size_2_opposite : upper_3_lo;
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0,
+      v_s_largest1_lo = v_s_size_0 < v_s_size_1 ? v_s_size_1_lo : v_s_size_0_lo;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1,
+      v_s_largest2_lo = v_s_largest1 < v_s_size_2 ? v_s_size_2_lo : v_s_largest1_lo;
+  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+  const double v_y_0_total = upper_1 + upper_1_lo, v_y_0_added = v_y_0_total - upper_1,
+      v_y_0_remaining = upper_1_lo - v_y_0_added, v_y_0 = v_y_0_total * v_s,
+      v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
+      v_y_0_lost = v_y_0_total - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_remaining,
+      v_y_0_small = v_y_0_rest * v_s, v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
+  const double v_y_1_total = upper_2 + upper_2_lo, v_y_1_added = v_y_1_total - upper_2,
+      v_y_1_remaining = upper_2_lo - v_y_1_added, v_y_1 = v_y_1_total * v_s,
+      v_y_1_back = v_y_1 * v_y_0_inverse, v_y_1_lost = v_y_1_total - v_y_1_back,
+      v_y_1_rest = v_y_1_lost + v_y_1_remaining, v_y_1_small = v_y_1_rest * v_s,
+      v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
+  const double v_y_2_total = upper_3 + upper_3_lo, v_y_2_added = v_y_2_total - upper_3,
+      v_y_2_remaining = upper_3_lo - v_y_2_added, v_y_2 = v_y_2_total * v_s,
+      v_y_2_back = v_y_2 * v_y_0_inverse, v_y_2_lost = v_y_2_total - v_y_2_back,
+      v_y_2_rest = v_y_2_lost + v_y_2_remaining, v_y_2_small = v_y_2_rest * v_s,
+      v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
+  const double v_n_a = v_y_0 * v_y_0, v_n_a_cross1 = v_y_0_lo * v_y_0,
+      v_n_a_cross2 = v_y_0 * v_y_0_lo, v_n_a_error = ksl_product_error(v_y_0, v_y_0, v_n_a),
+      v_n_a_lo1 = v_n_a_error + v_n_a_cross1, v_n_a_lo = v_n_a_lo1 + v_n_a_cross2,
+      v_n_b = v_y_1 * v_y_1, v_n_b_cross1 = v_y_1_lo * v_y_1, v_n_b_cross2 = v_y_1 * v_y_1_lo,
+      v_n_b_error = ksl_product_error(v_y_1, v_y_1, v_n_b), v_n_b_lo1 = v_n_b_error + v_n_b_cross1,
+      v_n_b_lo = v_n_b_lo1 + v_n_b_cross2, v_n_c = v_n_a + v_n_b,
+      v_n_c_error = ksl_sum_error(v_n_a, v_n_b, v_n_c), v_n_c_lo1 = v_n_c_error + v_n_a_lo,
+      v_n_c_lo = v_n_c_lo1 + v_n_b_lo, v_n_d = v_y_2 * v_y_2, v_n_d_cross1 = v_y_2_lo * v_y_2,
+      v_n_d_cross2 = v_y_2 * v_y_2_lo, v_n_d_error = ksl_product_error(v_y_2, v_y_2, v_n_d),
+      v_n_d_lo1 = v_n_d_error + v_n_d_cross1, v_n_d_lo = v_n_d_lo1 + v_n_d_cross2,
+      v_n_e = v_n_c + v_n_d, v_n_e_error = ksl_sum_error(v_n_c, v_n_d, v_n_e),
+      v_n_e_lo1 = v_n_e_error + v_n_c_lo, v_n_e_lo = v_n_e_lo1 + v_n_d_lo, v_n = sqrt(v_n_e),
+      v_n_product = v_n * v_n, v_n_product_error = ksl_product_error(v_n, v_n, v_n_product),
+      v_n_rest = v_n_e - v_n_product, v_n_exact = v_n_rest - v_n_product_error,
+      v_n_residual = v_n_exact + v_n_e_lo, v_n_twice = v_n + v_n,
+      v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
+  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+  const double n_total = v_n + v_n_lo, n_added = n_total - v_n, n_remaining = v_n_lo - n_added,
+      n = n_total * v_r, n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_total - n_back,
+      n_rest = n_lost + n_remaining, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
+  const double half = atan2(n, upper_0), half_cross0 = upper_0 * n_lo, half_cross1 = n * upper_0_lo,
+      half_cross = half_cross0 - half_cross1, half_square0 = upper_0 * upper_0,
+      half_square1 = n * n, half_square = half_square0 + half_square1,
+      half_lo = half_cross / half_square;
+  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double unit_0 = upper_1 / divisor, unit_0_cross = unit_0 * divisor_lo,
+      unit_0_product = unit_0 * divisor,
+      unit_0_product_error = ksl_product_error(unit_0, divisor, unit_0_product),
+      unit_0_rest = upper_1 - unit_0_product, unit_0_exact = unit_0_rest - unit_0_product_error,
+      unit_0_lo1 = unit_0_exact + upper_1_lo, unit_0_residual = unit_0_lo1 - unit_0_cross,
+      unit_0_lo = unit_0_residual / divisor;
+  const double unit_1 = upper_2 / divisor, unit_1_cross = unit_1 * divisor_lo,
+      unit_1_product = unit_1 * divisor,
+      unit_1_product_error = ksl_product_error(unit_1, divisor, unit_1_product),
+      unit_1_rest = upper_2 - unit_1_product, unit_1_exact = unit_1_rest - unit_1_product_error,
+      unit_1_lo1 = unit_1_exact + upper_2_lo, unit_1_residual = unit_1_lo1 - unit_1_cross,
+      unit_1_lo = unit_1_residual / divisor;
+  const double unit_2 = upper_3 / divisor, unit_2_cross = unit_2 * divisor_lo,
+      unit_2_product = unit_2 * divisor,
+      unit_2_product_error = ksl_product_error(unit_2, divisor, unit_2_product),
+      unit_2_rest = upper_3 - unit_2_product, unit_2_exact = unit_2_rest - unit_2_product_error,
+      unit_2_lo1 = unit_2_exact + upper_3_lo, unit_2_residual = unit_2_lo1 - unit_2_cross,
+      unit_2_lo = unit_2_residual / divisor;
+  const double angle = 2.0 * half, angle_cross1 = 2.0 * half_lo,
+      angle_error = ksl_product_error(2.0, half, angle), angle_lo = angle_error + angle_cross1;
+  const double axis_0 = n == 0.0 ? 1.0 : unit_0, axis_0_lo = n == 0.0 ? 0.0 : unit_0_lo;
+  const double angle_total = angle + angle_lo,
+      angle_rounded = angle_total == angle_total ? angle_total : angle;
+  const double axis_0_total = axis_0 + axis_0_lo,
+      axis_0_rounded = axis_0_total == axis_0_total ? axis_0_total : axis_0;
+  const double unit_1_total = unit_1 + unit_1_lo,
+      unit_1_rounded = unit_1_total == unit_1_total ? unit_1_total : unit_1;
+  const double unit_2_total = unit_2 + unit_2_lo,
+      unit_2_rounded = unit_2_total == unit_2_total ? unit_2_total : unit_2;
+  return angle_rounded;
+}
+
+/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+   self: rotation or other 3×3 matrix.
+   84 mul, 156 add, 51 product error, 42 sum error, 6 neg.
+   Error <= u |result| + 75 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
+  const double defect_0a = self->m00 * self->m00,
+      defect_0a_lo = ksl_product_error(self->m00, self->m00, defect_0a),
+      defect_0b = 1.0 - defect_0a,
+      defect_0b_error = ksl_difference_error(1.0, defect_0a, defect_0b),
+      defect_0b_lo = defect_0b_error - defect_0a_lo, defect_0c = self->m10 * self->m10,
+      defect_0c_lo = ksl_product_error(self->m10, self->m10, defect_0c),
+      defect_0d = defect_0b - defect_0c,
+      defect_0d_error = ksl_difference_error(defect_0b, defect_0c, defect_0d),
+      defect_0d_lo1 = defect_0d_error + defect_0b_lo, defect_0d_lo = defect_0d_lo1 - defect_0c_lo,
+      defect_0e = self->m20 * self->m20,
+      defect_0e_lo = ksl_product_error(self->m20, self->m20, defect_0e),
+      defect_0 = defect_0d - defect_0e,
+      defect_0_error = ksl_difference_error(defect_0d, defect_0e, defect_0),
+      defect_0_lo1 = defect_0_error + defect_0d_lo, defect_0_lo = defect_0_lo1 - defect_0e_lo;
+  const double defect_1a = self->m01 * self->m01,
+      defect_1a_lo = ksl_product_error(self->m01, self->m01, defect_1a),
+      defect_1b = 1.0 - defect_1a,
+      defect_1b_error = ksl_difference_error(1.0, defect_1a, defect_1b),
+      defect_1b_lo = defect_1b_error - defect_1a_lo, defect_1c = self->m11 * self->m11,
+      defect_1c_lo = ksl_product_error(self->m11, self->m11, defect_1c),
+      defect_1d = defect_1b - defect_1c,
+      defect_1d_error = ksl_difference_error(defect_1b, defect_1c, defect_1d),
+      defect_1d_lo1 = defect_1d_error + defect_1b_lo, defect_1d_lo = defect_1d_lo1 - defect_1c_lo,
+      defect_1e = self->m21 * self->m21,
+      defect_1e_lo = ksl_product_error(self->m21, self->m21, defect_1e),
+      defect_1 = defect_1d - defect_1e,
+      defect_1_error = ksl_difference_error(defect_1d, defect_1e, defect_1),
+      defect_1_lo1 = defect_1_error + defect_1d_lo, defect_1_lo = defect_1_lo1 - defect_1e_lo;
+  const double defect_2a = self->m02 * self->m02,
+      defect_2a_lo = ksl_product_error(self->m02, self->m02, defect_2a),
+      defect_2b = 1.0 - defect_2a,
+      defect_2b_error = ksl_difference_error(1.0, defect_2a, defect_2b),
+      defect_2b_lo = defect_2b_error - defect_2a_lo, defect_2c = self->m12 * self->m12,
+      defect_2c_lo = ksl_product_error(self->m12, self->m12, defect_2c),
+      defect_2d = defect_2b - defect_2c,
+      defect_2d_error = ksl_difference_error(defect_2b, defect_2c, defect_2d),
+      defect_2d_lo1 = defect_2d_error + defect_2b_lo, defect_2d_lo = defect_2d_lo1 - defect_2c_lo,
+      defect_2e = self->m22 * self->m22,
+      defect_2e_lo = ksl_product_error(self->m22, self->m22, defect_2e),
+      defect_2 = defect_2d - defect_2e,
+      defect_2_error = ksl_difference_error(defect_2d, defect_2e, defect_2),
+      defect_2_lo1 = defect_2_error + defect_2d_lo, defect_2_lo = defect_2_lo1 - defect_2e_lo;
+  const double defect_3a = self->m00 * self->m01,
+      defect_3a_lo = ksl_product_error(self->m00, self->m01, defect_3a),
+      defect_3b = self->m10 * self->m11,
+      defect_3b_lo = ksl_product_error(self->m10, self->m11, defect_3b),
+      defect_3c = defect_3a + defect_3b,
+      defect_3c_error = ksl_sum_error(defect_3a, defect_3b, defect_3c),
+      defect_3c_lo1 = defect_3c_error + defect_3a_lo, defect_3c_lo = defect_3c_lo1 + defect_3b_lo,
+      defect_3d = self->m20 * self->m21,
+      defect_3d_lo = ksl_product_error(self->m20, self->m21, defect_3d),
+      defect_3e = defect_3c + defect_3d,
+      defect_3e_error = ksl_sum_error(defect_3c, defect_3d, defect_3e),
+      defect_3e_lo1 = defect_3e_error + defect_3c_lo, defect_3e_lo = defect_3e_lo1 + defect_3d_lo,
+      defect_3 = -defect_3e, defect_3_lo = -defect_3e_lo;
+  const double defect_4a = self->m00 * self->m02,
+      defect_4a_lo = ksl_product_error(self->m00, self->m02, defect_4a),
+      defect_4b = self->m10 * self->m12,
+      defect_4b_lo = ksl_product_error(self->m10, self->m12, defect_4b),
+      defect_4c = defect_4a + defect_4b,
+      defect_4c_error = ksl_sum_error(defect_4a, defect_4b, defect_4c),
+      defect_4c_lo1 = defect_4c_error + defect_4a_lo, defect_4c_lo = defect_4c_lo1 + defect_4b_lo,
+      defect_4d = self->m20 * self->m22,
+      defect_4d_lo = ksl_product_error(self->m20, self->m22, defect_4d),
+      defect_4e = defect_4c + defect_4d,
+      defect_4e_error = ksl_sum_error(defect_4c, defect_4d, defect_4e),
+      defect_4e_lo1 = defect_4e_error + defect_4c_lo, defect_4e_lo = defect_4e_lo1 + defect_4d_lo,
+      defect_4 = -defect_4e, defect_4_lo = -defect_4e_lo;
+  const double defect_5a = self->m01 * self->m02,
+      defect_5a_lo = ksl_product_error(self->m01, self->m02, defect_5a),
+      defect_5b = self->m11 * self->m12,
+      defect_5b_lo = ksl_product_error(self->m11, self->m12, defect_5b),
+      defect_5c = defect_5a + defect_5b,
+      defect_5c_error = ksl_sum_error(defect_5a, defect_5b, defect_5c),
+      defect_5c_lo1 = defect_5c_error + defect_5a_lo, defect_5c_lo = defect_5c_lo1 + defect_5b_lo,
+      defect_5d = self->m21 * self->m22,
+      defect_5d_lo = ksl_product_error(self->m21, self->m22, defect_5d),
+      defect_5e = defect_5c + defect_5d,
+      defect_5e_error = ksl_sum_error(defect_5c, defect_5d, defect_5e),
+      defect_5e_lo1 = defect_5e_error + defect_5c_lo, defect_5e_lo = defect_5e_lo1 + defect_5d_lo,
+      defect_5 = -defect_5e, defect_5_lo = -defect_5e_lo;
+  const double correction_0 = 0.5 * defect_0, correction_0_cross1 = 0.5 * defect_0_lo,
+      correction_0_error = ksl_product_error(0.5, defect_0, correction_0),
+      correction_0_lo = correction_0_error + correction_0_cross1;
+  const double correction_1 = 0.5 * defect_1, correction_1_cross1 = 0.5 * defect_1_lo,
+      correction_1_error = ksl_product_error(0.5, defect_1, correction_1),
+      correction_1_lo = correction_1_error + correction_1_cross1;
+  const double correction_2 = 0.5 * defect_2, correction_2_cross1 = 0.5 * defect_2_lo,
+      correction_2_error = ksl_product_error(0.5, defect_2, correction_2),
+      correction_2_lo = correction_2_error + correction_2_cross1;
+  const double correction_3 = 0.5 * defect_3, correction_3_cross1 = 0.5 * defect_3_lo,
+      correction_3_error = ksl_product_error(0.5, defect_3, correction_3),
+      correction_3_lo = correction_3_error + correction_3_cross1;
+  const double correction_4 = 0.5 * defect_4, correction_4_cross1 = 0.5 * defect_4_lo,
+      correction_4_error = ksl_product_error(0.5, defect_4, correction_4),
+      correction_4_lo = correction_4_error + correction_4_cross1;
+  const double correction_5 = 0.5 * defect_5, correction_5_cross1 = 0.5 * defect_5_lo,
+      correction_5_error = ksl_product_error(0.5, defect_5, correction_5),
+      correction_5_lo = correction_5_error + correction_5_cross1;
+  const double self_00_new_a = self->m00 * correction_0,
+      self_00_new_a_cross1 = self->m00 * correction_0_lo,
+      self_00_new_a_error = ksl_product_error(self->m00, correction_0, self_00_new_a),
+      self_00_new_a_lo = self_00_new_a_error + self_00_new_a_cross1,
+      self_00_new_b = self->m01 * correction_3, self_00_new_b_cross1 = self->m01 * correction_3_lo,
+      self_00_new_b_error = ksl_product_error(self->m01, correction_3, self_00_new_b),
+      self_00_new_b_lo = self_00_new_b_error + self_00_new_b_cross1,
+      self_00_new_c = self_00_new_a + self_00_new_b,
+      self_00_new_c_error = ksl_sum_error(self_00_new_a, self_00_new_b, self_00_new_c),
+      self_00_new_c_lo1 = self_00_new_c_error + self_00_new_a_lo,
+      self_00_new_c_lo = self_00_new_c_lo1 + self_00_new_b_lo,
+      self_00_new_d = self->m02 * correction_4, self_00_new_d_cross1 = self->m02 * correction_4_lo,
+      self_00_new_d_error = ksl_product_error(self->m02, correction_4, self_00_new_d),
+      self_00_new_d_lo = self_00_new_d_error + self_00_new_d_cross1,
+      self_00_new_e = self_00_new_c + self_00_new_d,
+      self_00_new_e_error = ksl_sum_error(self_00_new_c, self_00_new_d, self_00_new_e),
+      self_00_new_e_lo1 = self_00_new_e_error + self_00_new_c_lo,
+      self_00_new_e_lo = self_00_new_e_lo1 + self_00_new_d_lo,
+      self_00_new = self->m00 + self_00_new_e,
+      self_00_new_error = ksl_sum_error(self->m00, self_00_new_e, self_00_new),
+      self_00_new_lo = self_00_new_error + self_00_new_e_lo;
+  const double self_01_new_a = self->m00 * correction_3,
+      self_01_new_a_cross1 = self->m00 * correction_3_lo,
+      self_01_new_a_error = ksl_product_error(self->m00, correction_3, self_01_new_a),
+      self_01_new_a_lo = self_01_new_a_error + self_01_new_a_cross1,
+      self_01_new_b = self->m01 * correction_1, self_01_new_b_cross1 = self->m01 * correction_1_lo,
+      self_01_new_b_error = ksl_product_error(self->m01, correction_1, self_01_new_b),
+      self_01_new_b_lo = self_01_new_b_error + self_01_new_b_cross1,
+      self_01_new_c = self_01_new_a + self_01_new_b,
+      self_01_new_c_error = ksl_sum_error(self_01_new_a, self_01_new_b, self_01_new_c),
+      self_01_new_c_lo1 = self_01_new_c_error + self_01_new_a_lo,
+      self_01_new_c_lo = self_01_new_c_lo1 + self_01_new_b_lo,
+      self_01_new_d = self->m02 * correction_5, self_01_new_d_cross1 = self->m02 * correction_5_lo,
+      self_01_new_d_error = ksl_product_error(self->m02, correction_5, self_01_new_d),
+      self_01_new_d_lo = self_01_new_d_error + self_01_new_d_cross1,
+      self_01_new_e = self_01_new_c + self_01_new_d,
+      self_01_new_e_error = ksl_sum_error(self_01_new_c, self_01_new_d, self_01_new_e),
+      self_01_new_e_lo1 = self_01_new_e_error + self_01_new_c_lo,
+      self_01_new_e_lo = self_01_new_e_lo1 + self_01_new_d_lo,
+      self_01_new = self_01_new_e + self->m01,
+      self_01_new_error = ksl_sum_error(self_01_new_e, self->m01, self_01_new),
+      self_01_new_lo = self_01_new_error + self_01_new_e_lo;
+  const double self_02_new_a = self->m00 * correction_4,
+      self_02_new_a_cross1 = self->m00 * correction_4_lo,
+      self_02_new_a_error = ksl_product_error(self->m00, correction_4, self_02_new_a),
+      self_02_new_a_lo = self_02_new_a_error + self_02_new_a_cross1,
+      self_02_new_b = self->m01 * correction_5, self_02_new_b_cross1 = self->m01 * correction_5_lo,
+      self_02_new_b_error = ksl_product_error(self->m01, correction_5, self_02_new_b),
+      self_02_new_b_lo = self_02_new_b_error + self_02_new_b_cross1,
+      self_02_new_c = self_02_new_a + self_02_new_b,
+      self_02_new_c_error = ksl_sum_error(self_02_new_a, self_02_new_b, self_02_new_c),
+      self_02_new_c_lo1 = self_02_new_c_error + self_02_new_a_lo,
+      self_02_new_c_lo = self_02_new_c_lo1 + self_02_new_b_lo,
+      self_02_new_d = self->m02 * correction_2, self_02_new_d_cross1 = self->m02 * correction_2_lo,
+      self_02_new_d_error = ksl_product_error(self->m02, correction_2, self_02_new_d),
+      self_02_new_d_lo = self_02_new_d_error + self_02_new_d_cross1,
+      self_02_new_e = self_02_new_c + self_02_new_d,
+      self_02_new_e_error = ksl_sum_error(self_02_new_c, self_02_new_d, self_02_new_e),
+      self_02_new_e_lo1 = self_02_new_e_error + self_02_new_c_lo,
+      self_02_new_e_lo = self_02_new_e_lo1 + self_02_new_d_lo,
+      self_02_new = self_02_new_e + self->m02,
+      self_02_new_error = ksl_sum_error(self_02_new_e, self->m02, self_02_new),
+      self_02_new_lo = self_02_new_error + self_02_new_e_lo;
+  const double self_10_new_a = self->m10 * correction_0,
+      self_10_new_a_cross1 = self->m10 * correction_0_lo,
+      self_10_new_a_error = ksl_product_error(self->m10, correction_0, self_10_new_a),
+      self_10_new_a_lo = self_10_new_a_error + self_10_new_a_cross1,
+      self_10_new_b = self->m11 * correction_3, self_10_new_b_cross1 = self->m11 * correction_3_lo,
+      self_10_new_b_error = ksl_product_error(self->m11, correction_3, self_10_new_b),
+      self_10_new_b_lo = self_10_new_b_error + self_10_new_b_cross1,
+      self_10_new_c = self_10_new_a + self_10_new_b,
+      self_10_new_c_error = ksl_sum_error(self_10_new_a, self_10_new_b, self_10_new_c),
+      self_10_new_c_lo1 = self_10_new_c_error + self_10_new_a_lo,
+      self_10_new_c_lo = self_10_new_c_lo1 + self_10_new_b_lo,
+      self_10_new_d = self->m12 * correction_4, self_10_new_d_cross1 = self->m12 * correction_4_lo,
+      self_10_new_d_error = ksl_product_error(self->m12, correction_4, self_10_new_d),
+      self_10_new_d_lo = self_10_new_d_error + self_10_new_d_cross1,
+      self_10_new_e = self_10_new_c + self_10_new_d,
+      self_10_new_e_error = ksl_sum_error(self_10_new_c, self_10_new_d, self_10_new_e),
+      self_10_new_e_lo1 = self_10_new_e_error + self_10_new_c_lo,
+      self_10_new_e_lo = self_10_new_e_lo1 + self_10_new_d_lo,
+      self_10_new = self->m10 + self_10_new_e,
+      self_10_new_error = ksl_sum_error(self->m10, self_10_new_e, self_10_new),
+      self_10_new_lo = self_10_new_error + self_10_new_e_lo;
+  const double self_11_new_a = self->m10 * correction_3,
+      self_11_new_a_cross1 = self->m10 * correction_3_lo,
+      self_11_new_a_error = ksl_product_error(self->m10, correction_3, self_11_new_a),
+      self_11_new_a_lo = self_11_new_a_error + self_11_new_a_cross1,
+      self_11_new_b = self->m11 * correction_1, self_11_new_b_cross1 = self->m11 * correction_1_lo,
+      self_11_new_b_error = ksl_product_error(self->m11, correction_1, self_11_new_b),
+      self_11_new_b_lo = self_11_new_b_error + self_11_new_b_cross1,
+      self_11_new_c = self_11_new_a + self_11_new_b,
+      self_11_new_c_error = ksl_sum_error(self_11_new_a, self_11_new_b, self_11_new_c),
+      self_11_new_c_lo1 = self_11_new_c_error + self_11_new_a_lo,
+      self_11_new_c_lo = self_11_new_c_lo1 + self_11_new_b_lo,
+      self_11_new_d = self->m12 * correction_5, self_11_new_d_cross1 = self->m12 * correction_5_lo,
+      self_11_new_d_error = ksl_product_error(self->m12, correction_5, self_11_new_d),
+      self_11_new_d_lo = self_11_new_d_error + self_11_new_d_cross1,
+      self_11_new_e = self_11_new_c + self_11_new_d,
+      self_11_new_e_error = ksl_sum_error(self_11_new_c, self_11_new_d, self_11_new_e),
+      self_11_new_e_lo1 = self_11_new_e_error + self_11_new_c_lo,
+      self_11_new_e_lo = self_11_new_e_lo1 + self_11_new_d_lo,
+      self_11_new = self_11_new_e + self->m11,
+      self_11_new_error = ksl_sum_error(self_11_new_e, self->m11, self_11_new),
+      self_11_new_lo = self_11_new_error + self_11_new_e_lo;
+  const double self_12_new_a = self->m10 * correction_4,
+      self_12_new_a_cross1 = self->m10 * correction_4_lo,
+      self_12_new_a_error = ksl_product_error(self->m10, correction_4, self_12_new_a),
+      self_12_new_a_lo = self_12_new_a_error + self_12_new_a_cross1,
+      self_12_new_b = self->m11 * correction_5, self_12_new_b_cross1 = self->m11 * correction_5_lo,
+      self_12_new_b_error = ksl_product_error(self->m11, correction_5, self_12_new_b),
+      self_12_new_b_lo = self_12_new_b_error + self_12_new_b_cross1,
+      self_12_new_c = self_12_new_a + self_12_new_b,
+      self_12_new_c_error = ksl_sum_error(self_12_new_a, self_12_new_b, self_12_new_c),
+      self_12_new_c_lo1 = self_12_new_c_error + self_12_new_a_lo,
+      self_12_new_c_lo = self_12_new_c_lo1 + self_12_new_b_lo,
+      self_12_new_d = self->m12 * correction_2, self_12_new_d_cross1 = self->m12 * correction_2_lo,
+      self_12_new_d_error = ksl_product_error(self->m12, correction_2, self_12_new_d),
+      self_12_new_d_lo = self_12_new_d_error + self_12_new_d_cross1,
+      self_12_new_e = self_12_new_c + self_12_new_d,
+      self_12_new_e_error = ksl_sum_error(self_12_new_c, self_12_new_d, self_12_new_e),
+      self_12_new_e_lo1 = self_12_new_e_error + self_12_new_c_lo,
+      self_12_new_e_lo = self_12_new_e_lo1 + self_12_new_d_lo,
+      self_12_new = self_12_new_e + self->m12,
+      self_12_new_error = ksl_sum_error(self_12_new_e, self->m12, self_12_new),
+      self_12_new_lo = self_12_new_error + self_12_new_e_lo;
+  const double self_20_new_a = self->m20 * correction_0,
+      self_20_new_a_cross1 = self->m20 * correction_0_lo,
+      self_20_new_a_error = ksl_product_error(self->m20, correction_0, self_20_new_a),
+      self_20_new_a_lo = self_20_new_a_error + self_20_new_a_cross1,
+      self_20_new_b = self->m21 * correction_3, self_20_new_b_cross1 = self->m21 * correction_3_lo,
+      self_20_new_b_error = ksl_product_error(self->m21, correction_3, self_20_new_b),
+      self_20_new_b_lo = self_20_new_b_error + self_20_new_b_cross1,
+      self_20_new_c = self_20_new_a + self_20_new_b,
+      self_20_new_c_error = ksl_sum_error(self_20_new_a, self_20_new_b, self_20_new_c),
+      self_20_new_c_lo1 = self_20_new_c_error + self_20_new_a_lo,
+      self_20_new_c_lo = self_20_new_c_lo1 + self_20_new_b_lo,
+      self_20_new_d = self->m22 * correction_4, self_20_new_d_cross1 = self->m22 * correction_4_lo,
+      self_20_new_d_error = ksl_product_error(self->m22, correction_4, self_20_new_d),
+      self_20_new_d_lo = self_20_new_d_error + self_20_new_d_cross1,
+      self_20_new_e = self_20_new_c + self_20_new_d,
+      self_20_new_e_error = ksl_sum_error(self_20_new_c, self_20_new_d, self_20_new_e),
+      self_20_new_e_lo1 = self_20_new_e_error + self_20_new_c_lo,
+      self_20_new_e_lo = self_20_new_e_lo1 + self_20_new_d_lo,
+      self_20_new = self->m20 + self_20_new_e,
+      self_20_new_error = ksl_sum_error(self->m20, self_20_new_e, self_20_new),
+      self_20_new_lo = self_20_new_error + self_20_new_e_lo;
+  const double self_21_new_a = self->m20 * correction_3,
+      self_21_new_a_cross1 = self->m20 * correction_3_lo,
+      self_21_new_a_error = ksl_product_error(self->m20, correction_3, self_21_new_a),
+      self_21_new_a_lo = self_21_new_a_error + self_21_new_a_cross1,
+      self_21_new_b = self->m21 * correction_1, self_21_new_b_cross1 = self->m21 * correction_1_lo,
+      self_21_new_b_error = ksl_product_error(self->m21, correction_1, self_21_new_b),
+      self_21_new_b_lo = self_21_new_b_error + self_21_new_b_cross1,
+      self_21_new_c = self_21_new_a + self_21_new_b,
+      self_21_new_c_error = ksl_sum_error(self_21_new_a, self_21_new_b, self_21_new_c),
+      self_21_new_c_lo1 = self_21_new_c_error + self_21_new_a_lo,
+      self_21_new_c_lo = self_21_new_c_lo1 + self_21_new_b_lo,
+      self_21_new_d = self->m22 * correction_5, self_21_new_d_cross1 = self->m22 * correction_5_lo,
+      self_21_new_d_error = ksl_product_error(self->m22, correction_5, self_21_new_d),
+      self_21_new_d_lo = self_21_new_d_error + self_21_new_d_cross1,
+      self_21_new_e = self_21_new_c + self_21_new_d,
+      self_21_new_e_error = ksl_sum_error(self_21_new_c, self_21_new_d, self_21_new_e),
+      self_21_new_e_lo1 = self_21_new_e_error + self_21_new_c_lo,
+      self_21_new_e_lo = self_21_new_e_lo1 + self_21_new_d_lo,
+      self_21_new = self_21_new_e + self->m21,
+      self_21_new_error = ksl_sum_error(self_21_new_e, self->m21, self_21_new),
+      self_21_new_lo = self_21_new_error + self_21_new_e_lo;
+  const double self_22_new_a = self->m20 * correction_4,
+      self_22_new_a_cross1 = self->m20 * correction_4_lo,
+      self_22_new_a_error = ksl_product_error(self->m20, correction_4, self_22_new_a),
+      self_22_new_a_lo = self_22_new_a_error + self_22_new_a_cross1,
+      self_22_new_b = self->m21 * correction_5, self_22_new_b_cross1 = self->m21 * correction_5_lo,
+      self_22_new_b_error = ksl_product_error(self->m21, correction_5, self_22_new_b),
+      self_22_new_b_lo = self_22_new_b_error + self_22_new_b_cross1,
+      self_22_new_c = self_22_new_a + self_22_new_b,
+      self_22_new_c_error = ksl_sum_error(self_22_new_a, self_22_new_b, self_22_new_c),
+      self_22_new_c_lo1 = self_22_new_c_error + self_22_new_a_lo,
+      self_22_new_c_lo = self_22_new_c_lo1 + self_22_new_b_lo,
+      self_22_new_d = self->m22 * correction_2, self_22_new_d_cross1 = self->m22 * correction_2_lo,
+      self_22_new_d_error = ksl_product_error(self->m22, correction_2, self_22_new_d),
+      self_22_new_d_lo = self_22_new_d_error + self_22_new_d_cross1,
+      self_22_new_e = self_22_new_c + self_22_new_d,
+      self_22_new_e_error = ksl_sum_error(self_22_new_c, self_22_new_d, self_22_new_e),
+      self_22_new_e_lo1 = self_22_new_e_error + self_22_new_c_lo,
+      self_22_new_e_lo = self_22_new_e_lo1 + self_22_new_d_lo,
+      self_22_new = self_22_new_e + self->m22,
+      self_22_new_error = ksl_sum_error(self_22_new_e, self->m22, self_22_new),
+      self_22_new_lo = self_22_new_error + self_22_new_e_lo;
+  const double self_00_new_rounded = self_00_new + self_00_new_lo;
+  const double self_01_new_rounded = self_01_new + self_01_new_lo;
+  const double self_02_new_rounded = self_02_new + self_02_new_lo;
+  const double self_10_new_rounded = self_10_new + self_10_new_lo;
+  const double self_11_new_rounded = self_11_new + self_11_new_lo;
+  const double self_12_new_rounded = self_12_new + self_12_new_lo;
+  const double self_20_new_rounded = self_20_new + self_20_new_lo;
+  const double self_21_new_rounded = self_21_new + self_21_new_lo;
+  const double self_22_new_rounded = self_22_new + self_22_new_lo;
+  self->m00 = self_00_new_rounded;
+  self->m01 = self_01_new_rounded;
+  self->m02 = self_02_new_rounded;
+  self->m10 = self_10_new_rounded;
+  self->m11 = self_11_new_rounded;
+  self->m12 = self_12_new_rounded;
+  self->m20 = self_20_new_rounded;
+  self->m21 = self_21_new_rounded;
+  self->m22 = self_22_new_rounded;
+}
+
+/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+   R, Ro: rotation or other 3×3 matrix.
+   84 mul, 156 add, 51 product error, 42 sum error, 6 neg.
+   Error <= u |result| + 75 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
+  const double defect_0a = R->m00 * R->m00,
+      defect_0a_lo = ksl_product_error(R->m00, R->m00, defect_0a), defect_0b = 1.0 - defect_0a,
+      defect_0b_error = ksl_difference_error(1.0, defect_0a, defect_0b),
+      defect_0b_lo = defect_0b_error - defect_0a_lo, defect_0c = R->m10 * R->m10,
+      defect_0c_lo = ksl_product_error(R->m10, R->m10, defect_0c),
+      defect_0d = defect_0b - defect_0c,
+      defect_0d_error = ksl_difference_error(defect_0b, defect_0c, defect_0d),
+      defect_0d_lo1 = defect_0d_error + defect_0b_lo, defect_0d_lo = defect_0d_lo1 - defect_0c_lo,
+      defect_0e = R->m20 * R->m20, defect_0e_lo = ksl_product_error(R->m20, R->m20, defect_0e),
+      defect_0 = defect_0d - defect_0e,
+      defect_0_error = ksl_difference_error(defect_0d, defect_0e, defect_0),
+      defect_0_lo1 = defect_0_error + defect_0d_lo, defect_0_lo = defect_0_lo1 - defect_0e_lo;
+  const double defect_1a = R->m01 * R->m01,
+      defect_1a_lo = ksl_product_error(R->m01, R->m01, defect_1a), defect_1b = 1.0 - defect_1a,
+      defect_1b_error = ksl_difference_error(1.0, defect_1a, defect_1b),
+      defect_1b_lo = defect_1b_error - defect_1a_lo, defect_1c = R->m11 * R->m11,
+      defect_1c_lo = ksl_product_error(R->m11, R->m11, defect_1c),
+      defect_1d = defect_1b - defect_1c,
+      defect_1d_error = ksl_difference_error(defect_1b, defect_1c, defect_1d),
+      defect_1d_lo1 = defect_1d_error + defect_1b_lo, defect_1d_lo = defect_1d_lo1 - defect_1c_lo,
+      defect_1e = R->m21 * R->m21, defect_1e_lo = ksl_product_error(R->m21, R->m21, defect_1e),
+      defect_1 = defect_1d - defect_1e,
+      defect_1_error = ksl_difference_error(defect_1d, defect_1e, defect_1),
+      defect_1_lo1 = defect_1_error + defect_1d_lo, defect_1_lo = defect_1_lo1 - defect_1e_lo;
+  const double defect_2a = R->m02 * R->m02,
+      defect_2a_lo = ksl_product_error(R->m02, R->m02, defect_2a), defect_2b = 1.0 - defect_2a,
+      defect_2b_error = ksl_difference_error(1.0, defect_2a, defect_2b),
+      defect_2b_lo = defect_2b_error - defect_2a_lo, defect_2c = R->m12 * R->m12,
+      defect_2c_lo = ksl_product_error(R->m12, R->m12, defect_2c),
+      defect_2d = defect_2b - defect_2c,
+      defect_2d_error = ksl_difference_error(defect_2b, defect_2c, defect_2d),
+      defect_2d_lo1 = defect_2d_error + defect_2b_lo, defect_2d_lo = defect_2d_lo1 - defect_2c_lo,
+      defect_2e = R->m22 * R->m22, defect_2e_lo = ksl_product_error(R->m22, R->m22, defect_2e),
+      defect_2 = defect_2d - defect_2e,
+      defect_2_error = ksl_difference_error(defect_2d, defect_2e, defect_2),
+      defect_2_lo1 = defect_2_error + defect_2d_lo, defect_2_lo = defect_2_lo1 - defect_2e_lo;
+  const double defect_3a = R->m00 * R->m01,
+      defect_3a_lo = ksl_product_error(R->m00, R->m01, defect_3a), defect_3b = R->m10 * R->m11,
+      defect_3b_lo = ksl_product_error(R->m10, R->m11, defect_3b),
+      defect_3c = defect_3a + defect_3b,
+      defect_3c_error = ksl_sum_error(defect_3a, defect_3b, defect_3c),
+      defect_3c_lo1 = defect_3c_error + defect_3a_lo, defect_3c_lo = defect_3c_lo1 + defect_3b_lo,
+      defect_3d = R->m20 * R->m21, defect_3d_lo = ksl_product_error(R->m20, R->m21, defect_3d),
+      defect_3e = defect_3c + defect_3d,
+      defect_3e_error = ksl_sum_error(defect_3c, defect_3d, defect_3e),
+      defect_3e_lo1 = defect_3e_error + defect_3c_lo, defect_3e_lo = defect_3e_lo1 + defect_3d_lo,
+      defect_3 = -defect_3e, defect_3_lo = -defect_3e_lo;
+  const double defect_4a = R->m00 * R->m02,
+      defect_4a_lo = ksl_product_error(R->m00, R->m02, defect_4a), defect_4b = R->m10 * R->m12,
+      defect_4b_lo = ksl_product_error(R->m10, R->m12, defect_4b),
+      defect_4c = defect_4a + defect_4b,
+      defect_4c_error = ksl_sum_error(defect_4a, defect_4b, defect_4c),
+      defect_4c_lo1 = defect_4c_error + defect_4a_lo, defect_4c_lo = defect_4c_lo1 + defect_4b_lo,
+      defect_4d = R->m20 * R->m22, defect_4d_lo = ksl_product_error(R->m20, R->m22, defect_4d),
+      defect_4e = defect_4c + defect_4d,
+      defect_4e_error = ksl_sum_error(defect_4c, defect_4d, defect_4e),
+      defect_4e_lo1 = defect_4e_error + defect_4c_lo, defect_4e_lo = defect_4e_lo1 + defect_4d_lo,
+      defect_4 = -defect_4e, defect_4_lo = -defect_4e_lo;
+  const double defect_5a = R->m01 * R->m02,
+      defect_5a_lo = ksl_product_error(R->m01, R->m02, defect_5a), defect_5b = R->m11 * R->m12,
+      defect_5b_lo = ksl_product_error(R->m11, R->m12, defect_5b),
+      defect_5c = defect_5a + defect_5b,
+      defect_5c_error = ksl_sum_error(defect_5a, defect_5b, defect_5c),
+      defect_5c_lo1 = defect_5c_error + defect_5a_lo, defect_5c_lo = defect_5c_lo1 + defect_5b_lo,
+      defect_5d = R->m21 * R->m22, defect_5d_lo = ksl_product_error(R->m21, R->m22, defect_5d),
+      defect_5e = defect_5c + defect_5d,
+      defect_5e_error = ksl_sum_error(defect_5c, defect_5d, defect_5e),
+      defect_5e_lo1 = defect_5e_error + defect_5c_lo, defect_5e_lo = defect_5e_lo1 + defect_5d_lo,
+      defect_5 = -defect_5e, defect_5_lo = -defect_5e_lo;
+  const double correction_0 = 0.5 * defect_0, correction_0_cross1 = 0.5 * defect_0_lo,
+      correction_0_error = ksl_product_error(0.5, defect_0, correction_0),
+      correction_0_lo = correction_0_error + correction_0_cross1;
+  const double correction_1 = 0.5 * defect_1, correction_1_cross1 = 0.5 * defect_1_lo,
+      correction_1_error = ksl_product_error(0.5, defect_1, correction_1),
+      correction_1_lo = correction_1_error + correction_1_cross1;
+  const double correction_2 = 0.5 * defect_2, correction_2_cross1 = 0.5 * defect_2_lo,
+      correction_2_error = ksl_product_error(0.5, defect_2, correction_2),
+      correction_2_lo = correction_2_error + correction_2_cross1;
+  const double correction_3 = 0.5 * defect_3, correction_3_cross1 = 0.5 * defect_3_lo,
+      correction_3_error = ksl_product_error(0.5, defect_3, correction_3),
+      correction_3_lo = correction_3_error + correction_3_cross1;
+  const double correction_4 = 0.5 * defect_4, correction_4_cross1 = 0.5 * defect_4_lo,
+      correction_4_error = ksl_product_error(0.5, defect_4, correction_4),
+      correction_4_lo = correction_4_error + correction_4_cross1;
+  const double correction_5 = 0.5 * defect_5, correction_5_cross1 = 0.5 * defect_5_lo,
+      correction_5_error = ksl_product_error(0.5, defect_5, correction_5),
+      correction_5_lo = correction_5_error + correction_5_cross1;
+  const double Ro_00a = R->m00 * correction_0, Ro_00a_cross1 = R->m00 * correction_0_lo,
+      Ro_00a_error = ksl_product_error(R->m00, correction_0, Ro_00a),
+      Ro_00a_lo = Ro_00a_error + Ro_00a_cross1, Ro_00b = R->m01 * correction_3,
+      Ro_00b_cross1 = R->m01 * correction_3_lo,
+      Ro_00b_error = ksl_product_error(R->m01, correction_3, Ro_00b),
+      Ro_00b_lo = Ro_00b_error + Ro_00b_cross1, Ro_00c = Ro_00a + Ro_00b,
+      Ro_00c_error = ksl_sum_error(Ro_00a, Ro_00b, Ro_00c), Ro_00c_lo1 = Ro_00c_error + Ro_00a_lo,
+      Ro_00c_lo = Ro_00c_lo1 + Ro_00b_lo, Ro_00d = R->m02 * correction_4,
+      Ro_00d_cross1 = R->m02 * correction_4_lo,
+      Ro_00d_error = ksl_product_error(R->m02, correction_4, Ro_00d),
+      Ro_00d_lo = Ro_00d_error + Ro_00d_cross1, Ro_00e = Ro_00c + Ro_00d,
+      Ro_00e_error = ksl_sum_error(Ro_00c, Ro_00d, Ro_00e), Ro_00e_lo1 = Ro_00e_error + Ro_00c_lo,
+      Ro_00e_lo = Ro_00e_lo1 + Ro_00d_lo, Ro_00 = R->m00 + Ro_00e,
+      Ro_00_error = ksl_sum_error(R->m00, Ro_00e, Ro_00), Ro_00_lo = Ro_00_error + Ro_00e_lo;
+  const double Ro_01a = R->m00 * correction_3, Ro_01a_cross1 = R->m00 * correction_3_lo,
+      Ro_01a_error = ksl_product_error(R->m00, correction_3, Ro_01a),
+      Ro_01a_lo = Ro_01a_error + Ro_01a_cross1, Ro_01b = R->m01 * correction_1,
+      Ro_01b_cross1 = R->m01 * correction_1_lo,
+      Ro_01b_error = ksl_product_error(R->m01, correction_1, Ro_01b),
+      Ro_01b_lo = Ro_01b_error + Ro_01b_cross1, Ro_01c = Ro_01a + Ro_01b,
+      Ro_01c_error = ksl_sum_error(Ro_01a, Ro_01b, Ro_01c), Ro_01c_lo1 = Ro_01c_error + Ro_01a_lo,
+      Ro_01c_lo = Ro_01c_lo1 + Ro_01b_lo, Ro_01d = R->m02 * correction_5,
+      Ro_01d_cross1 = R->m02 * correction_5_lo,
+      Ro_01d_error = ksl_product_error(R->m02, correction_5, Ro_01d),
+      Ro_01d_lo = Ro_01d_error + Ro_01d_cross1, Ro_01e = Ro_01c + Ro_01d,
+      Ro_01e_error = ksl_sum_error(Ro_01c, Ro_01d, Ro_01e), Ro_01e_lo1 = Ro_01e_error + Ro_01c_lo,
+      Ro_01e_lo = Ro_01e_lo1 + Ro_01d_lo, Ro_01 = Ro_01e + R->m01,
+      Ro_01_error = ksl_sum_error(Ro_01e, R->m01, Ro_01), Ro_01_lo = Ro_01_error + Ro_01e_lo;
+  const double Ro_02a = R->m00 * correction_4, Ro_02a_cross1 = R->m00 * correction_4_lo,
+      Ro_02a_error = ksl_product_error(R->m00, correction_4, Ro_02a),
+      Ro_02a_lo = Ro_02a_error + Ro_02a_cross1, Ro_02b = R->m01 * correction_5,
+      Ro_02b_cross1 = R->m01 * correction_5_lo,
+      Ro_02b_error = ksl_product_error(R->m01, correction_5, Ro_02b),
+      Ro_02b_lo = Ro_02b_error + Ro_02b_cross1, Ro_02c = Ro_02a + Ro_02b,
+      Ro_02c_error = ksl_sum_error(Ro_02a, Ro_02b, Ro_02c), Ro_02c_lo1 = Ro_02c_error + Ro_02a_lo,
+      Ro_02c_lo = Ro_02c_lo1 + Ro_02b_lo, Ro_02d = R->m02 * correction_2,
+      Ro_02d_cross1 = R->m02 * correction_2_lo,
+      Ro_02d_error = ksl_product_error(R->m02, correction_2, Ro_02d),
+      Ro_02d_lo = Ro_02d_error + Ro_02d_cross1, Ro_02e = Ro_02c + Ro_02d,
+      Ro_02e_error = ksl_sum_error(Ro_02c, Ro_02d, Ro_02e), Ro_02e_lo1 = Ro_02e_error + Ro_02c_lo,
+      Ro_02e_lo = Ro_02e_lo1 + Ro_02d_lo, Ro_02 = Ro_02e + R->m02,
+      Ro_02_error = ksl_sum_error(Ro_02e, R->m02, Ro_02), Ro_02_lo = Ro_02_error + Ro_02e_lo;
+  const double Ro_10a = R->m10 * correction_0, Ro_10a_cross1 = R->m10 * correction_0_lo,
+      Ro_10a_error = ksl_product_error(R->m10, correction_0, Ro_10a),
+      Ro_10a_lo = Ro_10a_error + Ro_10a_cross1, Ro_10b = R->m11 * correction_3,
+      Ro_10b_cross1 = R->m11 * correction_3_lo,
+      Ro_10b_error = ksl_product_error(R->m11, correction_3, Ro_10b),
+      Ro_10b_lo = Ro_10b_error + Ro_10b_cross1, Ro_10c = Ro_10a + Ro_10b,
+      Ro_10c_error = ksl_sum_error(Ro_10a, Ro_10b, Ro_10c), Ro_10c_lo1 = Ro_10c_error + Ro_10a_lo,
+      Ro_10c_lo = Ro_10c_lo1 + Ro_10b_lo, Ro_10d = R->m12 * correction_4,
+      Ro_10d_cross1 = R->m12 * correction_4_lo,
+      Ro_10d_error = ksl_product_error(R->m12, correction_4, Ro_10d),
+      Ro_10d_lo = Ro_10d_error + Ro_10d_cross1, Ro_10e = Ro_10c + Ro_10d,
+      Ro_10e_error = ksl_sum_error(Ro_10c, Ro_10d, Ro_10e), Ro_10e_lo1 = Ro_10e_error + Ro_10c_lo,
+      Ro_10e_lo = Ro_10e_lo1 + Ro_10d_lo, Ro_10 = R->m10 + Ro_10e,
+      Ro_10_error = ksl_sum_error(R->m10, Ro_10e, Ro_10), Ro_10_lo = Ro_10_error + Ro_10e_lo;
+  const double Ro_11a = R->m10 * correction_3, Ro_11a_cross1 = R->m10 * correction_3_lo,
+      Ro_11a_error = ksl_product_error(R->m10, correction_3, Ro_11a),
+      Ro_11a_lo = Ro_11a_error + Ro_11a_cross1, Ro_11b = R->m11 * correction_1,
+      Ro_11b_cross1 = R->m11 * correction_1_lo,
+      Ro_11b_error = ksl_product_error(R->m11, correction_1, Ro_11b),
+      Ro_11b_lo = Ro_11b_error + Ro_11b_cross1, Ro_11c = Ro_11a + Ro_11b,
+      Ro_11c_error = ksl_sum_error(Ro_11a, Ro_11b, Ro_11c), Ro_11c_lo1 = Ro_11c_error + Ro_11a_lo,
+      Ro_11c_lo = Ro_11c_lo1 + Ro_11b_lo, Ro_11d = R->m12 * correction_5,
+      Ro_11d_cross1 = R->m12 * correction_5_lo,
+      Ro_11d_error = ksl_product_error(R->m12, correction_5, Ro_11d),
+      Ro_11d_lo = Ro_11d_error + Ro_11d_cross1, Ro_11e = Ro_11c + Ro_11d,
+      Ro_11e_error = ksl_sum_error(Ro_11c, Ro_11d, Ro_11e), Ro_11e_lo1 = Ro_11e_error + Ro_11c_lo,
+      Ro_11e_lo = Ro_11e_lo1 + Ro_11d_lo, Ro_11 = Ro_11e + R->m11,
+      Ro_11_error = ksl_sum_error(Ro_11e, R->m11, Ro_11), Ro_11_lo = Ro_11_error + Ro_11e_lo;
+  const double Ro_12a = R->m10 * correction_4, Ro_12a_cross1 = R->m10 * correction_4_lo,
+      Ro_12a_error = ksl_product_error(R->m10, correction_4, Ro_12a),
+      Ro_12a_lo = Ro_12a_error + Ro_12a_cross1, Ro_12b = R->m11 * correction_5,
+      Ro_12b_cross1 = R->m11 * correction_5_lo,
+      Ro_12b_error = ksl_product_error(R->m11, correction_5, Ro_12b),
+      Ro_12b_lo = Ro_12b_error + Ro_12b_cross1, Ro_12c = Ro_12a + Ro_12b,
+      Ro_12c_error = ksl_sum_error(Ro_12a, Ro_12b, Ro_12c), Ro_12c_lo1 = Ro_12c_error + Ro_12a_lo,
+      Ro_12c_lo = Ro_12c_lo1 + Ro_12b_lo, Ro_12d = R->m12 * correction_2,
+      Ro_12d_cross1 = R->m12 * correction_2_lo,
+      Ro_12d_error = ksl_product_error(R->m12, correction_2, Ro_12d),
+      Ro_12d_lo = Ro_12d_error + Ro_12d_cross1, Ro_12e = Ro_12c + Ro_12d,
+      Ro_12e_error = ksl_sum_error(Ro_12c, Ro_12d, Ro_12e), Ro_12e_lo1 = Ro_12e_error + Ro_12c_lo,
+      Ro_12e_lo = Ro_12e_lo1 + Ro_12d_lo, Ro_12 = Ro_12e + R->m12,
+      Ro_12_error = ksl_sum_error(Ro_12e, R->m12, Ro_12), Ro_12_lo = Ro_12_error + Ro_12e_lo;
+  const double Ro_20a = R->m20 * correction_0, Ro_20a_cross1 = R->m20 * correction_0_lo,
+      Ro_20a_error = ksl_product_error(R->m20, correction_0, Ro_20a),
+      Ro_20a_lo = Ro_20a_error + Ro_20a_cross1, Ro_20b = R->m21 * correction_3,
+      Ro_20b_cross1 = R->m21 * correction_3_lo,
+      Ro_20b_error = ksl_product_error(R->m21, correction_3, Ro_20b),
+      Ro_20b_lo = Ro_20b_error + Ro_20b_cross1, Ro_20c = Ro_20a + Ro_20b,
+      Ro_20c_error = ksl_sum_error(Ro_20a, Ro_20b, Ro_20c), Ro_20c_lo1 = Ro_20c_error + Ro_20a_lo,
+      Ro_20c_lo = Ro_20c_lo1 + Ro_20b_lo, Ro_20d = R->m22 * correction_4,
+      Ro_20d_cross1 = R->m22 * correction_4_lo,
+      Ro_20d_error = ksl_product_error(R->m22, correction_4, Ro_20d),
+      Ro_20d_lo = Ro_20d_error + Ro_20d_cross1, Ro_20e = Ro_20c + Ro_20d,
+      Ro_20e_error = ksl_sum_error(Ro_20c, Ro_20d, Ro_20e), Ro_20e_lo1 = Ro_20e_error + Ro_20c_lo,
+      Ro_20e_lo = Ro_20e_lo1 + Ro_20d_lo, Ro_20 = R->m20 + Ro_20e,
+      Ro_20_error = ksl_sum_error(R->m20, Ro_20e, Ro_20), Ro_20_lo = Ro_20_error + Ro_20e_lo;
+  const double Ro_21a = R->m20 * correction_3, Ro_21a_cross1 = R->m20 * correction_3_lo,
+      Ro_21a_error = ksl_product_error(R->m20, correction_3, Ro_21a),
+      Ro_21a_lo = Ro_21a_error + Ro_21a_cross1, Ro_21b = R->m21 * correction_1,
+      Ro_21b_cross1 = R->m21 * correction_1_lo,
+      Ro_21b_error = ksl_product_error(R->m21, correction_1, Ro_21b),
+      Ro_21b_lo = Ro_21b_error + Ro_21b_cross1, Ro_21c = Ro_21a + Ro_21b,
+      Ro_21c_error = ksl_sum_error(Ro_21a, Ro_21b, Ro_21c), Ro_21c_lo1 = Ro_21c_error + Ro_21a_lo,
+      Ro_21c_lo = Ro_21c_lo1 + Ro_21b_lo, Ro_21d = R->m22 * correction_5,
+      Ro_21d_cross1 = R->m22 * correction_5_lo,
+      Ro_21d_error = ksl_product_error(R->m22, correction_5, Ro_21d),
+      Ro_21d_lo = Ro_21d_error + Ro_21d_cross1, Ro_21e = Ro_21c + Ro_21d,
+      Ro_21e_error = ksl_sum_error(Ro_21c, Ro_21d, Ro_21e), Ro_21e_lo1 = Ro_21e_error + Ro_21c_lo,
+      Ro_21e_lo = Ro_21e_lo1 + Ro_21d_lo, Ro_21 = Ro_21e + R->m21,
+      Ro_21_error = ksl_sum_error(Ro_21e, R->m21, Ro_21), Ro_21_lo = Ro_21_error + Ro_21e_lo;
+  const double Ro_22a = R->m20 * correction_4, Ro_22a_cross1 = R->m20 * correction_4_lo,
+      Ro_22a_error = ksl_product_error(R->m20, correction_4, Ro_22a),
+      Ro_22a_lo = Ro_22a_error + Ro_22a_cross1, Ro_22b = R->m21 * correction_5,
+      Ro_22b_cross1 = R->m21 * correction_5_lo,
+      Ro_22b_error = ksl_product_error(R->m21, correction_5, Ro_22b),
+      Ro_22b_lo = Ro_22b_error + Ro_22b_cross1, Ro_22c = Ro_22a + Ro_22b,
+      Ro_22c_error = ksl_sum_error(Ro_22a, Ro_22b, Ro_22c), Ro_22c_lo1 = Ro_22c_error + Ro_22a_lo,
+      Ro_22c_lo = Ro_22c_lo1 + Ro_22b_lo, Ro_22d = R->m22 * correction_2,
+      Ro_22d_cross1 = R->m22 * correction_2_lo,
+      Ro_22d_error = ksl_product_error(R->m22, correction_2, Ro_22d),
+      Ro_22d_lo = Ro_22d_error + Ro_22d_cross1, Ro_22e = Ro_22c + Ro_22d,
+      Ro_22e_error = ksl_sum_error(Ro_22c, Ro_22d, Ro_22e), Ro_22e_lo1 = Ro_22e_error + Ro_22c_lo,
+      Ro_22e_lo = Ro_22e_lo1 + Ro_22d_lo, Ro_22 = Ro_22e + R->m22,
+      Ro_22_error = ksl_sum_error(Ro_22e, R->m22, Ro_22), Ro_22_lo = Ro_22_error + Ro_22e_lo;
+  const double Ro_00_rounded = Ro_00 + Ro_00_lo;
+  const double Ro_01_rounded = Ro_01 + Ro_01_lo;
+  const double Ro_02_rounded = Ro_02 + Ro_02_lo;
+  const double Ro_10_rounded = Ro_10 + Ro_10_lo;
+  const double Ro_11_rounded = Ro_11 + Ro_11_lo;
+  const double Ro_12_rounded = Ro_12 + Ro_12_lo;
+  const double Ro_20_rounded = Ro_20 + Ro_20_lo;
+  const double Ro_21_rounded = Ro_21 + Ro_21_lo;
+  const double Ro_22_rounded = Ro_22 + Ro_22_lo;
+  Ro->m00 = Ro_00_rounded;
+  Ro->m01 = Ro_01_rounded;
+  Ro->m02 = Ro_02_rounded;
+  Ro->m10 = Ro_10_rounded;
+  Ro->m11 = Ro_11_rounded;
+  Ro->m12 = Ro_12_rounded;
+  Ro->m20 = Ro_20_rounded;
+  Ro->m21 = Ro_21_rounded;
+  Ro->m22 = Ro_22_rounded;
+}
+
+/* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
+   R: rotation or other 3×3 matrix; vo: vector.
+   11 mul, 20 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select. */
+static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
+  const double p_0 = (double)R->m21 - (double)R->m12;
+  const double p_1 = (double)R->m02 - (double)R->m20;
+  const double p_2 = (double)R->m10 - (double)R->m01;
+  const double s_0 = (double)R->m12 + (double)R->m21;
+  const double s_1 = (double)R->m02 + (double)R->m20;
+  const double s_2 = (double)R->m01 + (double)R->m10;
+  const double d_0a = (double)R->m00 + (double)R->m11, d_0b = d_0a + (double)R->m22,
+      d_0 = d_0b + 1.0;
+  const double d_1a = (double)R->m00 - (double)R->m11, d_1b = d_1a - (double)R->m22,
+      d_1 = d_1b + 1.0;
+  const double d_2a = (double)R->m11 - (double)R->m00, d_2b = d_2a - (double)R->m22,
+      d_2 = d_2b + 1.0;
+  const double d_3a = (double)R->m22 - (double)R->m00, d_3b = d_3a - (double)R->m11,
+      d_3 = d_3b + 1.0;
+  const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
+  const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
+  const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
+  const double low_3 = (double)R->m11 < (double)R->m00 ? s_1 : s_0;
+  const double high_0a = -(double)R->m11, high_0 = (double)R->m00 < high_0a ? p_2 : d_0;
+  const double high_1 = (double)R->m00 < high_0a ? s_1 : p_0;
+  const double high_2 = (double)R->m00 < high_0a ? s_0 : p_1;
+  const double high_3 = (double)R->m00 < high_0a ? d_3 : p_2;
+  const double column_0 = (double)R->m22 < 0.0 ? low_0 : high_0;
+  const double column_1 = (double)R->m22 < 0.0 ? low_1 : high_1;
+  const double column_2 = (double)R->m22 < 0.0 ? low_2 : high_2;
+  const double column_3 = (double)R->m22 < 0.0 ? low_3 : high_3;
+  const double upper_0a = -column_0, upper_0 = column_0 < 0.0 ? upper_0a : column_0;
+  const double upper_1a = -column_1, upper_1 = column_0 < 0.0 ? upper_1a : column_1;
+  const double upper_2a = -column_2, upper_2 = column_0 < 0.0 ? upper_2a : column_2;
+  const double upper_3a = -column_3, upper_3 = column_0 < 0.0 ? upper_3a : column_3;
+  const double v_s_size_0 = fabs(upper_1);
+  const double v_s_size_1 = fabs(upper_2);
+  const double v_s_size_2 = fabs(upper_3);
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
+      v_s = v_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : v_s_b;
+  const double v_y_0 = upper_1 * v_s;
+  const double v_y_1 = upper_2 * v_s;
+  const double v_y_2 = upper_3 * v_s;
+  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
+      v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
+  const double n = v_n * v_r;
+  const double half = atan2(n, upper_0);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double theta = 2.0 * half;
+  const double k = theta / divisor;
+  const double vector_0 = upper_1 * k;
+  const double vector_1 = upper_2 * k;
+  const double vector_2 = upper_3 * k;
+  vo->x = (float)vector_0;
+  vo->y = (float)vector_1;
+  vo->z = (float)vector_2;
+}
+
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
+   R: rotation or other 3×3 matrix; axis: vector.
+   8 mul, 20 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select. */
+static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
+    ksl_vec3f_t *axis) {
+  const double p_0 = (double)R->m21 - (double)R->m12;
+  const double p_1 = (double)R->m02 - (double)R->m20;
+  const double p_2 = (double)R->m10 - (double)R->m01;
+  const double s_0 = (double)R->m12 + (double)R->m21;
+  const double s_1 = (double)R->m02 + (double)R->m20;
+  const double s_2 = (double)R->m01 + (double)R->m10;
+  const double d_0a = (double)R->m00 + (double)R->m11, d_0b = d_0a + (double)R->m22,
+      d_0 = d_0b + 1.0;
+  const double d_1a = (double)R->m00 - (double)R->m11, d_1b = d_1a - (double)R->m22,
+      d_1 = d_1b + 1.0;
+  const double d_2a = (double)R->m11 - (double)R->m00, d_2b = d_2a - (double)R->m22,
+      d_2 = d_2b + 1.0;
+  const double d_3a = (double)R->m22 - (double)R->m00, d_3b = d_3a - (double)R->m11,
+      d_3 = d_3b + 1.0;
+  const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
+  const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
+  const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
+  const double low_3 = (double)R->m11 < (double)R->m00 ? s_1 : s_0;
+  const double high_0a = -(double)R->m11, high_0 = (double)R->m00 < high_0a ? p_2 : d_0;
+  const double high_1 = (double)R->m00 < high_0a ? s_1 : p_0;
+  const double high_2 = (double)R->m00 < high_0a ? s_0 : p_1;
+  const double high_3 = (double)R->m00 < high_0a ? d_3 : p_2;
+  const double column_0 = (double)R->m22 < 0.0 ? low_0 : high_0;
+  const double column_1 = (double)R->m22 < 0.0 ? low_1 : high_1;
+  const double column_2 = (double)R->m22 < 0.0 ? low_2 : high_2;
+  const double column_3 = (double)R->m22 < 0.0 ? low_3 : high_3;
+  const double upper_0a = -column_0, upper_0 = column_0 < 0.0 ? upper_0a : column_0;
+  const double upper_1a = -column_1, upper_1 = column_0 < 0.0 ? upper_1a : column_1;
+  const double upper_2a = -column_2, upper_2 = column_0 < 0.0 ? upper_2a : column_2;
+  const double upper_3a = -column_3, upper_3 = column_0 < 0.0 ? upper_3a : column_3;
+  const double v_s_size_0 = fabs(upper_1);
+  const double v_s_size_1 = fabs(upper_2);
+  const double v_s_size_2 = fabs(upper_3);
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
+      v_s = v_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : v_s_b;
+  const double v_y_0 = upper_1 * v_s;
+  const double v_y_1 = upper_2 * v_s;
+  const double v_y_2 = upper_3 * v_s;
+  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
+      v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
+  const double n = v_n * v_r;
+  const double half = atan2(n, upper_0);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double unit_0 = upper_1 / divisor;
+  const double unit_1 = upper_2 / divisor;
+  const double unit_2 = upper_3 / divisor;
+  const double angle = 2.0 * half;
+  const double axis_0 = n == 0.0 ? 1.0 : unit_0;
+  return (float)angle;
+}
+
+/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+   self: rotation or other 3×3 matrix.
+   51 mul, 42 add, 3 neg.
+   Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_mat3x3f_orthonormalize_accurate(ksl_mat3x3f_t *self) {
+  const double defect_0a = (double)self->m00 * (double)self->m00, defect_0b = 1.0 - defect_0a,
+      defect_0c = (double)self->m10 * (double)self->m10, defect_0d = defect_0b - defect_0c,
+      defect_0e = (double)self->m20 * (double)self->m20, defect_0 = defect_0d - defect_0e;
+  const double defect_1a = (double)self->m01 * (double)self->m01, defect_1b = 1.0 - defect_1a,
+      defect_1c = (double)self->m11 * (double)self->m11, defect_1d = defect_1b - defect_1c,
+      defect_1e = (double)self->m21 * (double)self->m21, defect_1 = defect_1d - defect_1e;
+  const double defect_2a = (double)self->m02 * (double)self->m02, defect_2b = 1.0 - defect_2a,
+      defect_2c = (double)self->m12 * (double)self->m12, defect_2d = defect_2b - defect_2c,
+      defect_2e = (double)self->m22 * (double)self->m22, defect_2 = defect_2d - defect_2e;
+  const double defect_3a = (double)self->m00 * (double)self->m01,
+      defect_3b = (double)self->m10 * (double)self->m11, defect_3c = defect_3a + defect_3b,
+      defect_3d = (double)self->m20 * (double)self->m21, defect_3e = defect_3c + defect_3d,
+      defect_3 = -defect_3e;
+  const double defect_4a = (double)self->m00 * (double)self->m02,
+      defect_4b = (double)self->m10 * (double)self->m12, defect_4c = defect_4a + defect_4b,
+      defect_4d = (double)self->m20 * (double)self->m22, defect_4e = defect_4c + defect_4d,
+      defect_4 = -defect_4e;
+  const double defect_5a = (double)self->m01 * (double)self->m02,
+      defect_5b = (double)self->m11 * (double)self->m12, defect_5c = defect_5a + defect_5b,
+      defect_5d = (double)self->m21 * (double)self->m22, defect_5e = defect_5c + defect_5d,
+      defect_5 = -defect_5e;
+  const double correction_0 = 0.5 * defect_0;
+  const double correction_1 = 0.5 * defect_1;
+  const double correction_2 = 0.5 * defect_2;
+  const double correction_3 = 0.5 * defect_3;
+  const double correction_4 = 0.5 * defect_4;
+  const double correction_5 = 0.5 * defect_5;
+  const double self_00_new_a = (double)self->m00 * correction_0,
+      self_00_new_b = (double)self->m01 * correction_3,
+      self_00_new_c = self_00_new_a + self_00_new_b,
+      self_00_new_d = (double)self->m02 * correction_4,
+      self_00_new_e = self_00_new_c + self_00_new_d,
+      self_00_new = (double)self->m00 + self_00_new_e;
+  const double self_01_new_a = (double)self->m00 * correction_3,
+      self_01_new_b = (double)self->m01 * correction_1,
+      self_01_new_c = self_01_new_a + self_01_new_b,
+      self_01_new_d = (double)self->m02 * correction_5,
+      self_01_new_e = self_01_new_c + self_01_new_d,
+      self_01_new = self_01_new_e + (double)self->m01;
+  const double self_02_new_a = (double)self->m00 * correction_4,
+      self_02_new_b = (double)self->m01 * correction_5,
+      self_02_new_c = self_02_new_a + self_02_new_b,
+      self_02_new_d = (double)self->m02 * correction_2,
+      self_02_new_e = self_02_new_c + self_02_new_d,
+      self_02_new = self_02_new_e + (double)self->m02;
+  const double self_10_new_a = (double)self->m10 * correction_0,
+      self_10_new_b = (double)self->m11 * correction_3,
+      self_10_new_c = self_10_new_a + self_10_new_b,
+      self_10_new_d = (double)self->m12 * correction_4,
+      self_10_new_e = self_10_new_c + self_10_new_d,
+      self_10_new = (double)self->m10 + self_10_new_e;
+  const double self_11_new_a = (double)self->m10 * correction_3,
+      self_11_new_b = (double)self->m11 * correction_1,
+      self_11_new_c = self_11_new_a + self_11_new_b,
+      self_11_new_d = (double)self->m12 * correction_5,
+      self_11_new_e = self_11_new_c + self_11_new_d,
+      self_11_new = self_11_new_e + (double)self->m11;
+  const double self_12_new_a = (double)self->m10 * correction_4,
+      self_12_new_b = (double)self->m11 * correction_5,
+      self_12_new_c = self_12_new_a + self_12_new_b,
+      self_12_new_d = (double)self->m12 * correction_2,
+      self_12_new_e = self_12_new_c + self_12_new_d,
+      self_12_new = self_12_new_e + (double)self->m12;
+  const double self_20_new_a = (double)self->m20 * correction_0,
+      self_20_new_b = (double)self->m21 * correction_3,
+      self_20_new_c = self_20_new_a + self_20_new_b,
+      self_20_new_d = (double)self->m22 * correction_4,
+      self_20_new_e = self_20_new_c + self_20_new_d,
+      self_20_new = (double)self->m20 + self_20_new_e;
+  const double self_21_new_a = (double)self->m20 * correction_3,
+      self_21_new_b = (double)self->m21 * correction_1,
+      self_21_new_c = self_21_new_a + self_21_new_b,
+      self_21_new_d = (double)self->m22 * correction_5,
+      self_21_new_e = self_21_new_c + self_21_new_d,
+      self_21_new = self_21_new_e + (double)self->m21;
+  const double self_22_new_a = (double)self->m20 * correction_4,
+      self_22_new_b = (double)self->m21 * correction_5,
+      self_22_new_c = self_22_new_a + self_22_new_b,
+      self_22_new_d = (double)self->m22 * correction_2,
+      self_22_new_e = self_22_new_c + self_22_new_d,
+      self_22_new = self_22_new_e + (double)self->m22;
+  self->m00 = (float)self_00_new;
+  self->m01 = (float)self_01_new;
+  self->m02 = (float)self_02_new;
+  self->m10 = (float)self_10_new;
+  self->m11 = (float)self_11_new;
+  self->m12 = (float)self_12_new;
+  self->m20 = (float)self_20_new;
+  self->m21 = (float)self_21_new;
+  self->m22 = (float)self_22_new;
+}
+
+/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+   R, Ro: rotation or other 3×3 matrix.
+   51 mul, 42 add, 3 neg.
+   Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_mat3x3f_orthonormalized_accurate(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
+  const double defect_0a = (double)R->m00 * (double)R->m00, defect_0b = 1.0 - defect_0a,
+      defect_0c = (double)R->m10 * (double)R->m10, defect_0d = defect_0b - defect_0c,
+      defect_0e = (double)R->m20 * (double)R->m20, defect_0 = defect_0d - defect_0e;
+  const double defect_1a = (double)R->m01 * (double)R->m01, defect_1b = 1.0 - defect_1a,
+      defect_1c = (double)R->m11 * (double)R->m11, defect_1d = defect_1b - defect_1c,
+      defect_1e = (double)R->m21 * (double)R->m21, defect_1 = defect_1d - defect_1e;
+  const double defect_2a = (double)R->m02 * (double)R->m02, defect_2b = 1.0 - defect_2a,
+      defect_2c = (double)R->m12 * (double)R->m12, defect_2d = defect_2b - defect_2c,
+      defect_2e = (double)R->m22 * (double)R->m22, defect_2 = defect_2d - defect_2e;
+  const double defect_3a = (double)R->m00 * (double)R->m01,
+      defect_3b = (double)R->m10 * (double)R->m11, defect_3c = defect_3a + defect_3b,
+      defect_3d = (double)R->m20 * (double)R->m21, defect_3e = defect_3c + defect_3d,
+      defect_3 = -defect_3e;
+  const double defect_4a = (double)R->m00 * (double)R->m02,
+      defect_4b = (double)R->m10 * (double)R->m12, defect_4c = defect_4a + defect_4b,
+      defect_4d = (double)R->m20 * (double)R->m22, defect_4e = defect_4c + defect_4d,
+      defect_4 = -defect_4e;
+  const double defect_5a = (double)R->m01 * (double)R->m02,
+      defect_5b = (double)R->m11 * (double)R->m12, defect_5c = defect_5a + defect_5b,
+      defect_5d = (double)R->m21 * (double)R->m22, defect_5e = defect_5c + defect_5d,
+      defect_5 = -defect_5e;
+  const double correction_0 = 0.5 * defect_0;
+  const double correction_1 = 0.5 * defect_1;
+  const double correction_2 = 0.5 * defect_2;
+  const double correction_3 = 0.5 * defect_3;
+  const double correction_4 = 0.5 * defect_4;
+  const double correction_5 = 0.5 * defect_5;
+  const double Ro_00a = (double)R->m00 * correction_0, Ro_00b = (double)R->m01 * correction_3,
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = (double)R->m02 * correction_4, Ro_00e = Ro_00c + Ro_00d,
+      Ro_00 = (double)R->m00 + Ro_00e;
+  const double Ro_01a = (double)R->m00 * correction_3, Ro_01b = (double)R->m01 * correction_1,
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = (double)R->m02 * correction_5, Ro_01e = Ro_01c + Ro_01d,
+      Ro_01 = Ro_01e + (double)R->m01;
+  const double Ro_02a = (double)R->m00 * correction_4, Ro_02b = (double)R->m01 * correction_5,
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = (double)R->m02 * correction_2, Ro_02e = Ro_02c + Ro_02d,
+      Ro_02 = Ro_02e + (double)R->m02;
+  const double Ro_10a = (double)R->m10 * correction_0, Ro_10b = (double)R->m11 * correction_3,
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = (double)R->m12 * correction_4, Ro_10e = Ro_10c + Ro_10d,
+      Ro_10 = (double)R->m10 + Ro_10e;
+  const double Ro_11a = (double)R->m10 * correction_3, Ro_11b = (double)R->m11 * correction_1,
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = (double)R->m12 * correction_5, Ro_11e = Ro_11c + Ro_11d,
+      Ro_11 = Ro_11e + (double)R->m11;
+  const double Ro_12a = (double)R->m10 * correction_4, Ro_12b = (double)R->m11 * correction_5,
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = (double)R->m12 * correction_2, Ro_12e = Ro_12c + Ro_12d,
+      Ro_12 = Ro_12e + (double)R->m12;
+  const double Ro_20a = (double)R->m20 * correction_0, Ro_20b = (double)R->m21 * correction_3,
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = (double)R->m22 * correction_4, Ro_20e = Ro_20c + Ro_20d,
+      Ro_20 = (double)R->m20 + Ro_20e;
+  const double Ro_21a = (double)R->m20 * correction_3, Ro_21b = (double)R->m21 * correction_1,
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = (double)R->m22 * correction_5, Ro_21e = Ro_21c + Ro_21d,
+      Ro_21 = Ro_21e + (double)R->m21;
+  const double Ro_22a = (double)R->m20 * correction_4, Ro_22b = (double)R->m21 * correction_5,
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = (double)R->m22 * correction_2, Ro_22e = Ro_22c + Ro_22d,
+      Ro_22 = Ro_22e + (double)R->m22;
+  Ro->m00 = (float)Ro_00;
+  Ro->m01 = (float)Ro_01;
+  Ro->m02 = (float)Ro_02;
+  Ro->m10 = (float)Ro_10;
+  Ro->m11 = (float)Ro_11;
+  Ro->m12 = (float)Ro_12;
+  Ro->m20 = (float)Ro_20;
+  Ro->m21 = (float)Ro_21;
+  Ro->m22 = (float)Ro_22;
+}
+
+#endif

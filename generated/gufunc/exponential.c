@@ -1,0 +1,1496 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* Gufunc loops of the exponential operations.  NumPy copies operands that overlap, unless an output
+   is an input element by element; so no element depends on another. */
+#define NO_IMPORT_UFUNC
+#define NO_IMPORT_ARRAY
+#include "_gufunc.h"
+
+/* (3)->(3,3) */
+INLINED void SO3_exp_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v;
+  load_vec3_double(&v, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3_t R;
+    if (step[0] != 0) {
+      load_vec3_double(&v, p0 + i * step[0], core + 0);
+    }
+    ksl_SO3_exp(&v, &R);
+    store_mat3x3_double(&R, p1 + i * step[1], core + 1);
+  }
+}
+
+static void SO3_exp_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SO3_exp_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 72, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SO3_exp_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SO3_exp_double_over(data, n[0], step, step + 2);
+}
+
+/* (3)->(3,3) */
+INLINED void SO3_exp_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v;
+  load_vec3_single(&v, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3f_t R;
+    if (step[0] != 0) {
+      load_vec3_single(&v, p0 + i * step[0], core + 0);
+    }
+    ksl_SO3_expf(&v, &R);
+    store_mat3x3_single(&R, p1 + i * step[1], core + 1);
+  }
+}
+
+static void SO3_exp_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SO3_exp_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 36, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SO3_exp_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SO3_exp_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction SO3_exp_loops[] = {
+    SO3_exp_double, SO3_exp_single};
+
+/* (3,3)->(3) */
+INLINED void SO3_log_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    ksl_SO3_log(&R, &vo);
+    store_vec3_double(&vo, p1 + i * step[1], core + 2);
+  }
+}
+
+static void SO3_log_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 72, 24, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SO3_log_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SO3_log_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SO3_log_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,3)->(3) */
+INLINED void SO3_log_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t vo;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    ksl_SO3_logf(&R, &vo);
+    store_vec3_single(&vo, p1 + i * step[1], core + 2);
+  }
+}
+
+static void SO3_log_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 36, 12, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SO3_log_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SO3_log_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SO3_log_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction SO3_log_loops[] = {
+    SO3_log_double, SO3_log_single};
+
+/* (3)->(3,3) */
+INLINED void SO3_leftJacobian_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v;
+  load_vec3_double(&v, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3_t R;
+    if (step[0] != 0) {
+      load_vec3_double(&v, p0 + i * step[0], core + 0);
+    }
+    ksl_SO3_leftJacobian(&v, &R);
+    store_mat3x3_double(&R, p1 + i * step[1], core + 1);
+  }
+}
+
+static void SO3_leftJacobian_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SO3_leftJacobian_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 72, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SO3_leftJacobian_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SO3_leftJacobian_double_over(data, n[0], step, step + 2);
+}
+
+/* (3)->(3,3) */
+INLINED void SO3_leftJacobian_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v;
+  load_vec3_single(&v, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3f_t R;
+    if (step[0] != 0) {
+      load_vec3_single(&v, p0 + i * step[0], core + 0);
+    }
+    ksl_SO3_leftJacobianf(&v, &R);
+    store_mat3x3_single(&R, p1 + i * step[1], core + 1);
+  }
+}
+
+static void SO3_leftJacobian_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SO3_leftJacobian_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 36, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SO3_leftJacobian_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SO3_leftJacobian_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction SO3_leftJacobian_loops[] = {
+    SO3_leftJacobian_double, SO3_leftJacobian_single};
+
+/* (3)->(3,3) */
+INLINED void SO3_rightJacobian_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v;
+  load_vec3_double(&v, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3_t R;
+    if (step[0] != 0) {
+      load_vec3_double(&v, p0 + i * step[0], core + 0);
+    }
+    ksl_SO3_rightJacobian(&v, &R);
+    store_mat3x3_double(&R, p1 + i * step[1], core + 1);
+  }
+}
+
+static void SO3_rightJacobian_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SO3_rightJacobian_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 72, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SO3_rightJacobian_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SO3_rightJacobian_double_over(data, n[0], step, step + 2);
+}
+
+/* (3)->(3,3) */
+INLINED void SO3_rightJacobian_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v;
+  load_vec3_single(&v, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3f_t R;
+    if (step[0] != 0) {
+      load_vec3_single(&v, p0 + i * step[0], core + 0);
+    }
+    ksl_SO3_rightJacobianf(&v, &R);
+    store_mat3x3_single(&R, p1 + i * step[1], core + 1);
+  }
+}
+
+static void SO3_rightJacobian_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SO3_rightJacobian_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 36, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SO3_rightJacobian_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SO3_rightJacobian_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction SO3_rightJacobian_loops[] = {
+    SO3_rightJacobian_double, SO3_rightJacobian_single};
+
+/* (3)->(3,3) */
+INLINED void SO3_leftJacobianInverse_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v;
+  load_vec3_double(&v, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3_t R;
+    if (step[0] != 0) {
+      load_vec3_double(&v, p0 + i * step[0], core + 0);
+    }
+    ksl_SO3_leftJacobianInverse(&v, &R);
+    store_mat3x3_double(&R, p1 + i * step[1], core + 1);
+  }
+}
+
+static void SO3_leftJacobianInverse_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SO3_leftJacobianInverse_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 72, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SO3_leftJacobianInverse_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SO3_leftJacobianInverse_double_over(data, n[0], step, step + 2);
+}
+
+/* (3)->(3,3) */
+INLINED void SO3_leftJacobianInverse_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v;
+  load_vec3_single(&v, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3f_t R;
+    if (step[0] != 0) {
+      load_vec3_single(&v, p0 + i * step[0], core + 0);
+    }
+    ksl_SO3_leftJacobianInversef(&v, &R);
+    store_mat3x3_single(&R, p1 + i * step[1], core + 1);
+  }
+}
+
+static void SO3_leftJacobianInverse_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SO3_leftJacobianInverse_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 36, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SO3_leftJacobianInverse_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SO3_leftJacobianInverse_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction SO3_leftJacobianInverse_loops[] = {
+    SO3_leftJacobianInverse_double, SO3_leftJacobianInverse_single};
+
+/* (3)->(3,3) */
+INLINED void SO3_rightJacobianInverse_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v;
+  load_vec3_double(&v, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3_t R;
+    if (step[0] != 0) {
+      load_vec3_double(&v, p0 + i * step[0], core + 0);
+    }
+    ksl_SO3_rightJacobianInverse(&v, &R);
+    store_mat3x3_double(&R, p1 + i * step[1], core + 1);
+  }
+}
+
+static void SO3_rightJacobianInverse_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SO3_rightJacobianInverse_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 72, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SO3_rightJacobianInverse_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SO3_rightJacobianInverse_double_over(data, n[0], step, step + 2);
+}
+
+/* (3)->(3,3) */
+INLINED void SO3_rightJacobianInverse_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v;
+  load_vec3_single(&v, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3f_t R;
+    if (step[0] != 0) {
+      load_vec3_single(&v, p0 + i * step[0], core + 0);
+    }
+    ksl_SO3_rightJacobianInversef(&v, &R);
+    store_mat3x3_single(&R, p1 + i * step[1], core + 1);
+  }
+}
+
+static void SO3_rightJacobianInverse_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SO3_rightJacobianInverse_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 36, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SO3_rightJacobianInverse_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SO3_rightJacobianInverse_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction SO3_rightJacobianInverse_loops[] = {
+    SO3_rightJacobianInverse_double, SO3_rightJacobianInverse_single};
+
+/* (3),()->(3,3) */
+INLINED void mat3x3_from_axis_angle_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t axis;
+  load_vec3_double(&axis, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    double angle;
+    ksl_mat3x3_t R;
+    if (step[0] != 0) {
+      load_vec3_double(&axis, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&angle, p1 + i * step[1], core + 1);
+    ksl_mat3x3_from_axis_angle(&axis, angle, &R);
+    store_mat3x3_double(&R, p2 + i * step[2], core + 1);
+  }
+}
+
+static void mat3x3_from_axis_angle_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 8, 72, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_from_axis_angle_double_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 72, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_from_axis_angle_double_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  mat3x3_from_axis_angle_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),()->(3,3) */
+INLINED void mat3x3_from_axis_angle_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t axis;
+  load_vec3_single(&axis, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    float angle;
+    ksl_mat3x3f_t R;
+    if (step[0] != 0) {
+      load_vec3_single(&axis, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&angle, p1 + i * step[1], core + 1);
+    ksl_mat3x3f_from_axis_angle(&axis, angle, &R);
+    store_mat3x3_single(&R, p2 + i * step[2], core + 1);
+  }
+}
+
+static void mat3x3_from_axis_angle_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 12, 4, 36, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_from_axis_angle_single_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 36, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_from_axis_angle_single_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  mat3x3_from_axis_angle_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction mat3x3_from_axis_angle_loops[] = {
+    mat3x3_from_axis_angle_double, mat3x3_from_axis_angle_single};
+
+/* (3,3)->(),(3) */
+INLINED void axis_angle_from_mat3x3_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    double angle;
+    ksl_vec3_t axis;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    angle = ksl_axis_angle_from_mat3x3(&R, &axis);
+    store_scalar_double(&angle, p1 + i * step[1], core + 2);
+    store_vec3_double(&axis, p2 + i * step[2], core + 2);
+  }
+}
+
+static void axis_angle_from_mat3x3_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    axis_angle_from_mat3x3_double_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    axis_angle_from_mat3x3_double_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  axis_angle_from_mat3x3_double_over(data, n[0], step, step + 3);
+}
+
+/* (3,3)->(),(3) */
+INLINED void axis_angle_from_mat3x3_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    float angle;
+    ksl_vec3f_t axis;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    angle = ksl_axis_angle_from_mat3x3f(&R, &axis);
+    store_scalar_single(&angle, p1 + i * step[1], core + 2);
+    store_vec3_single(&axis, p2 + i * step[2], core + 2);
+  }
+}
+
+static void axis_angle_from_mat3x3_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    axis_angle_from_mat3x3_single_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    axis_angle_from_mat3x3_single_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  axis_angle_from_mat3x3_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction axis_angle_from_mat3x3_loops[] = {
+    axis_angle_from_mat3x3_double, axis_angle_from_mat3x3_single};
+
+/* (3,3)->(3,3) */
+INLINED void mat3x3_orthonormalize_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3_t self;
+    load_mat3x3_double(&self, p0 + i * step[0], core + 0);
+    ksl_mat3x3_orthonormalize(&self);
+    store_mat3x3_double(&self, p1 + i * step[1], core + 2);
+  }
+}
+
+static void mat3x3_orthonormalize_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 72, 72, 24, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_orthonormalize_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  mat3x3_orthonormalize_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,3)->(3,3) */
+INLINED void mat3x3_orthonormalize_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3f_t self;
+    load_mat3x3_single(&self, p0 + i * step[0], core + 0);
+    ksl_mat3x3f_orthonormalize(&self);
+    store_mat3x3_single(&self, p1 + i * step[1], core + 2);
+  }
+}
+
+static void mat3x3_orthonormalize_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 36, 36, 12, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_orthonormalize_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  mat3x3_orthonormalize_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction mat3x3_orthonormalize_loops[] = {
+    mat3x3_orthonormalize_double, mat3x3_orthonormalize_single};
+
+/* (3,3)->(3,3) */
+INLINED void mat3x3_orthonormalized_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    ksl_mat3x3_orthonormalized(&R, &Ro);
+    store_mat3x3_double(&Ro, p1 + i * step[1], core + 2);
+  }
+}
+
+static void mat3x3_orthonormalized_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 72, 72, 24, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_orthonormalized_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 72, 24, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_orthonormalized_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  mat3x3_orthonormalized_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,3)->(3,3) */
+INLINED void mat3x3_orthonormalized_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3f_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    ksl_mat3x3f_orthonormalized(&R, &Ro);
+    store_mat3x3_single(&Ro, p1 + i * step[1], core + 2);
+  }
+}
+
+static void mat3x3_orthonormalized_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 36, 36, 12, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_orthonormalized_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 36, 12, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_orthonormalized_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  mat3x3_orthonormalized_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction mat3x3_orthonormalized_loops[] = {
+    mat3x3_orthonormalized_double, mat3x3_orthonormalized_single};
+
+/* (6)->(3,4) */
+INLINED void SE3_exp_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screw_t s;
+  load_screw_double(&s, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D;
+    if (step[0] != 0) {
+      load_screw_double(&s, p0 + i * step[0], core + 0);
+    }
+    ksl_SE3_exp(&s, &D);
+    store_SE3_double(&D, p1 + i * step[1], core + 1);
+  }
+}
+
+static void SE3_exp_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 48, 96, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_exp_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 96, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_exp_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SE3_exp_double_over(data, n[0], step, step + 2);
+}
+
+/* (6)->(3,4) */
+INLINED void SE3_exp_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screwf_t s;
+  load_screw_single(&s, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D;
+    if (step[0] != 0) {
+      load_screw_single(&s, p0 + i * step[0], core + 0);
+    }
+    ksl_SE3f_exp(&s, &D);
+    store_SE3_single(&D, p1 + i * step[1], core + 1);
+  }
+}
+
+static void SE3_exp_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 48, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_exp_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_exp_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SE3_exp_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction SE3_exp_loops[] = {
+    SE3_exp_double, SE3_exp_single};
+
+/* (3,4)->(6) */
+INLINED void SE3_log_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    ksl_SE3_log(&D, &so);
+    store_screw_double(&so, p1 + i * step[1], core + 2);
+  }
+}
+
+static void SE3_log_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_log_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_log_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SE3_log_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,4)->(6) */
+INLINED void SE3_log_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    ksl_SE3f_log(&D, &so);
+    store_screw_single(&so, p1 + i * step[1], core + 2);
+  }
+}
+
+static void SE3_log_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_log_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_log_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SE3_log_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction SE3_log_loops[] = {
+    SE3_log_double, SE3_log_single};
+
+/* (6)->(6,6) */
+INLINED void SE3_leftJacobian_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screw_t s;
+  load_screw_double(&s, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat6x6_t M;
+    if (step[0] != 0) {
+      load_screw_double(&s, p0 + i * step[0], core + 0);
+    }
+    ksl_SE3_leftJacobian(&s, &M);
+    store_mat6x6_double(&M, p1 + i * step[1], core + 1);
+  }
+}
+
+static void SE3_leftJacobian_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 48, 288, 8, 48, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_leftJacobian_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 288, 8, 48, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_leftJacobian_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SE3_leftJacobian_double_over(data, n[0], step, step + 2);
+}
+
+/* (6)->(6,6) */
+INLINED void SE3_leftJacobian_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screwf_t s;
+  load_screw_single(&s, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat6x6f_t M;
+    if (step[0] != 0) {
+      load_screw_single(&s, p0 + i * step[0], core + 0);
+    }
+    ksl_SE3f_leftJacobian(&s, &M);
+    store_mat6x6_single(&M, p1 + i * step[1], core + 1);
+  }
+}
+
+static void SE3_leftJacobian_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 144, 4, 24, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_leftJacobian_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 144, 4, 24, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_leftJacobian_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SE3_leftJacobian_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction SE3_leftJacobian_loops[] = {
+    SE3_leftJacobian_double, SE3_leftJacobian_single};
+
+/* (6)->(6,6) */
+INLINED void SE3_rightJacobian_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screw_t s;
+  load_screw_double(&s, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat6x6_t M;
+    if (step[0] != 0) {
+      load_screw_double(&s, p0 + i * step[0], core + 0);
+    }
+    ksl_SE3_rightJacobian(&s, &M);
+    store_mat6x6_double(&M, p1 + i * step[1], core + 1);
+  }
+}
+
+static void SE3_rightJacobian_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 48, 288, 8, 48, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_rightJacobian_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 288, 8, 48, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_rightJacobian_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SE3_rightJacobian_double_over(data, n[0], step, step + 2);
+}
+
+/* (6)->(6,6) */
+INLINED void SE3_rightJacobian_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screwf_t s;
+  load_screw_single(&s, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat6x6f_t M;
+    if (step[0] != 0) {
+      load_screw_single(&s, p0 + i * step[0], core + 0);
+    }
+    ksl_SE3f_rightJacobian(&s, &M);
+    store_mat6x6_single(&M, p1 + i * step[1], core + 1);
+  }
+}
+
+static void SE3_rightJacobian_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 144, 4, 24, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_rightJacobian_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 144, 4, 24, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_rightJacobian_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SE3_rightJacobian_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction SE3_rightJacobian_loops[] = {
+    SE3_rightJacobian_double, SE3_rightJacobian_single};
+
+/* (6)->(6,6) */
+INLINED void SE3_leftJacobianInverse_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screw_t s;
+  load_screw_double(&s, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat6x6_t M;
+    if (step[0] != 0) {
+      load_screw_double(&s, p0 + i * step[0], core + 0);
+    }
+    ksl_SE3_leftJacobianInverse(&s, &M);
+    store_mat6x6_double(&M, p1 + i * step[1], core + 1);
+  }
+}
+
+static void SE3_leftJacobianInverse_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 48, 288, 8, 48, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_leftJacobianInverse_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 288, 8, 48, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_leftJacobianInverse_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SE3_leftJacobianInverse_double_over(data, n[0], step, step + 2);
+}
+
+/* (6)->(6,6) */
+INLINED void SE3_leftJacobianInverse_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screwf_t s;
+  load_screw_single(&s, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat6x6f_t M;
+    if (step[0] != 0) {
+      load_screw_single(&s, p0 + i * step[0], core + 0);
+    }
+    ksl_SE3f_leftJacobianInverse(&s, &M);
+    store_mat6x6_single(&M, p1 + i * step[1], core + 1);
+  }
+}
+
+static void SE3_leftJacobianInverse_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 144, 4, 24, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_leftJacobianInverse_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 144, 4, 24, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_leftJacobianInverse_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SE3_leftJacobianInverse_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction SE3_leftJacobianInverse_loops[] = {
+    SE3_leftJacobianInverse_double, SE3_leftJacobianInverse_single};
+
+/* (6)->(6,6) */
+INLINED void SE3_rightJacobianInverse_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screw_t s;
+  load_screw_double(&s, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat6x6_t M;
+    if (step[0] != 0) {
+      load_screw_double(&s, p0 + i * step[0], core + 0);
+    }
+    ksl_SE3_rightJacobianInverse(&s, &M);
+    store_mat6x6_double(&M, p1 + i * step[1], core + 1);
+  }
+}
+
+static void SE3_rightJacobianInverse_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 48, 288, 8, 48, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_rightJacobianInverse_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 288, 8, 48, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_rightJacobianInverse_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SE3_rightJacobianInverse_double_over(data, n[0], step, step + 2);
+}
+
+/* (6)->(6,6) */
+INLINED void SE3_rightJacobianInverse_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_screwf_t s;
+  load_screw_single(&s, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat6x6f_t M;
+    if (step[0] != 0) {
+      load_screw_single(&s, p0 + i * step[0], core + 0);
+    }
+    ksl_SE3f_rightJacobianInverse(&s, &M);
+    store_mat6x6_single(&M, p1 + i * step[1], core + 1);
+  }
+}
+
+static void SE3_rightJacobianInverse_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 144, 4, 24, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_rightJacobianInverse_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 144, 4, 24, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_rightJacobianInverse_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SE3_rightJacobianInverse_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction SE3_rightJacobianInverse_loops[] = {
+    SE3_rightJacobianInverse_double, SE3_rightJacobianInverse_single};
+
+/* (3,4),(3,4),()->(3,4) */
+INLINED void SE3_interpolated_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D1;
+  load_SE3_double(&D1, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3_t D2;
+    double k;
+    ksl_SE3_t Do;
+    if (step[0] != 0) {
+      load_SE3_double(&D1, p0 + i * step[0], core + 0);
+    }
+    load_SE3_double(&D2, p1 + i * step[1], core + 2);
+    load_scalar_double(&k, p2 + i * step[2], core + 4);
+    ksl_SE3_interpolated(&D1, &D2, k, &Do);
+    store_SE3_double(&Do, p3 + i * step[3], core + 4);
+  }
+}
+
+static void SE3_interpolated_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 96, 96, 8, 96, 32, 8, 32, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_interpolated_double_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 96, 8, 96, 32, 8, 32, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_interpolated_double_over(
+        data, n[0], dense_2, dense_2 + 4);
+    return;
+  }
+  SE3_interpolated_double_over(data, n[0], step, step + 4);
+}
+
+/* (3,4),(3,4),()->(3,4) */
+INLINED void SE3_interpolated_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D1;
+  load_SE3_single(&D1, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_SE3f_t D2;
+    float k;
+    ksl_SE3f_t Do;
+    if (step[0] != 0) {
+      load_SE3_single(&D1, p0 + i * step[0], core + 0);
+    }
+    load_SE3_single(&D2, p1 + i * step[1], core + 2);
+    load_scalar_single(&k, p2 + i * step[2], core + 4);
+    ksl_SE3f_interpolated(&D1, &D2, k, &Do);
+    store_SE3_single(&Do, p3 + i * step[3], core + 4);
+  }
+}
+
+static void SE3_interpolated_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 48, 48, 4, 48, 16, 4, 16, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_interpolated_single_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 48, 4, 48, 16, 4, 16, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_interpolated_single_over(
+        data, n[0], dense_2, dense_2 + 4);
+    return;
+  }
+  SE3_interpolated_single_over(data, n[0], step, step + 4);
+}
+
+static PyUFuncGenericFunction SE3_interpolated_loops[] = {
+    SE3_interpolated_double, SE3_interpolated_single};
+
+const coscrew_gufunc TABLE(exponential)[] = {
+  {"SO3_exp", "(3)->(3,3)",
+    "R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.\n"
+    "\n"
+    "(3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.\n"
+    "48 mul, 67 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select.\n",
+   1, 1, SO3_exp_loops},
+  {"SO3_log", "(3,3)->(3)",
+    "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.\n"
+    "\n"
+    "(3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.\n"
+    "11 mul, 20 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.\n",
+   1, 1, SO3_log_loops},
+  {"SO3_leftJacobian", "(3)->(3,3)",
+    "R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.\n"
+    "\n"
+    "(3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.\n"
+    "59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select.\n",
+   1, 1, SO3_leftJacobian_loops},
+  {"SO3_rightJacobian", "(3)->(3,3)",
+    "R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.\n"
+    "\n"
+    "(3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.\n"
+    "59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 less, 10 select.\n",
+   1, 1, SO3_rightJacobian_loops},
+  {"SO3_leftJacobianInverse", "(3)->(3,3)",
+    "R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π\n"
+    "but 0.\n"
+    "\n"
+    "(3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.\n"
+    "41 mul, 57 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 2 less, 7 select.\n",
+   1, 1, SO3_leftJacobianInverse_loops},
+  {"SO3_rightJacobianInverse", "(3)->(3,3)",
+    "R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π\n"
+    "but 0.\n"
+    "\n"
+    "(3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.\n"
+    "41 mul, 57 add, 3 div, 1 sqrt, 1 sin, 1 cos, 2 less, 7 select.\n",
+   1, 1, SO3_rightJacobianInverse_loops},
+  {"mat3x3_from_axis_angle", "(3),()->(3,3)",
+    "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.\n"
+    "\n"
+    "(3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.\n"
+    "15 mul, 12 add, 2 sin.\n",
+   2, 1, mat3x3_from_axis_angle_loops},
+  {"axis_angle_from_mat3x3", "(3,3)->(),(3)",
+    "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.\n"
+    "\n"
+    "(3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.\n"
+    "8 mul, 20 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.\n",
+   1, 2, axis_angle_from_mat3x3_loops},
+  {"mat3x3_orthonormalize", "(3,3)->(3,3)",
+    "self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.\n"
+    "\n"
+    "(3,3)->(3,3).  self: rotation or other 3×3 matrix.\n"
+    "51 mul, 42 add, 3 neg.  Error <= u |result| + 8 u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
+   1, 1, mat3x3_orthonormalize_loops},
+  {"mat3x3_orthonormalized", "(3,3)->(3,3)",
+    "Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.\n"
+    "\n"
+    "(3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.\n"
+    "51 mul, 42 add, 3 neg.  Error <= u |result| + 8 u S, S the sum of the |terms| of the\n"
+    "expanded formula; barring over- and underflow.\n",
+   1, 1, mat3x3_orthonormalized_loops},
+  {"SE3_exp", "(6)->(3,4)",
+    "D = exp s = [exp ω~ | J_l(ω) v].\n"
+    "\n"
+    "(6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.\n"
+    "79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 less, 11 select.\n",
+   1, 1, SE3_exp_loops},
+  {"SE3_log", "(3,4)->(6)",
+    "so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.\n"
+    "\n"
+    "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
+    "48 mul, 49 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 11 less, 1 equal, 26 select.\n",
+   1, 1, SE3_log_loops},
+  {"SE3_leftJacobian", "(6)->(6,6)",
+    "M = J_l(s) = Σ ([ad](s))^k / (k+1)!.\n"
+    "\n"
+    "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
+    "120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 4 less, 12 select.\n",
+   1, 1, SE3_leftJacobian_loops},
+  {"SE3_rightJacobian", "(6)->(6,6)",
+    "M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.\n"
+    "\n"
+    "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
+    "120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 4 less, 12 select.\n",
+   1, 1, SE3_rightJacobian_loops},
+  {"SE3_leftJacobianInverse", "(6)->(6,6)",
+    "M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.\n"
+    "\n"
+    "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
+    "180 mul, 172 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 2 less, 11 select.\n",
+   1, 1, SE3_leftJacobianInverse_loops},
+  {"SE3_rightJacobianInverse", "(6)->(6,6)",
+    "M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.\n"
+    "\n"
+    "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
+    "180 mul, 172 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 2 less, 11 select.\n",
+   1, 1, SE3_rightJacobianInverse_loops},
+  {"SE3_interpolated", "(3,4),(3,4),()->(3,4)",
+    "Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.\n"
+    "\n"
+    "(3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.\n"
+    "205 mul, 194 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 15 less, 1 equal, 37\n"
+    "select.\n",
+   3, 1, SE3_interpolated_loops},
+  {NULL, NULL, NULL, 0, 0, NULL},
+};
+
+#if defined(COSCREW_FOR_AVX2) && defined(__clang__)
+#pragma clang attribute pop
+#endif

@@ -1,0 +1,194 @@
+# Made by `coscrew generate`; changes are overwritten.
+"""Exponentials and logarithms of rotations and displacements, their Jacobians, interpolation.
+
+In single precision, accurate tier.
+"""
+
+from numpy import absolute, arctan2, float64, sqrt, where
+from coscrew._kernel import wide_kernel as kernel
+
+
+@kernel("(3,3)->(3)")
+def SO3_log(R):
+    """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
+
+    (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
+    11 mul, 20 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
+    """
+    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
+    p_0 = R_21 - R_12
+    p_1 = R_02 - R_20
+    p_2 = R_10 - R_01
+    s_0 = R_12 + R_21
+    s_1 = R_02 + R_20
+    s_2 = R_01 + R_10
+    d_0 = R_00 + R_11 + R_22 + 1
+    d_1 = R_00 - R_11 - R_22 + 1
+    d_2 = R_11 - R_00 - R_22 + 1
+    d_3 = R_22 - R_00 - R_11 + 1
+    low_0 = where(R_11 < R_00, p_0, p_1)
+    low_1 = where(R_11 < R_00, d_1, s_2)
+    low_2 = where(R_11 < R_00, s_2, d_2)
+    low_3 = where(R_11 < R_00, s_1, s_0)
+    high_0 = where(R_00 < -R_11, p_2, d_0)
+    high_1 = where(R_00 < -R_11, s_1, p_0)
+    high_2 = where(R_00 < -R_11, s_0, p_1)
+    high_3 = where(R_00 < -R_11, d_3, p_2)
+    column_0 = where(R_22 < 0, low_0, high_0)
+    column_1 = where(R_22 < 0, low_1, high_1)
+    column_2 = where(R_22 < 0, low_2, high_2)
+    column_3 = where(R_22 < 0, low_3, high_3)
+    upper_0 = where(column_0 < 0, -column_0, column_0)
+    upper_1 = where(column_0 < 0, -column_1, column_1)
+    upper_2 = where(column_0 < 0, -column_2, column_2)
+    upper_3 = where(column_0 < 0, -column_3, column_3)
+    v_s_size_0 = absolute(upper_1)
+    v_s_size_1 = absolute(upper_2)
+    v_s_size_2 = absolute(upper_3)
+    v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
+    v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
+    v_s_b = where(4.611686018427388e+18 < v_s_largest2, float64(2.710505431213761e-20), float64(1))
+    v_s = where(v_s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, v_s_b)
+    v_y_0 = upper_1 * v_s
+    v_y_1 = upper_2 * v_s
+    v_y_2 = upper_3 * v_s
+    v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
+    v_r_b = where(v_s < 1, float64(3.6893488147419103e+19), float64(1))
+    v_r = where(1 < v_s, 7.888609052210118e-31, v_r_b)
+    n = v_n * v_r
+    half = arctan2(n, upper_0)
+    divisor = where(n == 0, 1, n)
+    theta = 2 * half
+    k = theta / divisor
+    vector_0 = upper_1 * k
+    vector_1 = upper_2 * k
+    vector_2 = upper_3 * k
+    return (vector_0, vector_1, vector_2)
+
+
+@kernel("(3,3)->(),(3)")
+def axis_angle_from_mat3x3(R):
+    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
+
+    (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
+    8 mul, 20 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
+    """
+    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
+    p_0 = R_21 - R_12
+    p_1 = R_02 - R_20
+    p_2 = R_10 - R_01
+    s_0 = R_12 + R_21
+    s_1 = R_02 + R_20
+    s_2 = R_01 + R_10
+    d_0 = R_00 + R_11 + R_22 + 1
+    d_1 = R_00 - R_11 - R_22 + 1
+    d_2 = R_11 - R_00 - R_22 + 1
+    d_3 = R_22 - R_00 - R_11 + 1
+    low_0 = where(R_11 < R_00, p_0, p_1)
+    low_1 = where(R_11 < R_00, d_1, s_2)
+    low_2 = where(R_11 < R_00, s_2, d_2)
+    low_3 = where(R_11 < R_00, s_1, s_0)
+    high_0 = where(R_00 < -R_11, p_2, d_0)
+    high_1 = where(R_00 < -R_11, s_1, p_0)
+    high_2 = where(R_00 < -R_11, s_0, p_1)
+    high_3 = where(R_00 < -R_11, d_3, p_2)
+    column_0 = where(R_22 < 0, low_0, high_0)
+    column_1 = where(R_22 < 0, low_1, high_1)
+    column_2 = where(R_22 < 0, low_2, high_2)
+    column_3 = where(R_22 < 0, low_3, high_3)
+    upper_0 = where(column_0 < 0, -column_0, column_0)
+    upper_1 = where(column_0 < 0, -column_1, column_1)
+    upper_2 = where(column_0 < 0, -column_2, column_2)
+    upper_3 = where(column_0 < 0, -column_3, column_3)
+    v_s_size_0 = absolute(upper_1)
+    v_s_size_1 = absolute(upper_2)
+    v_s_size_2 = absolute(upper_3)
+    v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
+    v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
+    v_s_b = where(4.611686018427388e+18 < v_s_largest2, float64(2.710505431213761e-20), float64(1))
+    v_s = where(v_s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, v_s_b)
+    v_y_0 = upper_1 * v_s
+    v_y_1 = upper_2 * v_s
+    v_y_2 = upper_3 * v_s
+    v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
+    v_r_b = where(v_s < 1, float64(3.6893488147419103e+19), float64(1))
+    v_r = where(1 < v_s, 7.888609052210118e-31, v_r_b)
+    n = v_n * v_r
+    half = arctan2(n, upper_0)
+    divisor = where(n == 0, 1, n)
+    unit_0 = upper_1 / divisor
+    unit_1 = upper_2 / divisor
+    unit_2 = upper_3 / divisor
+    angle = 2 * half
+    axis_0 = where(n == 0, 1, unit_0)
+    return (angle, axis_0, unit_1, unit_2)
+
+
+@kernel("(3,3)->(3,3)")
+def mat3x3_orthonormalize(self):
+    """self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+
+    (3,3)->(3,3).  self: rotation or other 3×3 matrix.
+    51 mul, 42 add, 3 neg.  Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
+    """
+    self_00, self_01, self_02, self_10, self_11, self_12, self_20, self_21, self_22 = self
+    defect_0 = 1 - self_00 * self_00 - self_10 * self_10 - self_20 * self_20
+    defect_1 = 1 - self_01 * self_01 - self_11 * self_11 - self_21 * self_21
+    defect_2 = 1 - self_02 * self_02 - self_12 * self_12 - self_22 * self_22
+    defect_3 = -(self_00 * self_01 + self_10 * self_11 + self_20 * self_21)
+    defect_4 = -(self_00 * self_02 + self_10 * self_12 + self_20 * self_22)
+    defect_5 = -(self_01 * self_02 + self_11 * self_12 + self_21 * self_22)
+    correction_0 = 0.5 * defect_0
+    correction_1 = 0.5 * defect_1
+    correction_2 = 0.5 * defect_2
+    correction_3 = 0.5 * defect_3
+    correction_4 = 0.5 * defect_4
+    correction_5 = 0.5 * defect_5
+    self_00_new_e = self_00 * correction_0 + self_01 * correction_3 + self_02 * correction_4
+    self_00_new = self_00 + self_00_new_e
+    self_01_new = self_00 * correction_3 + self_01 * correction_1 + self_02 * correction_5 + self_01
+    self_02_new = self_00 * correction_4 + self_01 * correction_5 + self_02 * correction_2 + self_02
+    self_10_new_e = self_10 * correction_0 + self_11 * correction_3 + self_12 * correction_4
+    self_10_new = self_10 + self_10_new_e
+    self_11_new = self_10 * correction_3 + self_11 * correction_1 + self_12 * correction_5 + self_11
+    self_12_new = self_10 * correction_4 + self_11 * correction_5 + self_12 * correction_2 + self_12
+    self_20_new_e = self_20 * correction_0 + self_21 * correction_3 + self_22 * correction_4
+    self_20_new = self_20 + self_20_new_e
+    self_21_new = self_20 * correction_3 + self_21 * correction_1 + self_22 * correction_5 + self_21
+    self_22_new = self_20 * correction_4 + self_21 * correction_5 + self_22 * correction_2 + self_22
+    return (self_00_new, self_01_new, self_02_new, self_10_new, self_11_new, self_12_new,
+        self_20_new, self_21_new, self_22_new)
+
+
+@kernel("(3,3)->(3,3)")
+def mat3x3_orthonormalized(R):
+    """Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+
+    (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
+    51 mul, 42 add, 3 neg.  Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
+    """
+    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
+    defect_0 = 1 - R_00 * R_00 - R_10 * R_10 - R_20 * R_20
+    defect_1 = 1 - R_01 * R_01 - R_11 * R_11 - R_21 * R_21
+    defect_2 = 1 - R_02 * R_02 - R_12 * R_12 - R_22 * R_22
+    defect_3 = -(R_00 * R_01 + R_10 * R_11 + R_20 * R_21)
+    defect_4 = -(R_00 * R_02 + R_10 * R_12 + R_20 * R_22)
+    defect_5 = -(R_01 * R_02 + R_11 * R_12 + R_21 * R_22)
+    correction_0 = 0.5 * defect_0
+    correction_1 = 0.5 * defect_1
+    correction_2 = 0.5 * defect_2
+    correction_3 = 0.5 * defect_3
+    correction_4 = 0.5 * defect_4
+    correction_5 = 0.5 * defect_5
+    Ro_00 = R_00 + (R_00 * correction_0 + R_01 * correction_3 + R_02 * correction_4)
+    Ro_01 = R_00 * correction_3 + R_01 * correction_1 + R_02 * correction_5 + R_01
+    Ro_02 = R_00 * correction_4 + R_01 * correction_5 + R_02 * correction_2 + R_02
+    Ro_10 = R_10 + (R_10 * correction_0 + R_11 * correction_3 + R_12 * correction_4)
+    Ro_11 = R_10 * correction_3 + R_11 * correction_1 + R_12 * correction_5 + R_11
+    Ro_12 = R_10 * correction_4 + R_11 * correction_5 + R_12 * correction_2 + R_12
+    Ro_20 = R_20 + (R_20 * correction_0 + R_21 * correction_3 + R_22 * correction_4)
+    Ro_21 = R_20 * correction_3 + R_21 * correction_1 + R_22 * correction_5 + R_21
+    Ro_22 = R_20 * correction_4 + R_21 * correction_5 + R_22 * correction_2 + R_22
+    return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22)

@@ -1,0 +1,596 @@
+# Made by `coscrew generate`; changes are overwritten.
+"""Quaternions q = (w; v): products, rotations, conversions, interpolation.
+
+In single precision, plain tier.
+"""
+
+from numpy import absolute, arctan2, cos, float32, sin, sqrt, where
+from coscrew._kernel import single_kernel as kernel
+
+
+@kernel("(4)->(4)")
+def quaternion_copy(qi):
+    """qo = qi.
+
+    (4)->(4).  qi, qo: quaternion (w; x, y, z), the scalar first.
+    No arithmetic.  Exact.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    return (qi_0, qi_1, qi_2, qi_3)
+
+
+@kernel("(4),()->(4)")
+def quaternion_scale(self, a):
+    """self = a self.
+
+    (4),()->(4).  self: quaternion (w; x, y, z), the scalar first; a: number.
+    4 mul.  Error <= u |result|, barring over- and underflow.
+    """
+    self_0, self_1, self_2, self_3 = self
+    self_0_new = self_0 * a
+    self_1_new = self_1 * a
+    self_2_new = self_2 * a
+    self_3_new = self_3 * a
+    return (self_0_new, self_1_new, self_2_new, self_3_new)
+
+
+@kernel("(4)->(4)")
+def quaternion_setIdentity(self):
+    """self = (1; 0).
+
+    (4)->(4).  self: quaternion (w; x, y, z), the scalar first.
+    No arithmetic.  Exact.
+    """
+    return (1, 0, 0, 0)
+
+
+@kernel("(4)->(4)")
+def quaternion_conjugated(q):
+    """qo = (w; -v), the inverse of q if |q| = 1.
+
+    (4)->(4).  q, qo: quaternion (w; x, y, z), the scalar first.
+    3 neg.  Exact.
+    """
+    q_0, q_1, q_2, q_3 = q
+    qo_1 = -q_1
+    qo_2 = -q_2
+    qo_3 = -q_3
+    return (q_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4)->()")
+def quaternion_norm(q):
+    """|q| = sqrt(w^2 + v·v).
+
+    (4)->().  q: quaternion (w; x, y, z), the scalar first; norm: number.
+    9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select.
+    """
+    q_0, q_1, q_2, q_3 = q
+    s_size_0 = absolute(q_0)
+    s_size_1 = absolute(q_1)
+    s_size_2 = absolute(q_2)
+    s_size_3 = absolute(q_3)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
+    s_b = where(4.611686e+18 < s_largest3, float32(2.7105054e-20), float32(1))
+    s = where(s_largest3 < 8.881784e-16, 1.2676506e+30, s_b)
+    y_0 = q_0 * s
+    y_1 = q_1 * s
+    y_2 = q_2 * s
+    y_3 = q_3 * s
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
+    r = where(1 < s, 7.888609e-31, where(s < 1, float32(3.689349e+19), float32(1)))
+    norm = n * r
+    return norm
+
+
+@kernel("(4)->(4)")
+def quaternion_normalize(self):
+    """self = self / |self|; zero stays zero.
+
+    (4)->(4).  self: quaternion (w; x, y, z), the scalar first.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    """
+    self_0, self_1, self_2, self_3 = self
+    s_size_0 = absolute(self_0)
+    s_size_1 = absolute(self_1)
+    s_size_2 = absolute(self_2)
+    s_size_3 = absolute(self_3)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
+    s_b = where(4.611686e+18 < s_largest3, float32(2.7105054e-20), float32(1))
+    s = where(s_largest3 < 8.881784e-16, 1.2676506e+30, s_b)
+    y_0 = self_0 * s
+    y_1 = self_1 * s
+    y_2 = self_2 * s
+    y_3 = self_3 * s
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
+    divisor = where(n == 0, 1, n)
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
+    enlarged_0 = self_0 * up
+    enlarged_1 = self_1 * up
+    enlarged_2 = self_2 * up
+    enlarged_3 = self_3 * up
+    quotient_0 = enlarged_0 / divisor
+    quotient_1 = enlarged_1 / divisor
+    quotient_2 = enlarged_2 / divisor
+    quotient_3 = enlarged_3 / divisor
+    self_0_new = quotient_0 * down
+    self_1_new = quotient_1 * down
+    self_2_new = quotient_2 * down
+    self_3_new = quotient_3 * down
+    return (self_0_new, self_1_new, self_2_new, self_3_new)
+
+
+@kernel("(4)->(4)")
+def quaternion_normalized(q):
+    """qo = q / |q|; zero stays zero.
+
+    (4)->(4).  q, qo: quaternion (w; x, y, z), the scalar first.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    """
+    q_0, q_1, q_2, q_3 = q
+    s_size_0 = absolute(q_0)
+    s_size_1 = absolute(q_1)
+    s_size_2 = absolute(q_2)
+    s_size_3 = absolute(q_3)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
+    s_b = where(4.611686e+18 < s_largest3, float32(2.7105054e-20), float32(1))
+    s = where(s_largest3 < 8.881784e-16, 1.2676506e+30, s_b)
+    y_0 = q_0 * s
+    y_1 = q_1 * s
+    y_2 = q_2 * s
+    y_3 = q_3 * s
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
+    divisor = where(n == 0, 1, n)
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
+    enlarged_0 = q_0 * up
+    enlarged_1 = q_1 * up
+    enlarged_2 = q_2 * up
+    enlarged_3 = q_3 * up
+    quotient_0 = enlarged_0 / divisor
+    quotient_1 = enlarged_1 / divisor
+    quotient_2 = enlarged_2 / divisor
+    quotient_3 = enlarged_3 / divisor
+    qo_0 = quotient_0 * down
+    qo_1 = quotient_1 * down
+    qo_2 = quotient_2 * down
+    qo_3 = quotient_3 * down
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(4)->(4)")
+def product_qq(q1, q2):
+    """qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
+
+    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+    16 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    q1_0, q1_1, q1_2, q1_3 = q1
+    q2_0, q2_1, q2_2, q2_3 = q2
+    qo_0 = q1_0 * q2_0 - (q1_1 * q2_1 + q1_2 * q2_2 + q1_3 * q2_3)
+    qo_1 = q1_0 * q2_1 + q1_1 * q2_0 + (q1_2 * q2_3 - q1_3 * q2_2)
+    qo_2 = q1_0 * q2_2 + (q1_3 * q2_1 - q1_1 * q2_3) + q1_2 * q2_0
+    qo_3 = q1_0 * q2_3 + (q1_1 * q2_2 - q1_2 * q2_1) + q1_3 * q2_0
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(4)->(4)")
+def product_qconjq(q1, q2):
+    """qo = q1* q2, q1* the conjugate.
+
+    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+    16 mul, 12 add.  Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
+    """
+    q1_0, q1_1, q1_2, q1_3 = q1
+    q2_0, q2_1, q2_2, q2_3 = q2
+    qo_0 = q1_0 * q2_0 + (q1_1 * q2_1 + q1_2 * q2_2 + q1_3 * q2_3)
+    qo_1 = q1_0 * q2_1 - q1_1 * q2_0 + (q1_3 * q2_2 - q1_2 * q2_3)
+    qo_2 = q1_0 * q2_2 - q1_2 * q2_0 + (q1_1 * q2_3 - q1_3 * q2_1)
+    qo_3 = q1_0 * q2_3 - q1_3 * q2_0 + (q1_2 * q2_1 - q1_1 * q2_2)
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(4)->(4)")
+def product_qqconj(q1, q2):
+    """qo = q1 q2*, q2* the conjugate.
+
+    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+    16 mul, 12 add.  Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
+    """
+    q1_0, q1_1, q1_2, q1_3 = q1
+    q2_0, q2_1, q2_2, q2_3 = q2
+    qo_0 = q1_0 * q2_0 + (q1_1 * q2_1 + q1_2 * q2_2 + q1_3 * q2_3)
+    qo_1 = q1_1 * q2_0 - q1_0 * q2_1 + (q1_3 * q2_2 - q1_2 * q2_3)
+    qo_2 = q1_2 * q2_0 - q1_0 * q2_2 + (q1_1 * q2_3 - q1_3 * q2_1)
+    qo_3 = q1_3 * q2_0 - q1_0 * q2_3 + (q1_2 * q2_1 - q1_1 * q2_2)
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(3)->(3)")
+def product_qv(q, v):
+    """vo = R(q) v, |q| = 1.
+
+    (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+    18 mul, 12 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    q_0, q_1, q_2, q_3 = q
+    v_0, v_1, v_2 = v
+    c_0 = q_2 * v_2 - q_3 * v_1
+    c_1 = q_3 * v_0 - q_1 * v_2
+    c_2 = q_1 * v_1 - q_2 * v_0
+    t_0 = 2 * c_0
+    t_1 = 2 * c_1
+    t_2 = 2 * c_2
+    turn_0 = q_0 * t_0 + (q_2 * t_2 - q_3 * t_1)
+    turn_1 = q_0 * t_1 + (q_3 * t_0 - q_1 * t_2)
+    turn_2 = q_0 * t_2 + (q_1 * t_1 - q_2 * t_0)
+    vo_0 = v_0 + turn_0
+    vo_1 = v_1 + turn_1
+    vo_2 = v_2 + turn_2
+    return (vo_0, vo_1, vo_2)
+
+
+@kernel("(4),(3)->(3)")
+def product_qconjv(q, v):
+    """vo = R(q)^T v, |q| = 1.
+
+    (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+    18 mul, 12 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    q_0, q_1, q_2, q_3 = q
+    v_0, v_1, v_2 = v
+    c_0 = q_3 * v_1 - q_2 * v_2
+    c_1 = q_1 * v_2 - q_3 * v_0
+    c_2 = q_2 * v_0 - q_1 * v_1
+    t_0 = 2 * c_0
+    t_1 = 2 * c_1
+    t_2 = 2 * c_2
+    turn_0 = q_0 * t_0 + (q_3 * t_1 - q_2 * t_2)
+    turn_1 = q_0 * t_1 + (q_1 * t_2 - q_3 * t_0)
+    turn_2 = q_0 * t_2 + (q_2 * t_0 - q_1 * t_1)
+    vo_0 = v_0 + turn_0
+    vo_1 = v_1 + turn_1
+    vo_2 = v_2 + turn_2
+    return (vo_0, vo_1, vo_2)
+
+
+@kernel("(4)->(3,3)")
+def mat3x3_from_quaternion(q):
+    """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
+
+    (4)->(3,3).  q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
+    17 mul, 15 add, 1 div.
+    """
+    q_0, q_1, q_2, q_3 = q
+    square = q_0 * q_0 + q_1 * q_1 + q_2 * q_2 + q_3 * q_3
+    scale = 2 / square
+    scale_w = q_0 * scale
+    beta_v_0 = q_1 * scale
+    beta_v_1 = q_2 * scale
+    beta_v_2 = q_3 * scale
+    m_0 = q_1 * beta_v_0
+    m_1 = q_2 * beta_v_1
+    m_2 = q_3 * beta_v_2
+    m_3 = q_2 * beta_v_0
+    m_4 = q_3 * beta_v_0
+    m_5 = q_3 * beta_v_1
+    others_0 = m_1 + m_2
+    others_1 = m_0 + m_2
+    others_2 = m_0 + m_1
+    alpha_v_0 = q_1 * scale_w
+    alpha_v_1 = q_2 * scale_w
+    alpha_v_2 = q_3 * scale_w
+    R_00 = 1 - others_0
+    R_01 = m_3 - alpha_v_2
+    R_02 = m_4 + alpha_v_1
+    R_10 = m_3 + alpha_v_2
+    R_11 = 1 - others_1
+    R_12 = m_5 - alpha_v_0
+    R_20 = m_4 - alpha_v_1
+    R_21 = m_5 + alpha_v_0
+    R_22 = 1 - others_2
+    return (R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22)
+
+
+@kernel("(3,3)->(4)")
+def quaternion_from_mat3x3(R):
+    """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
+
+    (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
+    4 mul, 21 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
+    """
+    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
+    p_0 = R_21 - R_12
+    p_1 = R_02 - R_20
+    p_2 = R_10 - R_01
+    s_0 = R_12 + R_21
+    s_1 = R_02 + R_20
+    s_2 = R_01 + R_10
+    d_0 = R_00 + R_11 + R_22 + 1
+    d_1 = R_00 - R_11 - R_22 + 1
+    d_2 = R_11 - R_00 - R_22 + 1
+    d_3 = R_22 - R_00 - R_11 + 1
+    low_0 = where(R_11 < R_00, p_0, p_1)
+    low_1 = where(R_11 < R_00, d_1, s_2)
+    low_2 = where(R_11 < R_00, s_2, d_2)
+    low_3 = where(R_11 < R_00, s_1, s_0)
+    high_0 = where(R_00 < -R_11, p_2, d_0)
+    high_1 = where(R_00 < -R_11, s_1, p_0)
+    high_2 = where(R_00 < -R_11, s_0, p_1)
+    high_3 = where(R_00 < -R_11, d_3, p_2)
+    column_0 = where(R_22 < 0, low_0, high_0)
+    column_1 = where(R_22 < 0, low_1, high_1)
+    column_2 = where(R_22 < 0, low_2, high_2)
+    column_3 = where(R_22 < 0, low_3, high_3)
+    upper_0 = where(column_0 < 0, -column_0, column_0)
+    upper_1 = where(column_0 < 0, -column_1, column_1)
+    upper_2 = where(column_0 < 0, -column_2, column_2)
+    upper_3 = where(column_0 < 0, -column_3, column_3)
+    length = sqrt(upper_0 * upper_0 + upper_1 * upper_1 + upper_2 * upper_2 + upper_3 * upper_3)
+    qo_0 = upper_0 / length
+    qo_1 = upper_1 / length
+    qo_2 = upper_2 / length
+    qo_3 = upper_3 / length
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(3),()->(4)")
+def quaternion_from_axis_angle(axis, angle):
+    """qo = (cos angle/2; axis sin angle/2); axis of length 1.
+
+    (3),()->(4).  axis: vector; angle: number; qo: quaternion (w; x, y, z), the scalar first.
+    4 mul, 1 sin, 1 cos.
+    """
+    axis_0, axis_1, axis_2 = axis
+    half = 0.5 * angle
+    sine = sin(half)
+    qo_0 = cos(half)
+    qo_1 = axis_0 * sine
+    qo_2 = axis_1 * sine
+    qo_3 = axis_2 * sine
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4)->(),(3)")
+def axis_angle_from_quaternion(q):
+    """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
+    angle = 0; any multiple of a quaternion.
+
+    (4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.
+    8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
+    """
+    q_0, q_1, q_2, q_3 = q
+    upper_0 = where(q_0 < 0, -q_0, q_0)
+    upper_1 = where(q_0 < 0, -q_1, q_1)
+    upper_2 = where(q_0 < 0, -q_2, q_2)
+    upper_3 = where(q_0 < 0, -q_3, q_3)
+    v_s_size_0 = absolute(upper_1)
+    v_s_size_1 = absolute(upper_2)
+    v_s_size_2 = absolute(upper_3)
+    v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
+    v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
+    v_s_b = where(4.611686e+18 < v_s_largest2, float32(2.7105054e-20), float32(1))
+    v_s = where(v_s_largest2 < 8.881784e-16, 1.2676506e+30, v_s_b)
+    v_y_0 = upper_1 * v_s
+    v_y_1 = upper_2 * v_s
+    v_y_2 = upper_3 * v_s
+    v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
+    v_r = where(1 < v_s, 7.888609e-31, where(v_s < 1, float32(3.689349e+19), float32(1)))
+    n = v_n * v_r
+    half = arctan2(n, upper_0)
+    divisor = where(n == 0, 1, n)
+    unit_0 = upper_1 / divisor
+    unit_1 = upper_2 / divisor
+    unit_2 = upper_3 / divisor
+    angle = 2 * half
+    axis_0 = where(n == 0, 1, unit_0)
+    return (angle, axis_0, unit_1, unit_2)
+
+
+@kernel("(3)->(4)")
+def quaternion_exp(v):
+    """qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the rotation vector v.
+
+    (3)->(4).  v: vector; qo: quaternion (w; x, y, z), the scalar first.
+    34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.
+    """
+    v_0, v_1, v_2 = v
+    h_0 = 0.5 * v_0
+    h_1 = 0.5 * v_1
+    h_2 = 0.5 * v_2
+    x = h_0 * h_0 + h_1 * h_1 + h_2 * h_2
+    size = sqrt(x)
+    cosine = where(x < 4, 1, cos(size))
+    sine = where(x < 4, 1, sin(size))
+    divisor = where(x < 4, 2, size)
+    far_k = sine / divisor
+    k_g = x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
+    k_h = k_g + 2.8114574e-15
+    k_i = x * k_h
+    k_j = k_i - 7.6471636e-13
+    k_k = x * k_j
+    k_l = k_k + 1.6059044e-10
+    k_m = x * k_l
+    k_n = k_m - 2.5052108e-08
+    k_o = x * k_n
+    k_p = k_o + 2.7557319e-06
+    k_q = x * k_p
+    k_r = k_q - 0.0001984127
+    k_s = x * k_r
+    k_t = k_s + 0.008333334
+    k_u = x * k_t
+    k_v = k_u - 0.16666667
+    k_w = x * k_v
+    k_x = k_w + 1
+    k = where(x < 4, k_x, far_k)
+    g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
+    g2h = g2g + 1.5619207e-16
+    g2i = x * g2h
+    g2j = g2i - 4.7794773e-14
+    g2k = x * g2j
+    g2l = g2k + 1.1470745e-11
+    g2m = x * g2l
+    g2n = g2m - 2.0876756e-09
+    g2o = x * g2n
+    g2p = g2o + 2.755732e-07
+    g2q = x * g2p
+    g2r = g2q - 2.4801588e-05
+    g2s = x * g2r
+    g2t = g2s + 0.0013888889
+    g2u = x * g2t
+    g2v = g2u - 0.041666668
+    g2w = x * g2v
+    g2 = g2w + 0.5
+    near = 1 - x * g2
+    qo_0 = where(x < 4, near, cosine)
+    qo_1 = h_0 * k
+    qo_2 = h_1 * k
+    qo_3 = h_2 * k
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4)->(3)")
+def quaternion_log(q):
+    """vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of
+    it.
+
+    (4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.
+    11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.
+    """
+    q_0, q_1, q_2, q_3 = q
+    upper_0 = where(q_0 < 0, -q_0, q_0)
+    upper_1 = where(q_0 < 0, -q_1, q_1)
+    upper_2 = where(q_0 < 0, -q_2, q_2)
+    upper_3 = where(q_0 < 0, -q_3, q_3)
+    v_s_size_0 = absolute(upper_1)
+    v_s_size_1 = absolute(upper_2)
+    v_s_size_2 = absolute(upper_3)
+    v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
+    v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
+    v_s_b = where(4.611686e+18 < v_s_largest2, float32(2.7105054e-20), float32(1))
+    v_s = where(v_s_largest2 < 8.881784e-16, 1.2676506e+30, v_s_b)
+    v_y_0 = upper_1 * v_s
+    v_y_1 = upper_2 * v_s
+    v_y_2 = upper_3 * v_s
+    v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
+    v_r = where(1 < v_s, 7.888609e-31, where(v_s < 1, float32(3.689349e+19), float32(1)))
+    n = v_n * v_r
+    half = arctan2(n, upper_0)
+    divisor = where(n == 0, 1, n)
+    theta = 2 * half
+    k = theta / divisor
+    vector_0 = upper_1 * k
+    vector_1 = upper_2 * k
+    vector_2 = upper_3 * k
+    return (vector_0, vector_1, vector_2)
+
+
+@kernel("(4),(4),()->(4)")
+def quaternion_slerp(q1, q2, k):
+    """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
+
+    (4),(4),()->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first; k: number.
+    76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16
+    select.
+    """
+    q1_0, q1_1, q1_2, q1_3 = q1
+    q2_0, q2_1, q2_2, q2_3 = q2
+    between_0 = q1_0 * q2_0 + (q1_1 * q2_1 + q1_2 * q2_2 + q1_3 * q2_3)
+    between_1 = q1_0 * q2_1 - q1_1 * q2_0 + (q1_3 * q2_2 - q1_2 * q2_3)
+    between_2 = q1_0 * q2_2 - q1_2 * q2_0 + (q1_1 * q2_3 - q1_3 * q2_1)
+    between_3 = q1_0 * q2_3 - q1_3 * q2_0 + (q1_2 * q2_1 - q1_1 * q2_2)
+    upper_0 = where(between_0 < 0, -between_0, between_0)
+    upper_1 = where(between_0 < 0, -between_1, between_1)
+    upper_2 = where(between_0 < 0, -between_2, between_2)
+    upper_3 = where(between_0 < 0, -between_3, between_3)
+    v_s_size_0 = absolute(upper_1)
+    v_s_size_1 = absolute(upper_2)
+    v_s_size_2 = absolute(upper_3)
+    v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
+    v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
+    v_s_b = where(4.611686e+18 < v_s_largest2, float32(2.7105054e-20), float32(1))
+    v_s = where(v_s_largest2 < 8.881784e-16, 1.2676506e+30, v_s_b)
+    v_y_0 = upper_1 * v_s
+    v_y_1 = upper_2 * v_s
+    v_y_2 = upper_3 * v_s
+    v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
+    v_r = where(1 < v_s, 7.888609e-31, where(v_s < 1, float32(3.689349e+19), float32(1)))
+    n = v_n * v_r
+    half = arctan2(n, upper_0)
+    divisor = where(n == 0, 1, n)
+    rate = half / divisor
+    kv_0 = k * upper_1
+    kv_1 = k * upper_2
+    kv_2 = k * upper_3
+    step_0 = rate * kv_0
+    step_1 = rate * kv_1
+    step_2 = rate * kv_2
+    exp_x = step_0 * step_0 + step_1 * step_1 + step_2 * step_2
+    exp_size = sqrt(exp_x)
+    exp_cosine = where(exp_x < 4, 1, cos(exp_size))
+    exp_sine = where(exp_x < 4, 1, sin(exp_size))
+    exp_divisor = where(exp_x < 4, 2, exp_size)
+    exp_far_k = exp_sine / exp_divisor
+    exp_k_e = exp_x * (exp_x * (6.4469503e-26 * exp_x - 3.8681703e-23) + 1.9572942e-20)
+    exp_k_f = exp_k_e - 8.220635e-18
+    exp_k_g = exp_x * exp_k_f
+    exp_k_h = exp_k_g + 2.8114574e-15
+    exp_k_i = exp_x * exp_k_h
+    exp_k_j = exp_k_i - 7.6471636e-13
+    exp_k_k = exp_x * exp_k_j
+    exp_k_l = exp_k_k + 1.6059044e-10
+    exp_k_m = exp_x * exp_k_l
+    exp_k_n = exp_k_m - 2.5052108e-08
+    exp_k_o = exp_x * exp_k_n
+    exp_k_p = exp_k_o + 2.7557319e-06
+    exp_k_q = exp_x * exp_k_p
+    exp_k_r = exp_k_q - 0.0001984127
+    exp_k_s = exp_x * exp_k_r
+    exp_k_t = exp_k_s + 0.008333334
+    exp_k_u = exp_x * exp_k_t
+    exp_k_v = exp_k_u - 0.16666667
+    exp_k_w = exp_x * exp_k_v
+    exp_k_x = exp_k_w + 1
+    exp_k = where(exp_x < 4, exp_k_x, exp_far_k)
+    exp_g2e = exp_x * (exp_x * (2.4795963e-27 * exp_x - 1.6117376e-24) + 8.896791e-22)
+    exp_g2f = exp_g2e - 4.1103176e-19
+    exp_g2g = exp_x * exp_g2f
+    exp_g2h = exp_g2g + 1.5619207e-16
+    exp_g2i = exp_x * exp_g2h
+    exp_g2j = exp_g2i - 4.7794773e-14
+    exp_g2k = exp_x * exp_g2j
+    exp_g2l = exp_g2k + 1.1470745e-11
+    exp_g2m = exp_x * exp_g2l
+    exp_g2n = exp_g2m - 2.0876756e-09
+    exp_g2o = exp_x * exp_g2n
+    exp_g2p = exp_g2o + 2.755732e-07
+    exp_g2q = exp_x * exp_g2p
+    exp_g2r = exp_g2q - 2.4801588e-05
+    exp_g2s = exp_x * exp_g2r
+    exp_g2t = exp_g2s + 0.0013888889
+    exp_g2u = exp_x * exp_g2t
+    exp_g2v = exp_g2u - 0.041666668
+    exp_g2w = exp_x * exp_g2v
+    exp_g2 = exp_g2w + 0.5
+    exp_near = 1 - exp_x * exp_g2
+    power_0 = where(exp_x < 4, exp_near, exp_cosine)
+    power_1 = step_0 * exp_k
+    power_2 = step_1 * exp_k
+    power_3 = step_2 * exp_k
+    qo_0 = q1_0 * power_0 - (q1_1 * power_1 + q1_2 * power_2 + q1_3 * power_3)
+    qo_1 = q1_0 * power_1 + (q1_1 * power_0 + q1_2 * power_3 - q1_3 * power_2)
+    qo_2 = q1_0 * power_2 + (q1_2 * power_0 - q1_1 * power_3 + q1_3 * power_1)
+    qo_3 = q1_0 * power_3 + (q1_1 * power_2 - q1_2 * power_1 + q1_3 * power_0)
+    return (qo_0, qo_1, qo_2, qo_3)
