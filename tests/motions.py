@@ -1,0 +1,160 @@
+"""Exponentials, logarithms, Jacobians and quaternions in mpmath's precision.
+
+Written from their definitions (power series of exp, of Σ ad^k / (k+1)!, matrix inversion, the
+eigenvector of Bar-Itzhack's matrix), not from the closed forms the kernels evaluate.  Arguments and
+results are mpmath matrices, columns for vectors, and numbers; of every sign a rotation vector or a
+quaternion may have, the truth is any (see `alternatives`).
+"""
+
+from collections.abc import Callable
+
+import mpmath as mp
+
+Matrix = mp.matrix
+DIGITS = 60  # enough for angles and their differences from π down to 1e-30
+
+
+def skew(x: Matrix) -> Matrix:
+    """x~ with x~ y = x × y."""
+    return mp.matrix([[0, -x[2], x[1]], [x[2], 0, -x[0]], [-x[1], x[0], 0]])
+
+
+def norm(x: Matrix) -> mp.mpf:
+    """sqrt(x·x)."""
+    return mp.sqrt(mp.fsum(c * c for c in x))
+
+
+def exponential_series(A: Matrix, first: int = 0) -> Matrix:
+    """Σ A^k / (k + first)!: exp A for first = 0, the left Jacobian for first = 1."""
+    term = mp.eye(A.rows) / mp.factorial(first)
+    total, k = term.copy(), 0
+    with mp.workdps(mp.mp.dps + 20):
+        while mp.mnorm(term, 1) > mp.mpf(10) ** (-mp.mp.dps) * mp.mnorm(total, 1) or k < 3:
+            k += 1
+            term = term * A / (k + first)
+            total += term
+    return total
+
+
+def ad(s: Matrix) -> Matrix:
+    """[[ω~, v~], [0, ω~]]."""
+    return _blocks(skew(s[3:6]), skew(s[0:3]), skew(s[3:6]))
+
+
+def _blocks(upper: Matrix, corner: Matrix, lower: Matrix) -> Matrix:
+    A = mp.zeros(6)
+    for i in range(3):
+        for j in range(3):
+            A[i, j], A[i, j + 3], A[i + 3, j + 3] = upper[i, j], corner[i, j], lower[i, j]
+    return A
+
+
+def SE3_exp(s: Matrix) -> Matrix:
+    """[exp ω~ | Σ ω~^k v / (k+1)!]."""
+    W = skew(s[3:6])
+    return hstack(exponential_series(W), exponential_series(W, 1) * s[0:3])
+
+
+def hstack(R: Matrix, t: Matrix) -> Matrix:
+    """[R | t]."""
+    return mp.matrix([[*(R[i, j] for j in range(3)), t[i]] for i in range(3)])
+
+
+def nearest_quaternion(R: Matrix) -> Matrix:
+    """The quaternion of the rotation nearest to R: the eigenvector of the largest eigenvalue of
+    Bar-Itzhack's symmetric matrix.  Source: I. Y. Bar-Itzhack, J. Guidance 23 (2000) 1085."""
+    K = mp.matrix([
+        [R[0, 0] + R[1, 1] + R[2, 2], R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]],
+        [R[2, 1] - R[1, 2], R[0, 0] - R[1, 1] - R[2, 2], R[1, 0] + R[0, 1], R[0, 2] + R[2, 0]],
+        [R[0, 2] - R[2, 0], R[1, 0] + R[0, 1], R[1, 1] - R[0, 0] - R[2, 2], R[2, 1] + R[1, 2]],
+        [R[1, 0] - R[0, 1], R[0, 2] + R[2, 0], R[2, 1] + R[1, 2], R[2, 2] - R[0, 0] - R[1, 1]]])
+    values, vectors = mp.eigsy(K)
+    best = max(range(4), key=lambda i: values[i])
+    q = vectors[:, best]
+    return q if q[0] >= 0 else -q
+
+
+def vector_of(q: Matrix) -> Matrix:
+    """θ v / |v| with θ = 2 atan2(|v|, |w|), any multiple of a quaternion."""
+    if q[0] < 0:
+        q = -q
+    v = q[1:4]
+    n = norm(v)
+    return v * (2 * mp.atan2(n, q[0]) / n) if n else mp.zeros(3, 1)
+
+
+def product(p: Matrix, q: Matrix) -> Matrix:
+    """The product of quaternions."""
+    v = p[0] * q[1:4] + q[0] * p[1:4] + skew(p[1:4]) * q[1:4]
+    return mp.matrix([p[0] * q[0] - mp.fsum(x * y for x, y in zip(p[1:4], q[1:4], strict=True)), *v])
+
+
+def conjugate(q: Matrix) -> Matrix:
+    return mp.matrix([q[0], -q[1], -q[2], -q[3]])
+
+
+def quaternion_exp(v: Matrix) -> Matrix:
+    """(cos θ/2; v/θ sin θ/2)."""
+    n = norm(v)
+    return mp.matrix([mp.cos(n / 2), *(v * (mp.sin(n / 2) / n) if n else v / 2)])
+
+
+def matrix_of(q: Matrix) -> Matrix:
+    """(w + v~)² + v v^T, over q·q."""
+    W = q[0] * mp.eye(3) + skew(q[1:4])
+    return (W * W + q[1:4] * q[1:4].T) / mp.fsum(c * c for c in q)
+
+
+def SE3_log(D: Matrix) -> Matrix:
+    """(J_l^-1(ω) t; ω), J_l by its series."""
+    w = vector_of(nearest_quaternion(D[0:3, 0:3]))
+    v = mp.lu_solve(exponential_series(skew(w), 1), D[0:3, 3])
+    return mp.matrix([*v, *w])
+
+
+def compose(D1: Matrix, D2: Matrix) -> Matrix:
+    """[R1 R2 | R1 t2 + t1]."""
+    return hstack(D1[0:3, 0:3] * D2[0:3, 0:3], D1[0:3, 0:3] * D2[0:3, 3] + D1[0:3, 3])
+
+
+def inverse(D: Matrix) -> Matrix:
+    """[R^T | -R^T t]."""
+    return hstack(D[0:3, 0:3].T, -(D[0:3, 0:3].T * D[0:3, 3]))
+
+
+def slerp(p: Matrix, q: Matrix, k: mp.mpf) -> Matrix:
+    """p (p* q)^k along the shorter arc."""
+    return product(p, quaternion_exp(k * vector_of(product(conjugate(p), q))))
+
+
+TRUTHS: dict[str, Callable[..., Matrix | mp.mpf | tuple[mp.mpf, Matrix]]] = {
+    "SO3_exp": lambda v: exponential_series(skew(v)),
+    "SO3_log": lambda R: vector_of(nearest_quaternion(R)),
+    "SO3_leftJacobian": lambda v: exponential_series(skew(v), 1),
+    "SO3_rightJacobian": lambda v: exponential_series(-skew(v), 1),
+    "SO3_leftJacobianInverse": lambda v: exponential_series(skew(v), 1) ** -1,
+    "SO3_rightJacobianInverse": lambda v: exponential_series(-skew(v), 1) ** -1,
+    "mat3x3_from_axis_angle": lambda a, angle: exponential_series(skew(a * angle)),
+    "SE3_exp": SE3_exp,
+    "SE3_log": SE3_log,
+    "SE3_leftJacobian": lambda s: exponential_series(ad(s), 1),
+    "SE3_rightJacobian": lambda s: exponential_series(-ad(s), 1),
+    "SE3_leftJacobianInverse": lambda s: exponential_series(ad(s), 1) ** -1,
+    "SE3_rightJacobianInverse": lambda s: exponential_series(-ad(s), 1) ** -1,
+    "SE3_interpolated": lambda D1, D2, k: compose(
+        D1, SE3_exp(k * SE3_log(compose(inverse(D1), D2)))),
+    "mat3x3_from_quaternion": matrix_of,
+    "quaternion_from_mat3x3": nearest_quaternion,
+    "quaternion_from_axis_angle": lambda a, angle: mp.matrix(
+        [mp.cos(angle / 2), *(mp.sin(angle / 2) * a)]),
+    "quaternion_exp": quaternion_exp,
+    "quaternion_log": vector_of,
+    "quaternion_slerp": slerp,
+    "axis_angle_from_quaternion": lambda q: _axis_angle(vector_of(q)),
+    "axis_angle_from_mat3x3": lambda R: _axis_angle(vector_of(nearest_quaternion(R))),
+}
+
+
+def _axis_angle(v: Matrix) -> tuple[mp.mpf, Matrix]:
+    n = norm(v)
+    return n, v / n if n else mp.matrix([1, 0, 0])
