@@ -24,6 +24,7 @@ _INCLUDES = {
     "vec3": (), "trig": (), "mat6x6": (), "mat3x3": ("vec3",), "SE3": ("mat3x3",),
     "matrix": ("SE3", "trig"), "screw": ("matrix", "mat6x6"), "coscrew": ("screw",),
     "quaternion": ("mat3x3",), "exponential": ("quaternion", "SE3", "screw"),
+    "symmetric": ("mat6x6", "screw", "coscrew"), "inertia": ("SE3", "coscrew"),
 }
 
 # Short names of constructors, in Python.

@@ -62,7 +62,12 @@ class Ref:
     name: str
 
 
-Operand = Input | Constant | Ref
+@dataclass(frozen=True)
+class NotANumber:
+    """NaN, for results that do not exist."""
+
+
+Operand = Input | Constant | NotANumber | Ref
 
 
 @dataclass(frozen=True)

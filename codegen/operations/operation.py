@@ -18,12 +18,16 @@ SMALL, LARGE, ENLARGING, REDUCING = sp.symbols("small large enlarging reducing",
 # x + GRID - GRID is x rounded so that squares of such numbers below 8, and their sums, are exact.
 GRID = sp.Symbol("grid", positive=True)
 
+# A smallest pivot, as a part of its diagonal entry, that rounding alone may have left: 8 u.
+PIVOT_THRESHOLD = sp.Symbol("pivot_threshold", positive=True)
+
 PER_PRECISION: dict[sp.Symbol, tuple[sp.Rational, sp.Rational]] = {
     NORM_THRESHOLD: (sp.Rational(1, 10**9), sp.Rational(1, 10**6)),
     SMALL: (sp.Rational(1, 2**450), sp.Rational(1, 2**50)),
     LARGE: (sp.Integer(2**511), sp.Integer(2**62)),
     ENLARGING: (sp.Integer(2**600), sp.Integer(2**100)),
     REDUCING: (sp.Rational(1, 2**513), sp.Rational(1, 2**65)),
+    PIVOT_THRESHOLD: (sp.Rational(1, 2**50), sp.Rational(1, 2**21)),
     GRID: (sp.Integer(3 * 2**29), sp.Integer(3 * 2**14)),
 }
 """The constants that differ between double and single precision."""

@@ -4,19 +4,27 @@ import sympy as sp
 
 from coscrew_codegen.algebra import unit
 from coscrew_codegen.operations.linear import linear_space
-from coscrew_codegen.operations.norm import divided, l2, nonzero, safe_norm, safe_normalized
-from coscrew_codegen.operations.operation import Operation
+from coscrew_codegen.operations.norm import divided, l2, nonzero, power_of_two, safe_norm, safe_normalized
+from coscrew_codegen.operations.operation import Operation, scaled
 from coscrew_codegen.quantity import SCALAR, VEC3, Argument
 
 FAMILY = "vec3"
 
 _v, _self, _vo = (Argument(name, VEC3) for name in ("v", "self", "vo"))
 _v1, _v2 = Argument("v1", VEC3), Argument("v2", VEC3)
-_k, _norm, _dot = (Argument(name, SCALAR) for name in ("k", "norm", "dot"))
+_k, _norm, _dot, _angle = (Argument(name, SCALAR) for name in ("k", "norm", "dot", "angle"))
 
 
 def _normalized(let, v):
     return safe_normalized(let, v, v)
+
+
+def _angle_between(let, a, b):
+    """Of both vectors times powers of two, which changes no angle."""
+    a, b = (let(f"scaled_{n}", x.applyfunc(lambda component, s=power_of_two(let, n, tuple(x)):
+                                            scaled(component, s)))
+            for n, x in (("s1", a), ("s2", b)))
+    return sp.atan2(let("cross", safe_norm(let, let("c", a.cross(b)))), let("dot_", a.dot(b)))
 
 
 def _op(name, statement, inputs, outputs, formula, derivation=None, order=()):
@@ -31,6 +39,8 @@ _PRODUCTS = (
         lambda v: divided(v, nonzero(l2(v))), _normalized),
     _op("vec3_normalized", "vo = v / |v|; the zero vector stays zero", (_v,), (_vo,),
         lambda v: divided(v, nonzero(l2(v))), _normalized),
+    _op("angle_vv", "angle = atan2(|v1 × v2|, v1·v2), in [0, π]", (_v1, _v2), (_angle,),
+        lambda a, b: sp.atan2(l2(a.cross(b)), a.dot(b)), _angle_between),
     _op("dot_vv", "v1·v2", (_v1, _v2), (_dot,), lambda v1, v2: v1.dot(v2)),
     _op("product_avinv", "vo = k (-v)", (_k, _v), (_vo,), lambda k, v: -k * v),
     _op("product_ainvv", "vo = v / k", (_k, _v), (_vo,), lambda k, v: v / k),

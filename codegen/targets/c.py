@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from coscrew_codegen import bounds
 from coscrew_codegen.operations import Operation
-from coscrew_codegen.program import (Constant, Input, Instruction, Op, Operand, Program,
+from coscrew_codegen.program import (Constant, Input, Instruction, NotANumber, Op, Operand, Program,
                                      by_component, counts_in_words)
 from coscrew_codegen.quantity import SCALAR, Argument, Quantity, in_words
 from coscrew_codegen.targets.precision import DOUBLE, Precision
@@ -172,6 +172,8 @@ class _Writer:
             return widened + self._input(operand)
         if isinstance(operand, Constant):
             return self.working.literal(operand) + self.working.suffix
+        if isinstance(operand, NotANumber):
+            return f"({self.working.c_type})NAN"
         return (self._expression(self.inlined[operand.name]) if operand.name in self.inlined
                 else operand.name)
 
@@ -192,19 +194,21 @@ class _Writer:
 
     def _stores(self) -> list[str]:
         results = [self._result(x) for x in self.program.results]
-        if self.value and not self.value.quantity.shape:
-            return [f"return {results[0]};"]
         targets = [self._access(a, i) for a in self.operation.outputs
                    for i in range(a.quantity.size)]
         pairs = list(zip(targets, results, strict=True))
+        last = []
+        if self.value and not self.value.quantity.shape:
+            last = [f"return {results[0]};"]
+            del pairs[0]
         saved = self._saved(pairs)
         stores = [f"{t} = {saved.get(r, r)};" for t, r in pairs if t != r]
         before = [f"const {self.precision.c_type} {name} = {source};"
                   for source, name in saved.items()]
-        if self.value:
+        if self.value and not last:
             kind = c_type(self.value.quantity, self.precision)
             return [f"{kind} {self.value.name};", *before, *stores, f"return {self.value.name};"]
-        return [*before, *stores]
+        return [*before, *stores, *last]
 
     def _saved(self, pairs: list[tuple[str, str]]) -> dict[str, str]:
         """Inputs that are stored elsewhere unchanged are read before anything is written, since

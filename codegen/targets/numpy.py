@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 from coscrew_codegen import bounds
 from coscrew_codegen.operations import Operation
-from coscrew_codegen.program import (Constant, Input, Instruction, Op, Operand, Program, Ref,
-                                     counts_in_words)
+from coscrew_codegen.program import (Constant, Input, Instruction, NotANumber, Op, Operand, Program,
+                                     Ref, counts_in_words)
 from coscrew_codegen.quantity import Argument, in_words
 from coscrew_codegen.targets.c import WIDTH, listed
 from coscrew_codegen.targets.precision import DOUBLE, Precision
@@ -85,16 +85,18 @@ def imports(programs: tuple[Program, ...], precision: Precision) -> list[tuple[s
     """(module, names) of the functions these programs call."""
     called: set[Op | str] = {op for program in programs for op in program.counts}
     called |= {kind for program in programs for kind in _types(program, precision)}
-    found = [("numpy", _NUMPY | {kind: kind for kind in ("float32", "float64")}),
+    found = [("numpy", _NUMPY | {kind: kind for kind in ("float32", "float64", "nan")}),
              ("coscrew._exact", _EXACT)]
     return [(module, ", ".join(sorted(names[op] for op in called & set(names))))
             for module, names in found if called & set(names)]
 
 
 def _types(program: Program, precision: Precision) -> set[str]:
-    """The NumPy type that choices between constants need."""
+    """The NumPy names that choices need: the type of one between constants, nan."""
     working = DOUBLE if program.wide else precision
-    return {working.numpy_type for step in program.instructions if _is_choice_of_constants(step)}
+    choices = [step for step in program.instructions if step.op is Op.SELECT]
+    return ({working.numpy_type for step in choices if _is_choice_of_constants(step)}
+            | {"nan" for step in choices if NotANumber() in step.operands})
 
 
 def _is_choice_of_constants(step: Instruction) -> bool:
@@ -185,6 +187,8 @@ class _Writer:
             value = self.working.value(operand)  # integers as such, so that objects stay exact
             is_integer = value.denominator == 1 and abs(value) < 2**53
             return str(value) if is_integer else self.working.literal(operand)
+        if isinstance(operand, NotANumber):
+            return "nan"
         if operand.name not in self.nested:
             return operand.name
         text, binding = self._expression(self.nested[operand.name])

@@ -4,8 +4,10 @@ The plain program's operations give hi; lo collects their exact rounding errors 
 operands' own lo contribute, rounded.  The last addition hi + lo rounds the result.  First-order
 errors cancel; what remains is of order u² S.
 
-Residuals of quotients and roots, a - q b and a - s s, are exact numbers; an arctangent's own
-rounding is the only one that stays.  Where lo is not a number (0/0, an infinite hi), hi stands.
+Operands of quotients, roots and arctangents are first made non-overlapping, hi the rounded hi + lo,
+so that terms of order lo² do not matter however much has cancelled.  Residuals of quotients and roots,
+a - q b and a - s s, are exact numbers; an arctangent's own rounding is the only one that stays.
+Where lo is not a number (0/0, an infinite hi), hi stands.
 """
 
 from dataclasses import replace
@@ -18,6 +20,7 @@ _ZERO, _ONE = (Constant(Fraction(n), Fraction(n)) for n in (0, 1))
 COMPENSATED = {Op.ADD, Op.SUB, Op.MUL, Op.NEG, Op.DIV, Op.SQRT, Op.ATAN2, Op.SCALE, Op.ABS, Op.LESS,
                Op.EQUAL, Op.SELECT}
 """The operations whose results the tier knows how to carry."""
+_NONLINEAR = {Op.DIV, Op.SQRT, Op.ATAN2, Op.SCALE}
 
 
 def accurate(program: Program) -> Program:
@@ -25,7 +28,7 @@ def accurate(program: Program) -> Program:
     compensator = _Compensator()
     for step in program.instructions:
         compensator.compensate(step)
-    guarded = bool(program.counts.keys() & {Op.DIV, Op.SQRT, Op.ATAN2, Op.SCALE})
+    guarded = bool(program.counts.keys() & _NONLINEAR)
     results = tuple(compensator.rounded(result, guarded) for result in program.results)
     return replace(program, instructions=tuple(compensator.steps), results=results)
 
@@ -36,6 +39,7 @@ class _Compensator:
     def __init__(self) -> None:
         self.steps: list[Instruction] = []
         self._low: dict[str, Operand] = {}
+        self._normal: dict[str, Operand] = {}  # what stands for a hi once it is normalized
         self._inverses: dict[Operand, Ref] = {}
         self._rules = {
             Op.DIV: self._quotient, Op.SQRT: self._root, Op.ATAN2: self._arctangent,
@@ -45,11 +49,26 @@ class _Compensator:
 
     def compensate(self, step: Instruction) -> None:
         """hi and lo of one plain instruction, under its name and the same with _lo behind it."""
+        known = (self._normal.get(getattr(x, "name", ""), x) for x in step.operands)
+        step = replace(step, operands=tuple(known))
+        if step.op in _NONLINEAR:
+            step = replace(step, operands=tuple(self._normalized(step, x) for x in step.operands))
         self.steps.append(step)
         low = [self._low.get(getattr(x, "name", "")) for x in step.operands]
         total = self._rules.get(step.op, self._sum_or_product)(step, low)
         if total is not None:
             self._low[step.name] = total
+
+    def _normalized(self, step: Instruction, operand: Operand) -> Operand:
+        """hi + lo rounded, with its exact error as lo."""
+        low = self._low.get(getattr(operand, "name", ""))
+        if low is None or operand in self._normal.values():
+            return operand
+        name = operand.name
+        total = self._issue(step, Op.ADD, (operand, low), f"of_{name}")
+        error = self._issue(step, Op.SUM_ERROR, (operand, low, total), f"of_{name}_lo")
+        self._low[total.name], self._normal[name] = error, total
+        return total
 
     def _sum_or_product(self, step: Instruction, low: list[Operand | None]) -> Operand:
         contributions = self._contributions(step, low)
@@ -120,21 +139,16 @@ class _Compensator:
         return self._issue(step, Op.DIV, (total, divisor), "lo")
 
     def _scaled(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
-        """a + a_lo is rounded, then multiplied: p.  lo is what a p too small for all its digits
-        lost, (a - p / s + a_lo) s; else 0, for p is rounded once already."""
+        """What a product p too small for all its digits lost, (a - p / s + a_lo) s; else 0, for p
+        is a + a_lo rounded already."""
         if low[0] is None:
             return None
-        self.steps.pop()
         (a, s), p = step.operands, Ref(step.name)
-        total = self._issue(step, Op.ADD, (a, low[0]), "total")
-        added = self._issue(step, Op.SUB, (total, a), "added")
-        remaining = self._issue(step, Op.SUB, (low[0], added), "remaining")
-        self.steps.append(replace(step, operands=(total, s)))
         if s not in self._inverses:
             self._inverses[s] = self._issue(step, Op.DIV, (_ONE, s), "inverse")
         back = self._issue(step, Op.MUL, (p, self._inverses[s]), "back")
-        lost = self._issue(step, Op.SUB, (total, back), "lost")
-        rest = self._issue(step, Op.ADD, (lost, remaining), "rest")
+        lost = self._issue(step, Op.SUB, (a, back), "lost")
+        rest = self._issue(step, Op.ADD, (lost, low[0]), "rest")
         small = self._issue(step, Op.MUL, (rest, s), "small")
         nothing = self._issue(step, Op.EQUAL, (lost, _ZERO), "nothing_lost")
         return self._issue(step, Op.SELECT, (nothing, _ZERO, small), "lo")

@@ -20,7 +20,8 @@ import sympy as sp
 
 from coscrew_codegen.kernel import Kernel
 from coscrew_codegen.operations import PER_PRECISION, scaled
-from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program import (Constant, Input, Instruction, NotANumber, Op, Operand, Program,
+                                     Ref)
 
 _NAMED = {symbol: Constant(*(Fraction(int(x.p), int(x.q)) for x in values))
           for symbol, values in PER_PRECISION.items()}
@@ -109,6 +110,8 @@ class _Scheduler:
     def _lower(self, expression: sp.Expr, name: str = "") -> Operand:
         if expression.is_Symbol:
             return _NAMED.get(expression) or self._operands[expression]
+        if expression is sp.nan:
+            return NotANumber()
         if expression.is_Rational:
             return _constant(expression)
         if expression.is_Add:

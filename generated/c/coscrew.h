@@ -444,6 +444,57 @@ static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
   vo->z = vo_2;
 }
 
+/* angle = atan2(|v1 × v2|, v1·v2), in [0, π].
+   v1, v2: vector.
+   22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 14 less, 14 select. */
+static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
+  const double s1_size_0 = fabs(v1->x);
+  const double s1_size_1 = fabs(v1->y);
+  const double s1_size_2 = fabs(v1->z);
+  const double s1_largest1 = s1_size_0 < s1_size_1 ? s1_size_1 : s1_size_0;
+  const double s1_largest2 = s1_largest1 < s1_size_2 ? s1_size_2 : s1_largest1;
+  const double s1b = 6.703903964971299e+153 < s1_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s1 = s1_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s1b;
+  const double scaled_s1_0 = v1->x * s1;
+  const double scaled_s1_1 = v1->y * s1;
+  const double scaled_s1_2 = v1->z * s1;
+  const double s2_size_0 = fabs(v2->x);
+  const double s2_size_1 = fabs(v2->y);
+  const double s2_size_2 = fabs(v2->z);
+  const double s2_largest1 = s2_size_0 < s2_size_1 ? s2_size_1 : s2_size_0;
+  const double s2_largest2 = s2_largest1 < s2_size_2 ? s2_size_2 : s2_largest1;
+  const double s2b = 6.703903964971299e+153 < s2_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s2 = s2_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s2b;
+  const double scaled_s2_0 = v2->x * s2;
+  const double scaled_s2_1 = v2->y * s2;
+  const double scaled_s2_2 = v2->z * s2;
+  const double c_0a = scaled_s1_1 * scaled_s2_2, c_0b = scaled_s1_2 * scaled_s2_1,
+      c_0 = c_0a - c_0b;
+  const double c_1a = scaled_s1_2 * scaled_s2_0, c_1b = scaled_s1_0 * scaled_s2_2,
+      c_1 = c_1a - c_1b;
+  const double c_2a = scaled_s1_0 * scaled_s2_1, c_2b = scaled_s1_1 * scaled_s2_0,
+      c_2 = c_2a - c_2b;
+  const double s_size_0 = fabs(c_0);
+  const double s_size_1 = fabs(c_1);
+  const double s_size_2 = fabs(c_2);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = c_0 * s;
+  const double y_1 = c_1 * s;
+  const double y_2 = c_2 * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+  const double cross = n * r;
+  const double dot__a = scaled_s1_0 * scaled_s2_0, dot__b = scaled_s1_1 * scaled_s2_1,
+      dot__c = dot__a + dot__b, dot__d = scaled_s1_2 * scaled_s2_2, dot_ = dot__c + dot__d;
+  const double angle = atan2(cross, dot_);
+  return angle;
+}
+
 /* v1·v2.
    v1, v2: vector.
    3 mul, 2 add.
@@ -843,6 +894,53 @@ static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
+}
+
+/* angle = atan2(|v1 × v2|, v1·v2), in [0, π].
+   v1, v2: vector.
+   22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 14 less, 14 select. */
+static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
+  const float s1_size_0 = fabsf(v1->x);
+  const float s1_size_1 = fabsf(v1->y);
+  const float s1_size_2 = fabsf(v1->z);
+  const float s1_largest1 = s1_size_0 < s1_size_1 ? s1_size_1 : s1_size_0;
+  const float s1_largest2 = s1_largest1 < s1_size_2 ? s1_size_2 : s1_largest1;
+  const float s1b = 4.611686e+18f < s1_largest2 ? 2.7105054e-20f : 1.0f,
+      s1 = s1_largest2 < 8.881784e-16f ? 1.2676506e+30f : s1b;
+  const float scaled_s1_0 = v1->x * s1;
+  const float scaled_s1_1 = v1->y * s1;
+  const float scaled_s1_2 = v1->z * s1;
+  const float s2_size_0 = fabsf(v2->x);
+  const float s2_size_1 = fabsf(v2->y);
+  const float s2_size_2 = fabsf(v2->z);
+  const float s2_largest1 = s2_size_0 < s2_size_1 ? s2_size_1 : s2_size_0;
+  const float s2_largest2 = s2_largest1 < s2_size_2 ? s2_size_2 : s2_largest1;
+  const float s2b = 4.611686e+18f < s2_largest2 ? 2.7105054e-20f : 1.0f,
+      s2 = s2_largest2 < 8.881784e-16f ? 1.2676506e+30f : s2b;
+  const float scaled_s2_0 = v2->x * s2;
+  const float scaled_s2_1 = v2->y * s2;
+  const float scaled_s2_2 = v2->z * s2;
+  const float c_0a = scaled_s1_1 * scaled_s2_2, c_0b = scaled_s1_2 * scaled_s2_1, c_0 = c_0a - c_0b;
+  const float c_1a = scaled_s1_2 * scaled_s2_0, c_1b = scaled_s1_0 * scaled_s2_2, c_1 = c_1a - c_1b;
+  const float c_2a = scaled_s1_0 * scaled_s2_1, c_2b = scaled_s1_1 * scaled_s2_0, c_2 = c_2a - c_2b;
+  const float s_size_0 = fabsf(c_0);
+  const float s_size_1 = fabsf(c_1);
+  const float s_size_2 = fabsf(c_2);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
+      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+  const float y_0 = c_0 * s;
+  const float y_1 = c_1 * s;
+  const float y_2 = c_2 * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
+  const float cross = n * r;
+  const float dot__a = scaled_s1_0 * scaled_s2_0, dot__b = scaled_s1_1 * scaled_s2_1,
+      dot__c = dot__a + dot__b, dot__d = scaled_s1_2 * scaled_s2_2, dot_ = dot__c + dot__d;
+  const float angle = atan2f(cross, dot_);
+  return angle;
 }
 
 /* v1·v2.
@@ -10045,6 +10143,9 @@ static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, k
   const double unit_2 = upper_3 / divisor;
   const double angle = 2.0 * half;
   const double axis_0 = n == 0.0 ? 1.0 : unit_0;
+  axis->x = axis_0;
+  axis->y = unit_1;
+  axis->z = unit_2;
   return angle;
 }
 
@@ -10641,6 +10742,9 @@ static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, 
   const float unit_2 = upper_3 / divisor;
   const float angle = 2.0f * half;
   const float axis_0 = n == 0.0f ? 1.0f : unit_0;
+  axis->x = axis_0;
+  axis->y = unit_1;
+  axis->z = unit_2;
   return angle;
 }
 
@@ -11468,6 +11572,9 @@ static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_
   const double unit_2 = upper_3 / divisor;
   const double angle = 2.0 * half;
   const double axis_0 = n == 0.0 ? 1.0 : unit_0;
+  axis->x = axis_0;
+  axis->y = unit_1;
+  axis->z = unit_2;
   return angle;
 }
 
@@ -13613,6 +13720,9 @@ static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3
   const float unit_2 = upper_3 / divisor;
   const float angle = 2.0f * half;
   const float axis_0 = n == 0.0f ? 1.0f : unit_0;
+  axis->x = axis_0;
+  axis->y = unit_1;
+  axis->z = unit_2;
   return angle;
 }
 
@@ -15093,6 +15203,1884 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
   Do->m22 = Do_22;
   Do->m23 = Do_23;
 }
+
+#endif
+
+/* Symmetric positive definite 3×3 and 6×6 matrices: A = L D L^T, solutions of A x = b. */
+#ifndef KSL_SYMMETRIC_H
+#define KSL_SYMMETRIC_H
+
+
+/* L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest pivot
+     d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
+   A, L: rotation or other 3×3 matrix.
+   4 mul, 4 add, 6 div, 6 less, 9 select. */
+static inline double ksl_mat3x3_ldl(const ksl_mat3x3_t *A, ksl_mat3x3_t *L) {
+  const double divisor0 = 0.0 < A->m00 ? A->m00 : 1.0;
+  const double l0_0 = A->m10 / divisor0;
+  const double l0_1 = A->m20 / divisor0;
+  const double u1_0a = A->m10 * l0_0, u1_0 = A->m11 - u1_0a;
+  const double u1_1a = A->m20 * l0_0, u1_1 = A->m21 - u1_1a;
+  const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
+  const double l1 = u1_1 / divisor1;
+  const double u2a = A->m20 * l0_1, u2b = A->m22 - u2a, u2c = u1_1 * l1, u2 = u2b - u2c;
+  const double part0a = A->m00 / divisor0, part0 = 0.0 < A->m00 ? part0a : A->m00;
+  const double own1 = 0.0 < A->m11 ? A->m11 : 1.0;
+  const double part1a = u1_0 / own1, part1 = 0.0 < A->m11 ? part1a : A->m11;
+  const double smallest1 = part0 < part1 ? part0 : part1;
+  const double own2 = 0.0 < A->m22 ? A->m22 : 1.0;
+  const double part2a = u2 / own2, part2 = 0.0 < A->m22 ? part2a : A->m22;
+  const double smallest2 = smallest1 < part2 ? smallest1 : part2;
+  const double A_m00 = A->m00;
+  L->m00 = A_m00;
+  L->m01 = 0.0;
+  L->m02 = 0.0;
+  L->m10 = l0_0;
+  L->m11 = u1_0;
+  L->m12 = 0.0;
+  L->m20 = l0_1;
+  L->m21 = l1;
+  L->m22 = u2;
+  return smallest2;
+}
+
+/* x = A^-1 b, L of mat3x3_ldl with a positive pivot.
+   L: rotation or other 3×3 matrix; b, x: vector.
+   6 mul, 6 add, 3 div. */
+static inline void ksl_mat3x3_ldl_solve(const ksl_mat3x3_t *L, const ksl_vec3_t *b, ksl_vec3_t *x) {
+  const double y1a = L->m10 * b->x, y1 = b->y - y1a;
+  const double y2a = L->m20 * b->x, y2b = b->z - y2a, y2c = L->m21 * y1, y2 = y2b - y2c;
+  const double z0 = b->x / L->m00;
+  const double z1 = y1 / L->m11;
+  const double z2 = y2 / L->m22;
+  const double x1a = L->m21 * z2, x1 = z1 - x1a;
+  const double x0a = L->m10 * x1, x0b = z0 - x0a, x0c = L->m20 * z2, x0 = x0b - x0c;
+  x->x = x0;
+  x->y = x1;
+  x->z = z2;
+}
+
+/* x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where it is not
+     above 8 u, A is singular or indefinite, and x not a number.
+   A: rotation or other 3×3 matrix; b, x: vector.
+   25 mul, 28 add, 12 div, 8 less, 13 select. */
+static inline double ksl_mat3x3_solve(const ksl_mat3x3_t *A, const ksl_vec3_t *b, ksl_vec3_t *x) {
+  const double divisor0 = 0.0 < A->m00 ? A->m00 : 1.0;
+  const double l0_0 = A->m10 / divisor0;
+  const double l0_1 = A->m20 / divisor0;
+  const double u1_0a = A->m10 * l0_0, u1_0 = A->m11 - u1_0a;
+  const double u1_1a = A->m20 * l0_0, u1_1 = A->m21 - u1_1a;
+  const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
+  const double l1 = u1_1 / divisor1;
+  const double u2a = A->m20 * l0_1, u2b = A->m22 - u2a, u2c = u1_1 * l1, u2 = u2b - u2c;
+  const double divisor2 = 0.0 < u2 ? u2 : 1.0;
+  const double part0a = A->m00 / divisor0, part0 = 0.0 < A->m00 ? part0a : A->m00;
+  const double own1 = 0.0 < A->m11 ? A->m11 : 1.0;
+  const double part1a = u1_0 / own1, part1 = 0.0 < A->m11 ? part1a : A->m11;
+  const double smallest1 = part0 < part1 ? part0 : part1;
+  const double own2 = 0.0 < A->m22 ? A->m22 : 1.0;
+  const double part2a = u2 / own2, part2 = 0.0 < A->m22 ? part2a : A->m22;
+  const double smallest2 = smallest1 < part2 ? smallest1 : part2;
+  const double y1a = b->x * l0_0, y1 = b->y - y1a;
+  const double y2a = b->x * l0_1, y2b = b->z - y2a, y2c = l1 * y1, y2 = y2b - y2c;
+  const double z0 = b->x / divisor0;
+  const double z1 = y1 / divisor1;
+  const double z2 = y2 / divisor2;
+  const double x1a = l1 * z2, x1 = z1 - x1a;
+  const double x0a = l0_0 * x1, x0b = z0 - x0a, x0c = l0_1 * z2, x0 = x0b - x0c;
+  const double residual_0a = A->m00 * x0, residual_0b = b->x - residual_0a,
+      residual_0c = A->m10 * x1, residual_0d = residual_0b - residual_0c, residual_0e = A->m20 * z2,
+      residual_0 = residual_0d - residual_0e;
+  const double residual_1a = A->m10 * x0, residual_1b = b->y - residual_1a,
+      residual_1c = A->m11 * x1, residual_1d = residual_1b - residual_1c, residual_1e = A->m21 * z2,
+      residual_1 = residual_1d - residual_1e;
+  const double residual_2a = A->m20 * x0, residual_2b = b->z - residual_2a,
+      residual_2c = A->m21 * x1, residual_2d = residual_2b - residual_2c, residual_2e = A->m22 * z2,
+      residual_2 = residual_2d - residual_2e;
+  const double refined_y1a = l0_0 * residual_0, refined_y1 = residual_1 - refined_y1a;
+  const double refined_y2a = l0_1 * residual_0, refined_y2b = residual_2 - refined_y2a,
+      refined_y2c = l1 * refined_y1, refined_y2 = refined_y2b - refined_y2c;
+  const double refined_z0 = residual_0 / divisor0;
+  const double refined_z1 = refined_y1 / divisor1;
+  const double refined_z2 = refined_y2 / divisor2;
+  const double refined_x1a = l1 * refined_z2, refined_x1 = refined_z1 - refined_x1a;
+  const double refined_x0a = l0_0 * refined_x1, refined_x0b = refined_z0 - refined_x0a,
+      refined_x0c = l0_1 * refined_z2, refined_x0 = refined_x0b - refined_x0c;
+  const double found_0 = x0 + refined_x0;
+  const double found_1 = x1 + refined_x1;
+  const double found_2 = z2 + refined_z2;
+  const double x_0 = 8.881784197001252e-16 < smallest2 ? found_0 : (double)NAN;
+  const double x_1 = 8.881784197001252e-16 < smallest2 ? found_1 : (double)NAN;
+  const double x_2 = 8.881784197001252e-16 < smallest2 ? found_2 : (double)NAN;
+  x->x = x_0;
+  x->y = x_1;
+  x->z = x_2;
+  return smallest2;
+}
+
+/* L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest pivot
+     d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
+   A, L: 6×6 operator.
+   35 mul, 35 add, 21 div, 15 less, 21 select. */
+static inline double ksl_mat6x6_ldl(const ksl_mat6x6_t *A, ksl_mat6x6_t *L) {
+  const double divisor0 = 0.0 < A->at[0][0] ? A->at[0][0] : 1.0;
+  const double l0_0 = A->at[0][1] / divisor0;
+  const double l0_1 = A->at[0][2] / divisor0;
+  const double l0_2 = A->at[0][3] / divisor0;
+  const double l0_3 = A->at[0][4] / divisor0;
+  const double l0_4 = A->at[0][5] / divisor0;
+  const double u1_0a = A->at[0][1] * l0_0, u1_0 = A->at[1][1] - u1_0a;
+  const double u1_1a = A->at[0][2] * l0_0, u1_1 = A->at[1][2] - u1_1a;
+  const double u1_2a = A->at[0][3] * l0_0, u1_2 = A->at[1][3] - u1_2a;
+  const double u1_3a = A->at[0][4] * l0_0, u1_3 = A->at[1][4] - u1_3a;
+  const double u1_4a = A->at[0][5] * l0_0, u1_4 = A->at[1][5] - u1_4a;
+  const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
+  const double l1_0 = u1_1 / divisor1;
+  const double l1_1 = u1_2 / divisor1;
+  const double l1_2 = u1_3 / divisor1;
+  const double l1_3 = u1_4 / divisor1;
+  const double u2_0a = A->at[0][2] * l0_1, u2_0b = A->at[2][2] - u2_0a, u2_0c = u1_1 * l1_0,
+      u2_0 = u2_0b - u2_0c;
+  const double u2_1a = A->at[0][3] * l0_1, u2_1b = A->at[2][3] - u2_1a, u2_1c = u1_2 * l1_0,
+      u2_1 = u2_1b - u2_1c;
+  const double u2_2a = A->at[0][4] * l0_1, u2_2b = A->at[2][4] - u2_2a, u2_2c = u1_3 * l1_0,
+      u2_2 = u2_2b - u2_2c;
+  const double u2_3a = A->at[0][5] * l0_1, u2_3b = A->at[2][5] - u2_3a, u2_3c = u1_4 * l1_0,
+      u2_3 = u2_3b - u2_3c;
+  const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0;
+  const double l2_0 = u2_1 / divisor2;
+  const double l2_1 = u2_2 / divisor2;
+  const double l2_2 = u2_3 / divisor2;
+  const double u3_0a = A->at[0][3] * l0_2, u3_0b = A->at[3][3] - u3_0a, u3_0c = u1_2 * l1_1,
+      u3_0d = u3_0b - u3_0c, u3_0e = u2_1 * l2_0, u3_0 = u3_0d - u3_0e;
+  const double u3_1a = A->at[0][4] * l0_2, u3_1b = A->at[3][4] - u3_1a, u3_1c = u1_3 * l1_1,
+      u3_1d = u3_1b - u3_1c, u3_1e = u2_2 * l2_0, u3_1 = u3_1d - u3_1e;
+  const double u3_2a = A->at[0][5] * l0_2, u3_2b = A->at[3][5] - u3_2a, u3_2c = u1_4 * l1_1,
+      u3_2d = u3_2b - u3_2c, u3_2e = u2_3 * l2_0, u3_2 = u3_2d - u3_2e;
+  const double divisor3 = 0.0 < u3_0 ? u3_0 : 1.0;
+  const double l3_0 = u3_1 / divisor3;
+  const double l3_1 = u3_2 / divisor3;
+  const double u4_0a = A->at[0][4] * l0_3, u4_0b = A->at[4][4] - u4_0a, u4_0c = u1_3 * l1_2,
+      u4_0d = u4_0b - u4_0c, u4_0e = u2_2 * l2_1, u4_0f = u4_0d - u4_0e, u4_0g = u3_1 * l3_0,
+      u4_0 = u4_0f - u4_0g;
+  const double u4_1a = A->at[0][5] * l0_3, u4_1b = A->at[4][5] - u4_1a, u4_1c = u1_4 * l1_2,
+      u4_1d = u4_1b - u4_1c, u4_1e = u2_3 * l2_1, u4_1f = u4_1d - u4_1e, u4_1g = u3_2 * l3_0,
+      u4_1 = u4_1f - u4_1g;
+  const double divisor4 = 0.0 < u4_0 ? u4_0 : 1.0;
+  const double l4 = u4_1 / divisor4;
+  const double u5a = A->at[0][5] * l0_4, u5b = A->at[5][5] - u5a, u5c = u1_4 * l1_3,
+      u5d = u5b - u5c, u5e = u2_3 * l2_2, u5f = u5d - u5e, u5g = u3_2 * l3_1, u5h = u5f - u5g,
+      u5i = u4_1 * l4, u5 = u5h - u5i;
+  const double part0a = A->at[0][0] / divisor0, part0 = 0.0 < A->at[0][0] ? part0a : A->at[0][0];
+  const double own1 = 0.0 < A->at[1][1] ? A->at[1][1] : 1.0;
+  const double part1a = u1_0 / own1, part1 = 0.0 < A->at[1][1] ? part1a : A->at[1][1];
+  const double smallest1 = part0 < part1 ? part0 : part1;
+  const double own2 = 0.0 < A->at[2][2] ? A->at[2][2] : 1.0;
+  const double part2a = u2_0 / own2, part2 = 0.0 < A->at[2][2] ? part2a : A->at[2][2];
+  const double smallest2 = smallest1 < part2 ? smallest1 : part2;
+  const double own3 = 0.0 < A->at[3][3] ? A->at[3][3] : 1.0;
+  const double part3a = u3_0 / own3, part3 = 0.0 < A->at[3][3] ? part3a : A->at[3][3];
+  const double smallest3 = smallest2 < part3 ? smallest2 : part3;
+  const double own4 = 0.0 < A->at[4][4] ? A->at[4][4] : 1.0;
+  const double part4a = u4_0 / own4, part4 = 0.0 < A->at[4][4] ? part4a : A->at[4][4];
+  const double smallest4 = smallest3 < part4 ? smallest3 : part4;
+  const double own5 = 0.0 < A->at[5][5] ? A->at[5][5] : 1.0;
+  const double part5a = u5 / own5, part5 = 0.0 < A->at[5][5] ? part5a : A->at[5][5];
+  const double smallest5 = smallest4 < part5 ? smallest4 : part5;
+  const double A_at_00 = A->at[0][0];
+  L->at[0][0] = A_at_00;
+  L->at[1][0] = 0.0;
+  L->at[2][0] = 0.0;
+  L->at[3][0] = 0.0;
+  L->at[4][0] = 0.0;
+  L->at[5][0] = 0.0;
+  L->at[0][1] = l0_0;
+  L->at[1][1] = u1_0;
+  L->at[2][1] = 0.0;
+  L->at[3][1] = 0.0;
+  L->at[4][1] = 0.0;
+  L->at[5][1] = 0.0;
+  L->at[0][2] = l0_1;
+  L->at[1][2] = l1_0;
+  L->at[2][2] = u2_0;
+  L->at[3][2] = 0.0;
+  L->at[4][2] = 0.0;
+  L->at[5][2] = 0.0;
+  L->at[0][3] = l0_2;
+  L->at[1][3] = l1_1;
+  L->at[2][3] = l2_0;
+  L->at[3][3] = u3_0;
+  L->at[4][3] = 0.0;
+  L->at[5][3] = 0.0;
+  L->at[0][4] = l0_3;
+  L->at[1][4] = l1_2;
+  L->at[2][4] = l2_1;
+  L->at[3][4] = l3_0;
+  L->at[4][4] = u4_0;
+  L->at[5][4] = 0.0;
+  L->at[0][5] = l0_4;
+  L->at[1][5] = l1_3;
+  L->at[2][5] = l2_2;
+  L->at[3][5] = l3_1;
+  L->at[4][5] = l4;
+  L->at[5][5] = u5;
+  return smallest5;
+}
+
+/* x = A^-1 b, L of mat6x6_ldl with a positive pivot.
+   L: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in rad/s).
+   30 mul, 30 add, 6 div. */
+static inline void ksl_mat6x6_ldl_solve(const ksl_mat6x6_t *L, const ksl_coscrew_t *b,
+    ksl_screw_t *x) {
+  const double y1a = L->at[0][1] * b->m0, y1 = b->m1 - y1a;
+  const double y2a = L->at[0][2] * b->m0, y2b = b->m2 - y2a, y2c = L->at[1][2] * y1, y2 = y2b - y2c;
+  const double y3a = L->at[0][3] * b->m0, y3b = b->m3 - y3a, y3c = L->at[1][3] * y1,
+      y3d = y3b - y3c, y3e = L->at[2][3] * y2, y3 = y3d - y3e;
+  const double y4a = L->at[0][4] * b->m0, y4b = b->m4 - y4a, y4c = L->at[1][4] * y1,
+      y4d = y4b - y4c, y4e = L->at[2][4] * y2, y4f = y4d - y4e, y4g = L->at[3][4] * y3,
+      y4 = y4f - y4g;
+  const double y5a = L->at[0][5] * b->m0, y5b = b->m5 - y5a, y5c = L->at[1][5] * y1,
+      y5d = y5b - y5c, y5e = L->at[2][5] * y2, y5f = y5d - y5e, y5g = L->at[3][5] * y3,
+      y5h = y5f - y5g, y5i = L->at[4][5] * y4, y5 = y5h - y5i;
+  const double z0 = b->m0 / L->at[0][0];
+  const double z1 = y1 / L->at[1][1];
+  const double z2 = y2 / L->at[2][2];
+  const double z3 = y3 / L->at[3][3];
+  const double z4 = y4 / L->at[4][4];
+  const double z5 = y5 / L->at[5][5];
+  const double x4a = L->at[4][5] * z5, x4 = z4 - x4a;
+  const double x3a = L->at[3][4] * x4, x3b = z3 - x3a, x3c = L->at[3][5] * z5, x3 = x3b - x3c;
+  const double x2a = L->at[2][3] * x3, x2b = z2 - x2a, x2c = L->at[2][4] * x4, x2d = x2b - x2c,
+      x2e = L->at[2][5] * z5, x2 = x2d - x2e;
+  const double x1a = L->at[1][2] * x2, x1b = z1 - x1a, x1c = L->at[1][3] * x3, x1d = x1b - x1c,
+      x1e = L->at[1][4] * x4, x1f = x1d - x1e, x1g = L->at[1][5] * z5, x1 = x1f - x1g;
+  const double x0a = L->at[0][1] * x1, x0b = z0 - x0a, x0c = L->at[0][2] * x2, x0d = x0b - x0c,
+      x0e = L->at[0][3] * x3, x0f = x0d - x0e, x0g = L->at[0][4] * x4, x0h = x0f - x0g,
+      x0i = L->at[0][5] * z5, x0 = x0h - x0i;
+  x->m0 = x0;
+  x->m1 = x1;
+  x->m2 = x2;
+  x->m3 = x3;
+  x->m4 = x4;
+  x->m5 = z5;
+}
+
+/* x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where it is not
+     above 8 u, A is singular or indefinite, and x not a number.
+   A: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in rad/s).
+   131 mul, 137 add, 33 div, 17 less, 28 select. */
+static inline double ksl_mat6x6_solve(const ksl_mat6x6_t *A, const ksl_coscrew_t *b,
+    ksl_screw_t *x) {
+  const double divisor0 = 0.0 < A->at[0][0] ? A->at[0][0] : 1.0;
+  const double l0_0 = A->at[0][1] / divisor0;
+  const double l0_1 = A->at[0][2] / divisor0;
+  const double l0_2 = A->at[0][3] / divisor0;
+  const double l0_3 = A->at[0][4] / divisor0;
+  const double l0_4 = A->at[0][5] / divisor0;
+  const double u1_0a = A->at[0][1] * l0_0, u1_0 = A->at[1][1] - u1_0a;
+  const double u1_1a = A->at[0][2] * l0_0, u1_1 = A->at[1][2] - u1_1a;
+  const double u1_2a = A->at[0][3] * l0_0, u1_2 = A->at[1][3] - u1_2a;
+  const double u1_3a = A->at[0][4] * l0_0, u1_3 = A->at[1][4] - u1_3a;
+  const double u1_4a = A->at[0][5] * l0_0, u1_4 = A->at[1][5] - u1_4a;
+  const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
+  const double l1_0 = u1_1 / divisor1;
+  const double l1_1 = u1_2 / divisor1;
+  const double l1_2 = u1_3 / divisor1;
+  const double l1_3 = u1_4 / divisor1;
+  const double u2_0a = A->at[0][2] * l0_1, u2_0b = A->at[2][2] - u2_0a, u2_0c = u1_1 * l1_0,
+      u2_0 = u2_0b - u2_0c;
+  const double u2_1a = A->at[0][3] * l0_1, u2_1b = A->at[2][3] - u2_1a, u2_1c = u1_2 * l1_0,
+      u2_1 = u2_1b - u2_1c;
+  const double u2_2a = A->at[0][4] * l0_1, u2_2b = A->at[2][4] - u2_2a, u2_2c = u1_3 * l1_0,
+      u2_2 = u2_2b - u2_2c;
+  const double u2_3a = A->at[0][5] * l0_1, u2_3b = A->at[2][5] - u2_3a, u2_3c = u1_4 * l1_0,
+      u2_3 = u2_3b - u2_3c;
+  const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0;
+  const double l2_0 = u2_1 / divisor2;
+  const double l2_1 = u2_2 / divisor2;
+  const double l2_2 = u2_3 / divisor2;
+  const double u3_0a = A->at[0][3] * l0_2, u3_0b = A->at[3][3] - u3_0a, u3_0c = u1_2 * l1_1,
+      u3_0d = u3_0b - u3_0c, u3_0e = u2_1 * l2_0, u3_0 = u3_0d - u3_0e;
+  const double u3_1a = A->at[0][4] * l0_2, u3_1b = A->at[3][4] - u3_1a, u3_1c = u1_3 * l1_1,
+      u3_1d = u3_1b - u3_1c, u3_1e = u2_2 * l2_0, u3_1 = u3_1d - u3_1e;
+  const double u3_2a = A->at[0][5] * l0_2, u3_2b = A->at[3][5] - u3_2a, u3_2c = u1_4 * l1_1,
+      u3_2d = u3_2b - u3_2c, u3_2e = u2_3 * l2_0, u3_2 = u3_2d - u3_2e;
+  const double divisor3 = 0.0 < u3_0 ? u3_0 : 1.0;
+  const double l3_0 = u3_1 / divisor3;
+  const double l3_1 = u3_2 / divisor3;
+  const double u4_0a = A->at[0][4] * l0_3, u4_0b = A->at[4][4] - u4_0a, u4_0c = u1_3 * l1_2,
+      u4_0d = u4_0b - u4_0c, u4_0e = u2_2 * l2_1, u4_0f = u4_0d - u4_0e, u4_0g = u3_1 * l3_0,
+      u4_0 = u4_0f - u4_0g;
+  const double u4_1a = A->at[0][5] * l0_3, u4_1b = A->at[4][5] - u4_1a, u4_1c = u1_4 * l1_2,
+      u4_1d = u4_1b - u4_1c, u4_1e = u2_3 * l2_1, u4_1f = u4_1d - u4_1e, u4_1g = u3_2 * l3_0,
+      u4_1 = u4_1f - u4_1g;
+  const double divisor4 = 0.0 < u4_0 ? u4_0 : 1.0;
+  const double l4 = u4_1 / divisor4;
+  const double u5a = A->at[0][5] * l0_4, u5b = A->at[5][5] - u5a, u5c = u1_4 * l1_3,
+      u5d = u5b - u5c, u5e = u2_3 * l2_2, u5f = u5d - u5e, u5g = u3_2 * l3_1, u5h = u5f - u5g,
+      u5i = u4_1 * l4, u5 = u5h - u5i;
+  const double divisor5 = 0.0 < u5 ? u5 : 1.0;
+  const double part0a = A->at[0][0] / divisor0, part0 = 0.0 < A->at[0][0] ? part0a : A->at[0][0];
+  const double own1 = 0.0 < A->at[1][1] ? A->at[1][1] : 1.0;
+  const double part1a = u1_0 / own1, part1 = 0.0 < A->at[1][1] ? part1a : A->at[1][1];
+  const double smallest1 = part0 < part1 ? part0 : part1;
+  const double own2 = 0.0 < A->at[2][2] ? A->at[2][2] : 1.0;
+  const double part2a = u2_0 / own2, part2 = 0.0 < A->at[2][2] ? part2a : A->at[2][2];
+  const double smallest2 = smallest1 < part2 ? smallest1 : part2;
+  const double own3 = 0.0 < A->at[3][3] ? A->at[3][3] : 1.0;
+  const double part3a = u3_0 / own3, part3 = 0.0 < A->at[3][3] ? part3a : A->at[3][3];
+  const double smallest3 = smallest2 < part3 ? smallest2 : part3;
+  const double own4 = 0.0 < A->at[4][4] ? A->at[4][4] : 1.0;
+  const double part4a = u4_0 / own4, part4 = 0.0 < A->at[4][4] ? part4a : A->at[4][4];
+  const double smallest4 = smallest3 < part4 ? smallest3 : part4;
+  const double own5 = 0.0 < A->at[5][5] ? A->at[5][5] : 1.0;
+  const double part5a = u5 / own5, part5 = 0.0 < A->at[5][5] ? part5a : A->at[5][5];
+  const double smallest5 = smallest4 < part5 ? smallest4 : part5;
+  const double y1a = b->m0 * l0_0, y1 = b->m1 - y1a;
+  const double y2a = b->m0 * l0_1, y2b = b->m2 - y2a, y2c = l1_0 * y1, y2 = y2b - y2c;
+  const double y3a = b->m0 * l0_2, y3b = b->m3 - y3a, y3c = l1_1 * y1, y3d = y3b - y3c,
+      y3e = l2_0 * y2, y3 = y3d - y3e;
+  const double y4a = b->m0 * l0_3, y4b = b->m4 - y4a, y4c = l1_2 * y1, y4d = y4b - y4c,
+      y4e = l2_1 * y2, y4f = y4d - y4e, y4g = l3_0 * y3, y4 = y4f - y4g;
+  const double y5a = b->m0 * l0_4, y5b = b->m5 - y5a, y5c = l1_3 * y1, y5d = y5b - y5c,
+      y5e = l2_2 * y2, y5f = y5d - y5e, y5g = l3_1 * y3, y5h = y5f - y5g, y5i = l4 * y4,
+      y5 = y5h - y5i;
+  const double z0 = b->m0 / divisor0;
+  const double z1 = y1 / divisor1;
+  const double z2 = y2 / divisor2;
+  const double z3 = y3 / divisor3;
+  const double z4 = y4 / divisor4;
+  const double z5 = y5 / divisor5;
+  const double x4a = l4 * z5, x4 = z4 - x4a;
+  const double x3a = l3_0 * x4, x3b = z3 - x3a, x3c = l3_1 * z5, x3 = x3b - x3c;
+  const double x2a = l2_0 * x3, x2b = z2 - x2a, x2c = l2_1 * x4, x2d = x2b - x2c, x2e = l2_2 * z5,
+      x2 = x2d - x2e;
+  const double x1a = l1_0 * x2, x1b = z1 - x1a, x1c = l1_1 * x3, x1d = x1b - x1c, x1e = l1_2 * x4,
+      x1f = x1d - x1e, x1g = l1_3 * z5, x1 = x1f - x1g;
+  const double x0a = l0_0 * x1, x0b = z0 - x0a, x0c = l0_1 * x2, x0d = x0b - x0c, x0e = l0_2 * x3,
+      x0f = x0d - x0e, x0g = l0_3 * x4, x0h = x0f - x0g, x0i = l0_4 * z5, x0 = x0h - x0i;
+  const double residual_0a = A->at[0][0] * x0, residual_0b = b->m0 - residual_0a,
+      residual_0c = A->at[0][1] * x1, residual_0d = residual_0b - residual_0c,
+      residual_0e = A->at[0][2] * x2, residual_0f = residual_0d - residual_0e,
+      residual_0g = A->at[0][3] * x3, residual_0h = residual_0f - residual_0g,
+      residual_0i = A->at[0][4] * x4, residual_0j = residual_0h - residual_0i,
+      residual_0k = A->at[0][5] * z5, residual_0 = residual_0j - residual_0k;
+  const double residual_1a = A->at[0][1] * x0, residual_1b = b->m1 - residual_1a,
+      residual_1c = A->at[1][1] * x1, residual_1d = residual_1b - residual_1c,
+      residual_1e = A->at[1][2] * x2, residual_1f = residual_1d - residual_1e,
+      residual_1g = A->at[1][3] * x3, residual_1h = residual_1f - residual_1g,
+      residual_1i = A->at[1][4] * x4, residual_1j = residual_1h - residual_1i,
+      residual_1k = A->at[1][5] * z5, residual_1 = residual_1j - residual_1k;
+  const double residual_2a = A->at[0][2] * x0, residual_2b = b->m2 - residual_2a,
+      residual_2c = A->at[1][2] * x1, residual_2d = residual_2b - residual_2c,
+      residual_2e = A->at[2][2] * x2, residual_2f = residual_2d - residual_2e,
+      residual_2g = A->at[2][3] * x3, residual_2h = residual_2f - residual_2g,
+      residual_2i = A->at[2][4] * x4, residual_2j = residual_2h - residual_2i,
+      residual_2k = A->at[2][5] * z5, residual_2 = residual_2j - residual_2k;
+  const double residual_3a = A->at[0][3] * x0, residual_3b = b->m3 - residual_3a,
+      residual_3c = A->at[1][3] * x1, residual_3d = residual_3b - residual_3c,
+      residual_3e = A->at[2][3] * x2, residual_3f = residual_3d - residual_3e,
+      residual_3g = A->at[3][3] * x3, residual_3h = residual_3f - residual_3g,
+      residual_3i = A->at[3][4] * x4, residual_3j = residual_3h - residual_3i,
+      residual_3k = A->at[3][5] * z5, residual_3 = residual_3j - residual_3k;
+  const double residual_4a = A->at[0][4] * x0, residual_4b = b->m4 - residual_4a,
+      residual_4c = A->at[1][4] * x1, residual_4d = residual_4b - residual_4c,
+      residual_4e = A->at[2][4] * x2, residual_4f = residual_4d - residual_4e,
+      residual_4g = A->at[3][4] * x3, residual_4h = residual_4f - residual_4g,
+      residual_4i = A->at[4][4] * x4, residual_4j = residual_4h - residual_4i,
+      residual_4k = A->at[4][5] * z5, residual_4 = residual_4j - residual_4k;
+  const double residual_5a = A->at[0][5] * x0, residual_5b = b->m5 - residual_5a,
+      residual_5c = A->at[1][5] * x1, residual_5d = residual_5b - residual_5c,
+      residual_5e = A->at[2][5] * x2, residual_5f = residual_5d - residual_5e,
+      residual_5g = A->at[3][5] * x3, residual_5h = residual_5f - residual_5g,
+      residual_5i = A->at[4][5] * x4, residual_5j = residual_5h - residual_5i,
+      residual_5k = A->at[5][5] * z5, residual_5 = residual_5j - residual_5k;
+  const double refined_y1a = l0_0 * residual_0, refined_y1 = residual_1 - refined_y1a;
+  const double refined_y2a = l0_1 * residual_0, refined_y2b = residual_2 - refined_y2a,
+      refined_y2c = l1_0 * refined_y1, refined_y2 = refined_y2b - refined_y2c;
+  const double refined_y3a = l0_2 * residual_0, refined_y3b = residual_3 - refined_y3a,
+      refined_y3c = l1_1 * refined_y1, refined_y3d = refined_y3b - refined_y3c,
+      refined_y3e = l2_0 * refined_y2, refined_y3 = refined_y3d - refined_y3e;
+  const double refined_y4a = l0_3 * residual_0, refined_y4b = residual_4 - refined_y4a,
+      refined_y4c = l1_2 * refined_y1, refined_y4d = refined_y4b - refined_y4c,
+      refined_y4e = l2_1 * refined_y2, refined_y4f = refined_y4d - refined_y4e,
+      refined_y4g = l3_0 * refined_y3, refined_y4 = refined_y4f - refined_y4g;
+  const double refined_y5a = l0_4 * residual_0, refined_y5b = residual_5 - refined_y5a,
+      refined_y5c = l1_3 * refined_y1, refined_y5d = refined_y5b - refined_y5c,
+      refined_y5e = l2_2 * refined_y2, refined_y5f = refined_y5d - refined_y5e,
+      refined_y5g = l3_1 * refined_y3, refined_y5h = refined_y5f - refined_y5g,
+      refined_y5i = l4 * refined_y4, refined_y5 = refined_y5h - refined_y5i;
+  const double refined_z0 = residual_0 / divisor0;
+  const double refined_z1 = refined_y1 / divisor1;
+  const double refined_z2 = refined_y2 / divisor2;
+  const double refined_z3 = refined_y3 / divisor3;
+  const double refined_z4 = refined_y4 / divisor4;
+  const double refined_z5 = refined_y5 / divisor5;
+  const double refined_x4a = l4 * refined_z5, refined_x4 = refined_z4 - refined_x4a;
+  const double refined_x3a = l3_0 * refined_x4, refined_x3b = refined_z3 - refined_x3a,
+      refined_x3c = l3_1 * refined_z5, refined_x3 = refined_x3b - refined_x3c;
+  const double refined_x2a = l2_0 * refined_x3, refined_x2b = refined_z2 - refined_x2a,
+      refined_x2c = l2_1 * refined_x4, refined_x2d = refined_x2b - refined_x2c,
+      refined_x2e = l2_2 * refined_z5, refined_x2 = refined_x2d - refined_x2e;
+  const double refined_x1a = l1_0 * refined_x2, refined_x1b = refined_z1 - refined_x1a,
+      refined_x1c = l1_1 * refined_x3, refined_x1d = refined_x1b - refined_x1c,
+      refined_x1e = l1_2 * refined_x4, refined_x1f = refined_x1d - refined_x1e,
+      refined_x1g = l1_3 * refined_z5, refined_x1 = refined_x1f - refined_x1g;
+  const double refined_x0a = l0_0 * refined_x1, refined_x0b = refined_z0 - refined_x0a,
+      refined_x0c = l0_1 * refined_x2, refined_x0d = refined_x0b - refined_x0c,
+      refined_x0e = l0_2 * refined_x3, refined_x0f = refined_x0d - refined_x0e,
+      refined_x0g = l0_3 * refined_x4, refined_x0h = refined_x0f - refined_x0g,
+      refined_x0i = l0_4 * refined_z5, refined_x0 = refined_x0h - refined_x0i;
+  const double found_0 = x0 + refined_x0;
+  const double found_1 = x1 + refined_x1;
+  const double found_2 = x2 + refined_x2;
+  const double found_3 = x3 + refined_x3;
+  const double found_4 = x4 + refined_x4;
+  const double found_5 = z5 + refined_z5;
+  const double x_0 = 8.881784197001252e-16 < smallest5 ? found_0 : (double)NAN;
+  const double x_1 = 8.881784197001252e-16 < smallest5 ? found_1 : (double)NAN;
+  const double x_2 = 8.881784197001252e-16 < smallest5 ? found_2 : (double)NAN;
+  const double x_3 = 8.881784197001252e-16 < smallest5 ? found_3 : (double)NAN;
+  const double x_4 = 8.881784197001252e-16 < smallest5 ? found_4 : (double)NAN;
+  const double x_5 = 8.881784197001252e-16 < smallest5 ? found_5 : (double)NAN;
+  x->m0 = x_0;
+  x->m1 = x_1;
+  x->m2 = x_2;
+  x->m3 = x_3;
+  x->m4 = x_4;
+  x->m5 = x_5;
+  return smallest5;
+}
+
+/* L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest pivot
+     d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
+   A, L: rotation or other 3×3 matrix.
+   4 mul, 4 add, 6 div, 6 less, 9 select. */
+static inline float ksl_mat3x3f_ldl(const ksl_mat3x3f_t *A, ksl_mat3x3f_t *L) {
+  const float divisor0 = 0.0f < A->m00 ? A->m00 : 1.0f;
+  const float l0_0 = A->m10 / divisor0;
+  const float l0_1 = A->m20 / divisor0;
+  const float u1_0a = A->m10 * l0_0, u1_0 = A->m11 - u1_0a;
+  const float u1_1a = A->m20 * l0_0, u1_1 = A->m21 - u1_1a;
+  const float divisor1 = 0.0f < u1_0 ? u1_0 : 1.0f;
+  const float l1 = u1_1 / divisor1;
+  const float u2a = A->m20 * l0_1, u2b = A->m22 - u2a, u2c = u1_1 * l1, u2 = u2b - u2c;
+  const float part0a = A->m00 / divisor0, part0 = 0.0f < A->m00 ? part0a : A->m00;
+  const float own1 = 0.0f < A->m11 ? A->m11 : 1.0f;
+  const float part1a = u1_0 / own1, part1 = 0.0f < A->m11 ? part1a : A->m11;
+  const float smallest1 = part0 < part1 ? part0 : part1;
+  const float own2 = 0.0f < A->m22 ? A->m22 : 1.0f;
+  const float part2a = u2 / own2, part2 = 0.0f < A->m22 ? part2a : A->m22;
+  const float smallest2 = smallest1 < part2 ? smallest1 : part2;
+  const float A_m00 = A->m00;
+  L->m00 = A_m00;
+  L->m01 = 0.0f;
+  L->m02 = 0.0f;
+  L->m10 = l0_0;
+  L->m11 = u1_0;
+  L->m12 = 0.0f;
+  L->m20 = l0_1;
+  L->m21 = l1;
+  L->m22 = u2;
+  return smallest2;
+}
+
+/* x = A^-1 b, L of mat3x3_ldl with a positive pivot.
+   L: rotation or other 3×3 matrix; b, x: vector.
+   6 mul, 6 add, 3 div. */
+static inline void ksl_mat3x3f_ldl_solve(const ksl_mat3x3f_t *L, const ksl_vec3f_t *b,
+    ksl_vec3f_t *x) {
+  const float y1a = L->m10 * b->x, y1 = b->y - y1a;
+  const float y2a = L->m20 * b->x, y2b = b->z - y2a, y2c = L->m21 * y1, y2 = y2b - y2c;
+  const float z0 = b->x / L->m00;
+  const float z1 = y1 / L->m11;
+  const float z2 = y2 / L->m22;
+  const float x1a = L->m21 * z2, x1 = z1 - x1a;
+  const float x0a = L->m10 * x1, x0b = z0 - x0a, x0c = L->m20 * z2, x0 = x0b - x0c;
+  x->x = x0;
+  x->y = x1;
+  x->z = z2;
+}
+
+/* x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where it is not
+     above 8 u, A is singular or indefinite, and x not a number.
+   A: rotation or other 3×3 matrix; b, x: vector.
+   25 mul, 28 add, 12 div, 8 less, 13 select. */
+static inline float ksl_mat3x3f_solve(const ksl_mat3x3f_t *A, const ksl_vec3f_t *b,
+    ksl_vec3f_t *x) {
+  const float divisor0 = 0.0f < A->m00 ? A->m00 : 1.0f;
+  const float l0_0 = A->m10 / divisor0;
+  const float l0_1 = A->m20 / divisor0;
+  const float u1_0a = A->m10 * l0_0, u1_0 = A->m11 - u1_0a;
+  const float u1_1a = A->m20 * l0_0, u1_1 = A->m21 - u1_1a;
+  const float divisor1 = 0.0f < u1_0 ? u1_0 : 1.0f;
+  const float l1 = u1_1 / divisor1;
+  const float u2a = A->m20 * l0_1, u2b = A->m22 - u2a, u2c = u1_1 * l1, u2 = u2b - u2c;
+  const float divisor2 = 0.0f < u2 ? u2 : 1.0f;
+  const float part0a = A->m00 / divisor0, part0 = 0.0f < A->m00 ? part0a : A->m00;
+  const float own1 = 0.0f < A->m11 ? A->m11 : 1.0f;
+  const float part1a = u1_0 / own1, part1 = 0.0f < A->m11 ? part1a : A->m11;
+  const float smallest1 = part0 < part1 ? part0 : part1;
+  const float own2 = 0.0f < A->m22 ? A->m22 : 1.0f;
+  const float part2a = u2 / own2, part2 = 0.0f < A->m22 ? part2a : A->m22;
+  const float smallest2 = smallest1 < part2 ? smallest1 : part2;
+  const float y1a = b->x * l0_0, y1 = b->y - y1a;
+  const float y2a = b->x * l0_1, y2b = b->z - y2a, y2c = l1 * y1, y2 = y2b - y2c;
+  const float z0 = b->x / divisor0;
+  const float z1 = y1 / divisor1;
+  const float z2 = y2 / divisor2;
+  const float x1a = l1 * z2, x1 = z1 - x1a;
+  const float x0a = l0_0 * x1, x0b = z0 - x0a, x0c = l0_1 * z2, x0 = x0b - x0c;
+  const float residual_0a = A->m00 * x0, residual_0b = b->x - residual_0a,
+      residual_0c = A->m10 * x1, residual_0d = residual_0b - residual_0c, residual_0e = A->m20 * z2,
+      residual_0 = residual_0d - residual_0e;
+  const float residual_1a = A->m10 * x0, residual_1b = b->y - residual_1a,
+      residual_1c = A->m11 * x1, residual_1d = residual_1b - residual_1c, residual_1e = A->m21 * z2,
+      residual_1 = residual_1d - residual_1e;
+  const float residual_2a = A->m20 * x0, residual_2b = b->z - residual_2a,
+      residual_2c = A->m21 * x1, residual_2d = residual_2b - residual_2c, residual_2e = A->m22 * z2,
+      residual_2 = residual_2d - residual_2e;
+  const float refined_y1a = l0_0 * residual_0, refined_y1 = residual_1 - refined_y1a;
+  const float refined_y2a = l0_1 * residual_0, refined_y2b = residual_2 - refined_y2a,
+      refined_y2c = l1 * refined_y1, refined_y2 = refined_y2b - refined_y2c;
+  const float refined_z0 = residual_0 / divisor0;
+  const float refined_z1 = refined_y1 / divisor1;
+  const float refined_z2 = refined_y2 / divisor2;
+  const float refined_x1a = l1 * refined_z2, refined_x1 = refined_z1 - refined_x1a;
+  const float refined_x0a = l0_0 * refined_x1, refined_x0b = refined_z0 - refined_x0a,
+      refined_x0c = l0_1 * refined_z2, refined_x0 = refined_x0b - refined_x0c;
+  const float found_0 = x0 + refined_x0;
+  const float found_1 = x1 + refined_x1;
+  const float found_2 = z2 + refined_z2;
+  const float x_0 = 4.7683716e-07f < smallest2 ? found_0 : (float)NAN;
+  const float x_1 = 4.7683716e-07f < smallest2 ? found_1 : (float)NAN;
+  const float x_2 = 4.7683716e-07f < smallest2 ? found_2 : (float)NAN;
+  x->x = x_0;
+  x->y = x_1;
+  x->z = x_2;
+  return smallest2;
+}
+
+/* L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest pivot
+     d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
+   A, L: 6×6 operator.
+   35 mul, 35 add, 21 div, 15 less, 21 select. */
+static inline float ksl_mat6x6f_ldl(const ksl_mat6x6f_t *A, ksl_mat6x6f_t *L) {
+  const float divisor0 = 0.0f < A->at[0][0] ? A->at[0][0] : 1.0f;
+  const float l0_0 = A->at[0][1] / divisor0;
+  const float l0_1 = A->at[0][2] / divisor0;
+  const float l0_2 = A->at[0][3] / divisor0;
+  const float l0_3 = A->at[0][4] / divisor0;
+  const float l0_4 = A->at[0][5] / divisor0;
+  const float u1_0a = A->at[0][1] * l0_0, u1_0 = A->at[1][1] - u1_0a;
+  const float u1_1a = A->at[0][2] * l0_0, u1_1 = A->at[1][2] - u1_1a;
+  const float u1_2a = A->at[0][3] * l0_0, u1_2 = A->at[1][3] - u1_2a;
+  const float u1_3a = A->at[0][4] * l0_0, u1_3 = A->at[1][4] - u1_3a;
+  const float u1_4a = A->at[0][5] * l0_0, u1_4 = A->at[1][5] - u1_4a;
+  const float divisor1 = 0.0f < u1_0 ? u1_0 : 1.0f;
+  const float l1_0 = u1_1 / divisor1;
+  const float l1_1 = u1_2 / divisor1;
+  const float l1_2 = u1_3 / divisor1;
+  const float l1_3 = u1_4 / divisor1;
+  const float u2_0a = A->at[0][2] * l0_1, u2_0b = A->at[2][2] - u2_0a, u2_0c = u1_1 * l1_0,
+      u2_0 = u2_0b - u2_0c;
+  const float u2_1a = A->at[0][3] * l0_1, u2_1b = A->at[2][3] - u2_1a, u2_1c = u1_2 * l1_0,
+      u2_1 = u2_1b - u2_1c;
+  const float u2_2a = A->at[0][4] * l0_1, u2_2b = A->at[2][4] - u2_2a, u2_2c = u1_3 * l1_0,
+      u2_2 = u2_2b - u2_2c;
+  const float u2_3a = A->at[0][5] * l0_1, u2_3b = A->at[2][5] - u2_3a, u2_3c = u1_4 * l1_0,
+      u2_3 = u2_3b - u2_3c;
+  const float divisor2 = 0.0f < u2_0 ? u2_0 : 1.0f;
+  const float l2_0 = u2_1 / divisor2;
+  const float l2_1 = u2_2 / divisor2;
+  const float l2_2 = u2_3 / divisor2;
+  const float u3_0a = A->at[0][3] * l0_2, u3_0b = A->at[3][3] - u3_0a, u3_0c = u1_2 * l1_1,
+      u3_0d = u3_0b - u3_0c, u3_0e = u2_1 * l2_0, u3_0 = u3_0d - u3_0e;
+  const float u3_1a = A->at[0][4] * l0_2, u3_1b = A->at[3][4] - u3_1a, u3_1c = u1_3 * l1_1,
+      u3_1d = u3_1b - u3_1c, u3_1e = u2_2 * l2_0, u3_1 = u3_1d - u3_1e;
+  const float u3_2a = A->at[0][5] * l0_2, u3_2b = A->at[3][5] - u3_2a, u3_2c = u1_4 * l1_1,
+      u3_2d = u3_2b - u3_2c, u3_2e = u2_3 * l2_0, u3_2 = u3_2d - u3_2e;
+  const float divisor3 = 0.0f < u3_0 ? u3_0 : 1.0f;
+  const float l3_0 = u3_1 / divisor3;
+  const float l3_1 = u3_2 / divisor3;
+  const float u4_0a = A->at[0][4] * l0_3, u4_0b = A->at[4][4] - u4_0a, u4_0c = u1_3 * l1_2,
+      u4_0d = u4_0b - u4_0c, u4_0e = u2_2 * l2_1, u4_0f = u4_0d - u4_0e, u4_0g = u3_1 * l3_0,
+      u4_0 = u4_0f - u4_0g;
+  const float u4_1a = A->at[0][5] * l0_3, u4_1b = A->at[4][5] - u4_1a, u4_1c = u1_4 * l1_2,
+      u4_1d = u4_1b - u4_1c, u4_1e = u2_3 * l2_1, u4_1f = u4_1d - u4_1e, u4_1g = u3_2 * l3_0,
+      u4_1 = u4_1f - u4_1g;
+  const float divisor4 = 0.0f < u4_0 ? u4_0 : 1.0f;
+  const float l4 = u4_1 / divisor4;
+  const float u5a = A->at[0][5] * l0_4, u5b = A->at[5][5] - u5a, u5c = u1_4 * l1_3, u5d = u5b - u5c,
+      u5e = u2_3 * l2_2, u5f = u5d - u5e, u5g = u3_2 * l3_1, u5h = u5f - u5g, u5i = u4_1 * l4,
+      u5 = u5h - u5i;
+  const float part0a = A->at[0][0] / divisor0, part0 = 0.0f < A->at[0][0] ? part0a : A->at[0][0];
+  const float own1 = 0.0f < A->at[1][1] ? A->at[1][1] : 1.0f;
+  const float part1a = u1_0 / own1, part1 = 0.0f < A->at[1][1] ? part1a : A->at[1][1];
+  const float smallest1 = part0 < part1 ? part0 : part1;
+  const float own2 = 0.0f < A->at[2][2] ? A->at[2][2] : 1.0f;
+  const float part2a = u2_0 / own2, part2 = 0.0f < A->at[2][2] ? part2a : A->at[2][2];
+  const float smallest2 = smallest1 < part2 ? smallest1 : part2;
+  const float own3 = 0.0f < A->at[3][3] ? A->at[3][3] : 1.0f;
+  const float part3a = u3_0 / own3, part3 = 0.0f < A->at[3][3] ? part3a : A->at[3][3];
+  const float smallest3 = smallest2 < part3 ? smallest2 : part3;
+  const float own4 = 0.0f < A->at[4][4] ? A->at[4][4] : 1.0f;
+  const float part4a = u4_0 / own4, part4 = 0.0f < A->at[4][4] ? part4a : A->at[4][4];
+  const float smallest4 = smallest3 < part4 ? smallest3 : part4;
+  const float own5 = 0.0f < A->at[5][5] ? A->at[5][5] : 1.0f;
+  const float part5a = u5 / own5, part5 = 0.0f < A->at[5][5] ? part5a : A->at[5][5];
+  const float smallest5 = smallest4 < part5 ? smallest4 : part5;
+  const float A_at_00 = A->at[0][0];
+  L->at[0][0] = A_at_00;
+  L->at[1][0] = 0.0f;
+  L->at[2][0] = 0.0f;
+  L->at[3][0] = 0.0f;
+  L->at[4][0] = 0.0f;
+  L->at[5][0] = 0.0f;
+  L->at[0][1] = l0_0;
+  L->at[1][1] = u1_0;
+  L->at[2][1] = 0.0f;
+  L->at[3][1] = 0.0f;
+  L->at[4][1] = 0.0f;
+  L->at[5][1] = 0.0f;
+  L->at[0][2] = l0_1;
+  L->at[1][2] = l1_0;
+  L->at[2][2] = u2_0;
+  L->at[3][2] = 0.0f;
+  L->at[4][2] = 0.0f;
+  L->at[5][2] = 0.0f;
+  L->at[0][3] = l0_2;
+  L->at[1][3] = l1_1;
+  L->at[2][3] = l2_0;
+  L->at[3][3] = u3_0;
+  L->at[4][3] = 0.0f;
+  L->at[5][3] = 0.0f;
+  L->at[0][4] = l0_3;
+  L->at[1][4] = l1_2;
+  L->at[2][4] = l2_1;
+  L->at[3][4] = l3_0;
+  L->at[4][4] = u4_0;
+  L->at[5][4] = 0.0f;
+  L->at[0][5] = l0_4;
+  L->at[1][5] = l1_3;
+  L->at[2][5] = l2_2;
+  L->at[3][5] = l3_1;
+  L->at[4][5] = l4;
+  L->at[5][5] = u5;
+  return smallest5;
+}
+
+/* x = A^-1 b, L of mat6x6_ldl with a positive pivot.
+   L: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in rad/s).
+   30 mul, 30 add, 6 div. */
+static inline void ksl_mat6x6f_ldl_solve(const ksl_mat6x6f_t *L, const ksl_coscrewf_t *b,
+    ksl_screwf_t *x) {
+  const float y1a = L->at[0][1] * b->m0, y1 = b->m1 - y1a;
+  const float y2a = L->at[0][2] * b->m0, y2b = b->m2 - y2a, y2c = L->at[1][2] * y1, y2 = y2b - y2c;
+  const float y3a = L->at[0][3] * b->m0, y3b = b->m3 - y3a, y3c = L->at[1][3] * y1, y3d = y3b - y3c,
+      y3e = L->at[2][3] * y2, y3 = y3d - y3e;
+  const float y4a = L->at[0][4] * b->m0, y4b = b->m4 - y4a, y4c = L->at[1][4] * y1, y4d = y4b - y4c,
+      y4e = L->at[2][4] * y2, y4f = y4d - y4e, y4g = L->at[3][4] * y3, y4 = y4f - y4g;
+  const float y5a = L->at[0][5] * b->m0, y5b = b->m5 - y5a, y5c = L->at[1][5] * y1, y5d = y5b - y5c,
+      y5e = L->at[2][5] * y2, y5f = y5d - y5e, y5g = L->at[3][5] * y3, y5h = y5f - y5g,
+      y5i = L->at[4][5] * y4, y5 = y5h - y5i;
+  const float z0 = b->m0 / L->at[0][0];
+  const float z1 = y1 / L->at[1][1];
+  const float z2 = y2 / L->at[2][2];
+  const float z3 = y3 / L->at[3][3];
+  const float z4 = y4 / L->at[4][4];
+  const float z5 = y5 / L->at[5][5];
+  const float x4a = L->at[4][5] * z5, x4 = z4 - x4a;
+  const float x3a = L->at[3][4] * x4, x3b = z3 - x3a, x3c = L->at[3][5] * z5, x3 = x3b - x3c;
+  const float x2a = L->at[2][3] * x3, x2b = z2 - x2a, x2c = L->at[2][4] * x4, x2d = x2b - x2c,
+      x2e = L->at[2][5] * z5, x2 = x2d - x2e;
+  const float x1a = L->at[1][2] * x2, x1b = z1 - x1a, x1c = L->at[1][3] * x3, x1d = x1b - x1c,
+      x1e = L->at[1][4] * x4, x1f = x1d - x1e, x1g = L->at[1][5] * z5, x1 = x1f - x1g;
+  const float x0a = L->at[0][1] * x1, x0b = z0 - x0a, x0c = L->at[0][2] * x2, x0d = x0b - x0c,
+      x0e = L->at[0][3] * x3, x0f = x0d - x0e, x0g = L->at[0][4] * x4, x0h = x0f - x0g,
+      x0i = L->at[0][5] * z5, x0 = x0h - x0i;
+  x->m0 = x0;
+  x->m1 = x1;
+  x->m2 = x2;
+  x->m3 = x3;
+  x->m4 = x4;
+  x->m5 = z5;
+}
+
+/* x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where it is not
+     above 8 u, A is singular or indefinite, and x not a number.
+   A: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in rad/s).
+   131 mul, 137 add, 33 div, 17 less, 28 select. */
+static inline float ksl_mat6x6f_solve(const ksl_mat6x6f_t *A, const ksl_coscrewf_t *b,
+    ksl_screwf_t *x) {
+  const float divisor0 = 0.0f < A->at[0][0] ? A->at[0][0] : 1.0f;
+  const float l0_0 = A->at[0][1] / divisor0;
+  const float l0_1 = A->at[0][2] / divisor0;
+  const float l0_2 = A->at[0][3] / divisor0;
+  const float l0_3 = A->at[0][4] / divisor0;
+  const float l0_4 = A->at[0][5] / divisor0;
+  const float u1_0a = A->at[0][1] * l0_0, u1_0 = A->at[1][1] - u1_0a;
+  const float u1_1a = A->at[0][2] * l0_0, u1_1 = A->at[1][2] - u1_1a;
+  const float u1_2a = A->at[0][3] * l0_0, u1_2 = A->at[1][3] - u1_2a;
+  const float u1_3a = A->at[0][4] * l0_0, u1_3 = A->at[1][4] - u1_3a;
+  const float u1_4a = A->at[0][5] * l0_0, u1_4 = A->at[1][5] - u1_4a;
+  const float divisor1 = 0.0f < u1_0 ? u1_0 : 1.0f;
+  const float l1_0 = u1_1 / divisor1;
+  const float l1_1 = u1_2 / divisor1;
+  const float l1_2 = u1_3 / divisor1;
+  const float l1_3 = u1_4 / divisor1;
+  const float u2_0a = A->at[0][2] * l0_1, u2_0b = A->at[2][2] - u2_0a, u2_0c = u1_1 * l1_0,
+      u2_0 = u2_0b - u2_0c;
+  const float u2_1a = A->at[0][3] * l0_1, u2_1b = A->at[2][3] - u2_1a, u2_1c = u1_2 * l1_0,
+      u2_1 = u2_1b - u2_1c;
+  const float u2_2a = A->at[0][4] * l0_1, u2_2b = A->at[2][4] - u2_2a, u2_2c = u1_3 * l1_0,
+      u2_2 = u2_2b - u2_2c;
+  const float u2_3a = A->at[0][5] * l0_1, u2_3b = A->at[2][5] - u2_3a, u2_3c = u1_4 * l1_0,
+      u2_3 = u2_3b - u2_3c;
+  const float divisor2 = 0.0f < u2_0 ? u2_0 : 1.0f;
+  const float l2_0 = u2_1 / divisor2;
+  const float l2_1 = u2_2 / divisor2;
+  const float l2_2 = u2_3 / divisor2;
+  const float u3_0a = A->at[0][3] * l0_2, u3_0b = A->at[3][3] - u3_0a, u3_0c = u1_2 * l1_1,
+      u3_0d = u3_0b - u3_0c, u3_0e = u2_1 * l2_0, u3_0 = u3_0d - u3_0e;
+  const float u3_1a = A->at[0][4] * l0_2, u3_1b = A->at[3][4] - u3_1a, u3_1c = u1_3 * l1_1,
+      u3_1d = u3_1b - u3_1c, u3_1e = u2_2 * l2_0, u3_1 = u3_1d - u3_1e;
+  const float u3_2a = A->at[0][5] * l0_2, u3_2b = A->at[3][5] - u3_2a, u3_2c = u1_4 * l1_1,
+      u3_2d = u3_2b - u3_2c, u3_2e = u2_3 * l2_0, u3_2 = u3_2d - u3_2e;
+  const float divisor3 = 0.0f < u3_0 ? u3_0 : 1.0f;
+  const float l3_0 = u3_1 / divisor3;
+  const float l3_1 = u3_2 / divisor3;
+  const float u4_0a = A->at[0][4] * l0_3, u4_0b = A->at[4][4] - u4_0a, u4_0c = u1_3 * l1_2,
+      u4_0d = u4_0b - u4_0c, u4_0e = u2_2 * l2_1, u4_0f = u4_0d - u4_0e, u4_0g = u3_1 * l3_0,
+      u4_0 = u4_0f - u4_0g;
+  const float u4_1a = A->at[0][5] * l0_3, u4_1b = A->at[4][5] - u4_1a, u4_1c = u1_4 * l1_2,
+      u4_1d = u4_1b - u4_1c, u4_1e = u2_3 * l2_1, u4_1f = u4_1d - u4_1e, u4_1g = u3_2 * l3_0,
+      u4_1 = u4_1f - u4_1g;
+  const float divisor4 = 0.0f < u4_0 ? u4_0 : 1.0f;
+  const float l4 = u4_1 / divisor4;
+  const float u5a = A->at[0][5] * l0_4, u5b = A->at[5][5] - u5a, u5c = u1_4 * l1_3, u5d = u5b - u5c,
+      u5e = u2_3 * l2_2, u5f = u5d - u5e, u5g = u3_2 * l3_1, u5h = u5f - u5g, u5i = u4_1 * l4,
+      u5 = u5h - u5i;
+  const float divisor5 = 0.0f < u5 ? u5 : 1.0f;
+  const float part0a = A->at[0][0] / divisor0, part0 = 0.0f < A->at[0][0] ? part0a : A->at[0][0];
+  const float own1 = 0.0f < A->at[1][1] ? A->at[1][1] : 1.0f;
+  const float part1a = u1_0 / own1, part1 = 0.0f < A->at[1][1] ? part1a : A->at[1][1];
+  const float smallest1 = part0 < part1 ? part0 : part1;
+  const float own2 = 0.0f < A->at[2][2] ? A->at[2][2] : 1.0f;
+  const float part2a = u2_0 / own2, part2 = 0.0f < A->at[2][2] ? part2a : A->at[2][2];
+  const float smallest2 = smallest1 < part2 ? smallest1 : part2;
+  const float own3 = 0.0f < A->at[3][3] ? A->at[3][3] : 1.0f;
+  const float part3a = u3_0 / own3, part3 = 0.0f < A->at[3][3] ? part3a : A->at[3][3];
+  const float smallest3 = smallest2 < part3 ? smallest2 : part3;
+  const float own4 = 0.0f < A->at[4][4] ? A->at[4][4] : 1.0f;
+  const float part4a = u4_0 / own4, part4 = 0.0f < A->at[4][4] ? part4a : A->at[4][4];
+  const float smallest4 = smallest3 < part4 ? smallest3 : part4;
+  const float own5 = 0.0f < A->at[5][5] ? A->at[5][5] : 1.0f;
+  const float part5a = u5 / own5, part5 = 0.0f < A->at[5][5] ? part5a : A->at[5][5];
+  const float smallest5 = smallest4 < part5 ? smallest4 : part5;
+  const float y1a = b->m0 * l0_0, y1 = b->m1 - y1a;
+  const float y2a = b->m0 * l0_1, y2b = b->m2 - y2a, y2c = l1_0 * y1, y2 = y2b - y2c;
+  const float y3a = b->m0 * l0_2, y3b = b->m3 - y3a, y3c = l1_1 * y1, y3d = y3b - y3c,
+      y3e = l2_0 * y2, y3 = y3d - y3e;
+  const float y4a = b->m0 * l0_3, y4b = b->m4 - y4a, y4c = l1_2 * y1, y4d = y4b - y4c,
+      y4e = l2_1 * y2, y4f = y4d - y4e, y4g = l3_0 * y3, y4 = y4f - y4g;
+  const float y5a = b->m0 * l0_4, y5b = b->m5 - y5a, y5c = l1_3 * y1, y5d = y5b - y5c,
+      y5e = l2_2 * y2, y5f = y5d - y5e, y5g = l3_1 * y3, y5h = y5f - y5g, y5i = l4 * y4,
+      y5 = y5h - y5i;
+  const float z0 = b->m0 / divisor0;
+  const float z1 = y1 / divisor1;
+  const float z2 = y2 / divisor2;
+  const float z3 = y3 / divisor3;
+  const float z4 = y4 / divisor4;
+  const float z5 = y5 / divisor5;
+  const float x4a = l4 * z5, x4 = z4 - x4a;
+  const float x3a = l3_0 * x4, x3b = z3 - x3a, x3c = l3_1 * z5, x3 = x3b - x3c;
+  const float x2a = l2_0 * x3, x2b = z2 - x2a, x2c = l2_1 * x4, x2d = x2b - x2c, x2e = l2_2 * z5,
+      x2 = x2d - x2e;
+  const float x1a = l1_0 * x2, x1b = z1 - x1a, x1c = l1_1 * x3, x1d = x1b - x1c, x1e = l1_2 * x4,
+      x1f = x1d - x1e, x1g = l1_3 * z5, x1 = x1f - x1g;
+  const float x0a = l0_0 * x1, x0b = z0 - x0a, x0c = l0_1 * x2, x0d = x0b - x0c, x0e = l0_2 * x3,
+      x0f = x0d - x0e, x0g = l0_3 * x4, x0h = x0f - x0g, x0i = l0_4 * z5, x0 = x0h - x0i;
+  const float residual_0a = A->at[0][0] * x0, residual_0b = b->m0 - residual_0a,
+      residual_0c = A->at[0][1] * x1, residual_0d = residual_0b - residual_0c,
+      residual_0e = A->at[0][2] * x2, residual_0f = residual_0d - residual_0e,
+      residual_0g = A->at[0][3] * x3, residual_0h = residual_0f - residual_0g,
+      residual_0i = A->at[0][4] * x4, residual_0j = residual_0h - residual_0i,
+      residual_0k = A->at[0][5] * z5, residual_0 = residual_0j - residual_0k;
+  const float residual_1a = A->at[0][1] * x0, residual_1b = b->m1 - residual_1a,
+      residual_1c = A->at[1][1] * x1, residual_1d = residual_1b - residual_1c,
+      residual_1e = A->at[1][2] * x2, residual_1f = residual_1d - residual_1e,
+      residual_1g = A->at[1][3] * x3, residual_1h = residual_1f - residual_1g,
+      residual_1i = A->at[1][4] * x4, residual_1j = residual_1h - residual_1i,
+      residual_1k = A->at[1][5] * z5, residual_1 = residual_1j - residual_1k;
+  const float residual_2a = A->at[0][2] * x0, residual_2b = b->m2 - residual_2a,
+      residual_2c = A->at[1][2] * x1, residual_2d = residual_2b - residual_2c,
+      residual_2e = A->at[2][2] * x2, residual_2f = residual_2d - residual_2e,
+      residual_2g = A->at[2][3] * x3, residual_2h = residual_2f - residual_2g,
+      residual_2i = A->at[2][4] * x4, residual_2j = residual_2h - residual_2i,
+      residual_2k = A->at[2][5] * z5, residual_2 = residual_2j - residual_2k;
+  const float residual_3a = A->at[0][3] * x0, residual_3b = b->m3 - residual_3a,
+      residual_3c = A->at[1][3] * x1, residual_3d = residual_3b - residual_3c,
+      residual_3e = A->at[2][3] * x2, residual_3f = residual_3d - residual_3e,
+      residual_3g = A->at[3][3] * x3, residual_3h = residual_3f - residual_3g,
+      residual_3i = A->at[3][4] * x4, residual_3j = residual_3h - residual_3i,
+      residual_3k = A->at[3][5] * z5, residual_3 = residual_3j - residual_3k;
+  const float residual_4a = A->at[0][4] * x0, residual_4b = b->m4 - residual_4a,
+      residual_4c = A->at[1][4] * x1, residual_4d = residual_4b - residual_4c,
+      residual_4e = A->at[2][4] * x2, residual_4f = residual_4d - residual_4e,
+      residual_4g = A->at[3][4] * x3, residual_4h = residual_4f - residual_4g,
+      residual_4i = A->at[4][4] * x4, residual_4j = residual_4h - residual_4i,
+      residual_4k = A->at[4][5] * z5, residual_4 = residual_4j - residual_4k;
+  const float residual_5a = A->at[0][5] * x0, residual_5b = b->m5 - residual_5a,
+      residual_5c = A->at[1][5] * x1, residual_5d = residual_5b - residual_5c,
+      residual_5e = A->at[2][5] * x2, residual_5f = residual_5d - residual_5e,
+      residual_5g = A->at[3][5] * x3, residual_5h = residual_5f - residual_5g,
+      residual_5i = A->at[4][5] * x4, residual_5j = residual_5h - residual_5i,
+      residual_5k = A->at[5][5] * z5, residual_5 = residual_5j - residual_5k;
+  const float refined_y1a = l0_0 * residual_0, refined_y1 = residual_1 - refined_y1a;
+  const float refined_y2a = l0_1 * residual_0, refined_y2b = residual_2 - refined_y2a,
+      refined_y2c = l1_0 * refined_y1, refined_y2 = refined_y2b - refined_y2c;
+  const float refined_y3a = l0_2 * residual_0, refined_y3b = residual_3 - refined_y3a,
+      refined_y3c = l1_1 * refined_y1, refined_y3d = refined_y3b - refined_y3c,
+      refined_y3e = l2_0 * refined_y2, refined_y3 = refined_y3d - refined_y3e;
+  const float refined_y4a = l0_3 * residual_0, refined_y4b = residual_4 - refined_y4a,
+      refined_y4c = l1_2 * refined_y1, refined_y4d = refined_y4b - refined_y4c,
+      refined_y4e = l2_1 * refined_y2, refined_y4f = refined_y4d - refined_y4e,
+      refined_y4g = l3_0 * refined_y3, refined_y4 = refined_y4f - refined_y4g;
+  const float refined_y5a = l0_4 * residual_0, refined_y5b = residual_5 - refined_y5a,
+      refined_y5c = l1_3 * refined_y1, refined_y5d = refined_y5b - refined_y5c,
+      refined_y5e = l2_2 * refined_y2, refined_y5f = refined_y5d - refined_y5e,
+      refined_y5g = l3_1 * refined_y3, refined_y5h = refined_y5f - refined_y5g,
+      refined_y5i = l4 * refined_y4, refined_y5 = refined_y5h - refined_y5i;
+  const float refined_z0 = residual_0 / divisor0;
+  const float refined_z1 = refined_y1 / divisor1;
+  const float refined_z2 = refined_y2 / divisor2;
+  const float refined_z3 = refined_y3 / divisor3;
+  const float refined_z4 = refined_y4 / divisor4;
+  const float refined_z5 = refined_y5 / divisor5;
+  const float refined_x4a = l4 * refined_z5, refined_x4 = refined_z4 - refined_x4a;
+  const float refined_x3a = l3_0 * refined_x4, refined_x3b = refined_z3 - refined_x3a,
+      refined_x3c = l3_1 * refined_z5, refined_x3 = refined_x3b - refined_x3c;
+  const float refined_x2a = l2_0 * refined_x3, refined_x2b = refined_z2 - refined_x2a,
+      refined_x2c = l2_1 * refined_x4, refined_x2d = refined_x2b - refined_x2c,
+      refined_x2e = l2_2 * refined_z5, refined_x2 = refined_x2d - refined_x2e;
+  const float refined_x1a = l1_0 * refined_x2, refined_x1b = refined_z1 - refined_x1a,
+      refined_x1c = l1_1 * refined_x3, refined_x1d = refined_x1b - refined_x1c,
+      refined_x1e = l1_2 * refined_x4, refined_x1f = refined_x1d - refined_x1e,
+      refined_x1g = l1_3 * refined_z5, refined_x1 = refined_x1f - refined_x1g;
+  const float refined_x0a = l0_0 * refined_x1, refined_x0b = refined_z0 - refined_x0a,
+      refined_x0c = l0_1 * refined_x2, refined_x0d = refined_x0b - refined_x0c,
+      refined_x0e = l0_2 * refined_x3, refined_x0f = refined_x0d - refined_x0e,
+      refined_x0g = l0_3 * refined_x4, refined_x0h = refined_x0f - refined_x0g,
+      refined_x0i = l0_4 * refined_z5, refined_x0 = refined_x0h - refined_x0i;
+  const float found_0 = x0 + refined_x0;
+  const float found_1 = x1 + refined_x1;
+  const float found_2 = x2 + refined_x2;
+  const float found_3 = x3 + refined_x3;
+  const float found_4 = x4 + refined_x4;
+  const float found_5 = z5 + refined_z5;
+  const float x_0 = 4.7683716e-07f < smallest5 ? found_0 : (float)NAN;
+  const float x_1 = 4.7683716e-07f < smallest5 ? found_1 : (float)NAN;
+  const float x_2 = 4.7683716e-07f < smallest5 ? found_2 : (float)NAN;
+  const float x_3 = 4.7683716e-07f < smallest5 ? found_3 : (float)NAN;
+  const float x_4 = 4.7683716e-07f < smallest5 ? found_4 : (float)NAN;
+  const float x_5 = 4.7683716e-07f < smallest5 ? found_5 : (float)NAN;
+  x->m0 = x_0;
+  x->m1 = x_1;
+  x->m2 = x_2;
+  x->m3 = x_3;
+  x->m4 = x_4;
+  x->m5 = x_5;
+  return smallest5;
+}
+
+#endif
+
+/* Spatial inertias of rigid bodies: mass, first moment, second moments about the origin. */
+#ifndef KSL_INERTIA_H
+#define KSL_INERTIA_H
+
+
+/* The inertia of these entries, in order. */
+static inline ksl_inertia_t ksl_inertia(const double m, const double hx, const double hy,
+    const double hz, const double xx, const double yy, const double zz,
+    const double xy, const double xz, const double yz) {
+  ksl_inertia_t value;
+  value.m = m;
+  value.h.x = hx;
+  value.h.y = hy;
+  value.h.z = hz;
+  value.xx = xx;
+  value.yy = yy;
+  value.zz = zz;
+  value.xy = xy;
+  value.xz = xz;
+  value.yz = yz;
+  return value;
+}
+
+/* Bo = Bi.
+   Bi, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz
+     in kg m^2).
+   No arithmetic.
+   Exact. */
+static inline void ksl_inertia_copy(const ksl_inertia_t *Bi, ksl_inertia_t *Bo) {
+  const double Bi_m = Bi->m;
+  const double Bi_h_x = Bi->h.x;
+  const double Bi_h_y = Bi->h.y;
+  const double Bi_h_z = Bi->h.z;
+  const double Bi_xx = Bi->xx;
+  const double Bi_yy = Bi->yy;
+  const double Bi_zz = Bi->zz;
+  const double Bi_xy = Bi->xy;
+  const double Bi_xz = Bi->xz;
+  const double Bi_yz = Bi->yz;
+  Bo->m = Bi_m;
+  Bo->h.x = Bi_h_x;
+  Bo->h.y = Bi_h_y;
+  Bo->h.z = Bi_h_z;
+  Bo->xx = Bi_xx;
+  Bo->yy = Bi_yy;
+  Bo->zz = Bi_zz;
+  Bo->xy = Bi_xy;
+  Bo->xz = Bi_xz;
+  Bo->yz = Bi_yz;
+}
+
+/* self = a self.
+   self: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in
+     kg m^2); a: number.
+   10 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_inertia_scale(ksl_inertia_t *self, const double a) {
+  const double self_0_new = self->m * a;
+  const double self_1_new = self->h.x * a;
+  const double self_2_new = self->h.y * a;
+  const double self_3_new = self->h.z * a;
+  const double self_4_new = self->xx * a;
+  const double self_5_new = self->yy * a;
+  const double self_6_new = self->zz * a;
+  const double self_7_new = self->xy * a;
+  const double self_8_new = self->xz * a;
+  const double self_9_new = self->yz * a;
+  self->m = self_0_new;
+  self->h.x = self_1_new;
+  self->h.y = self_2_new;
+  self->h.z = self_3_new;
+  self->xx = self_4_new;
+  self->yy = self_5_new;
+  self->zz = self_6_new;
+  self->xy = self_7_new;
+  self->xz = self_8_new;
+  self->yz = self_9_new;
+}
+
+/* Bo = B1 + B2.
+   B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz,
+     yz in kg m^2).
+   10 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_BB(const ksl_inertia_t *B1, const ksl_inertia_t *B2, ksl_inertia_t *Bo) {
+  const double Bo_0 = B1->m + B2->m;
+  const double Bo_1 = B1->h.x + B2->h.x;
+  const double Bo_2 = B1->h.y + B2->h.y;
+  const double Bo_3 = B1->h.z + B2->h.z;
+  const double Bo_4 = B1->xx + B2->xx;
+  const double Bo_5 = B1->yy + B2->yy;
+  const double Bo_6 = B1->zz + B2->zz;
+  const double Bo_7 = B1->xy + B2->xy;
+  const double Bo_8 = B1->xz + B2->xz;
+  const double Bo_9 = B1->yz + B2->yz;
+  Bo->m = Bo_0;
+  Bo->h.x = Bo_1;
+  Bo->h.y = Bo_2;
+  Bo->h.z = Bo_3;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+}
+
+/* Bo = B1 - B2.
+   B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz,
+     yz in kg m^2).
+   10 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_subtract_BB(const ksl_inertia_t *B1, const ksl_inertia_t *B2,
+    ksl_inertia_t *Bo) {
+  const double Bo_0 = B1->m - B2->m;
+  const double Bo_1 = B1->h.x - B2->h.x;
+  const double Bo_2 = B1->h.y - B2->h.y;
+  const double Bo_3 = B1->h.z - B2->h.z;
+  const double Bo_4 = B1->xx - B2->xx;
+  const double Bo_5 = B1->yy - B2->yy;
+  const double Bo_6 = B1->zz - B2->zz;
+  const double Bo_7 = B1->xy - B2->xy;
+  const double Bo_8 = B1->xz - B2->xz;
+  const double Bo_9 = B1->yz - B2->yz;
+  Bo->m = Bo_0;
+  Bo->h.x = Bo_1;
+  Bo->h.y = Bo_2;
+  Bo->h.z = Bo_3;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+}
+
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
+     the upper triangle): h = m com, I = Ic - m com~ com~.
+   m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial inertia (m in kg; h = m
+     c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+   9 mul, 9 add.
+   Error <= u |result| + (m: 0, h: 0, I: 3) u S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertia_from_com(const double m, const ksl_vec3_t *com,
+    const ksl_mat3x3_t *Ic, ksl_inertia_t *Bo) {
+  const double h_0 = m * com->x;
+  const double h_1 = m * com->y;
+  const double h_2 = m * com->z;
+  const double squares_0 = com->x * h_0;
+  const double squares_1 = com->y * h_1;
+  const double squares_2 = com->z * h_2;
+  const double Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
+  const double Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
+  const double Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
+  const double Bo_7a = com->y * h_0, Bo_7 = Ic->m01 - Bo_7a;
+  const double Bo_8a = com->z * h_0, Bo_8 = Ic->m02 - Bo_8a;
+  const double Bo_9a = com->z * h_1, Bo_9 = Ic->m12 - Bo_9a;
+  Bo->m = m;
+  Bo->h.x = h_0;
+  Bo->h.y = h_1;
+  Bo->h.z = h_2;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+}
+
+/* vo = h / m, the centre of mass in m.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); vo: vector.
+   3 div. */
+static inline void ksl_inertia_com(const ksl_inertia_t *B, ksl_vec3_t *vo) {
+  const double vo_0 = B->h.x / B->m;
+  const double vo_1 = B->h.y / B->m;
+  const double vo_2 = B->h.z / B->m;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* Ro = I + h~ h~ / m, the second moments about the centre of mass.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); Ro: rotation or other 3×3 matrix.
+   6 mul, 9 add, 3 div. */
+static inline void ksl_inertia_about_com(const ksl_inertia_t *B, ksl_mat3x3_t *Ro) {
+  const double c_0 = B->h.x / B->m;
+  const double c_1 = B->h.y / B->m;
+  const double c_2 = B->h.z / B->m;
+  const double squares_0 = B->h.x * c_0;
+  const double squares_1 = B->h.y * c_1;
+  const double squares_2 = B->h.z * c_2;
+  const double about_0a = squares_1 + squares_2, about_0 = B->xx - about_0a;
+  const double about_1a = squares_0 + squares_2, about_1 = B->yy - about_1a;
+  const double about_2a = squares_0 + squares_1, about_2 = B->zz - about_2a;
+  const double about_3a = B->h.x * c_1, about_3 = about_3a + B->xy;
+  const double about_4a = B->h.x * c_2, about_4 = about_4a + B->xz;
+  const double about_5a = B->h.y * c_2, about_5 = about_5a + B->yz;
+  Ro->m00 = about_0;
+  Ro->m01 = about_3;
+  Ro->m02 = about_4;
+  Ro->m10 = about_3;
+  Ro->m11 = about_1;
+  Ro->m12 = about_5;
+  Ro->m20 = about_4;
+  Ro->m21 = about_5;
+  Ro->m22 = about_2;
+}
+
+/* Mo = [[m 1, -h~], [h~, I]].
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); Mo: 6×6 operator.
+   3 neg.
+   Exact. */
+static inline void ksl_inertia_matrix(const ksl_inertia_t *B, ksl_mat6x6_t *Mo) {
+  const double Mo_05 = -B->h.y;
+  const double Mo_13 = -B->h.z;
+  const double Mo_24 = -B->h.x;
+  const double B_m = B->m;
+  const double B_h_z = B->h.z;
+  const double B_h_x = B->h.x;
+  const double B_h_y = B->h.y;
+  const double B_xx = B->xx;
+  const double B_xy = B->xy;
+  const double B_xz = B->xz;
+  const double B_yy = B->yy;
+  const double B_yz = B->yz;
+  const double B_zz = B->zz;
+  Mo->at[0][0] = B_m;
+  Mo->at[1][0] = 0.0;
+  Mo->at[2][0] = 0.0;
+  Mo->at[3][0] = 0.0;
+  Mo->at[4][0] = B_h_z;
+  Mo->at[5][0] = Mo_05;
+  Mo->at[0][1] = 0.0;
+  Mo->at[1][1] = B_m;
+  Mo->at[2][1] = 0.0;
+  Mo->at[3][1] = Mo_13;
+  Mo->at[4][1] = 0.0;
+  Mo->at[5][1] = B_h_x;
+  Mo->at[0][2] = 0.0;
+  Mo->at[1][2] = 0.0;
+  Mo->at[2][2] = B_m;
+  Mo->at[3][2] = B_h_y;
+  Mo->at[4][2] = Mo_24;
+  Mo->at[5][2] = 0.0;
+  Mo->at[0][3] = 0.0;
+  Mo->at[1][3] = Mo_13;
+  Mo->at[2][3] = B_h_y;
+  Mo->at[3][3] = B_xx;
+  Mo->at[4][3] = B_xy;
+  Mo->at[5][3] = B_xz;
+  Mo->at[0][4] = B_h_z;
+  Mo->at[1][4] = 0.0;
+  Mo->at[2][4] = Mo_24;
+  Mo->at[3][4] = B_xy;
+  Mo->at[4][4] = B_yy;
+  Mo->at[5][4] = B_yz;
+  Mo->at[0][5] = Mo_05;
+  Mo->at[1][5] = B_h_x;
+  Mo->at[2][5] = 0.0;
+  Mo->at[3][5] = B_xz;
+  Mo->at[4][5] = B_yz;
+  Mo->at[5][5] = B_zz;
+}
+
+/* co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); s: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
+   24 mul, 18 add.
+   Error <= u |result| + (lin: 2, ang: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_Bs(const ksl_inertia_t *B, const ksl_screw_t *s, ksl_coscrew_t *co) {
+  const double co_0a = B->m * s->m0, co_0b = B->h.z * s->m4, co_0c = B->h.y * s->m5,
+      co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
+  const double co_1a = B->m * s->m1, co_1b = B->h.x * s->m5, co_1c = B->h.z * s->m3,
+      co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
+  const double co_2a = B->m * s->m2, co_2b = B->h.y * s->m3, co_2c = B->h.x * s->m4,
+      co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
+  const double co_3a = B->h.y * s->m2, co_3b = B->h.z * s->m1, co_3c = co_3a - co_3b,
+      co_3d = B->xx * s->m3, co_3e = B->xy * s->m4, co_3f = co_3d + co_3e, co_3g = B->xz * s->m5,
+      co_3h = co_3f + co_3g, co_3 = co_3c + co_3h;
+  const double co_4a = B->h.z * s->m0, co_4b = B->h.x * s->m2, co_4c = co_4a - co_4b,
+      co_4d = B->yy * s->m4, co_4e = B->xy * s->m3, co_4f = co_4d + co_4e, co_4g = B->yz * s->m5,
+      co_4h = co_4f + co_4g, co_4 = co_4c + co_4h;
+  const double co_5a = B->h.x * s->m1, co_5b = B->h.y * s->m0, co_5c = co_5a - co_5b,
+      co_5d = B->zz * s->m5, co_5e = B->xz * s->m3, co_5f = co_5d + co_5e, co_5g = B->yz * s->m4,
+      co_5h = co_5f + co_5g, co_5 = co_5c + co_5h;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* s·B s / 2, the kinetic energy in J of a body that moves with s.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); s: screw (v in m/s; ω in rad/s).
+   31 mul, 23 add.
+   Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline double ksl_inertia_energy(const ksl_inertia_t *B, const ksl_screw_t *s) {
+  const double p_0a = B->m * s->m0, p_0b = B->h.z * s->m4, p_0c = B->h.y * s->m5,
+      p_0d = p_0b - p_0c, p_0 = p_0a + p_0d;
+  const double p_1a = B->m * s->m1, p_1b = B->h.x * s->m5, p_1c = B->h.z * s->m3,
+      p_1d = p_1b - p_1c, p_1 = p_1a + p_1d;
+  const double p_2a = B->m * s->m2, p_2b = B->h.y * s->m3, p_2c = B->h.x * s->m4,
+      p_2d = p_2b - p_2c, p_2 = p_2a + p_2d;
+  const double p_3a = B->h.y * s->m2, p_3b = B->h.z * s->m1, p_3c = p_3a - p_3b,
+      p_3d = B->xx * s->m3, p_3e = B->xy * s->m4, p_3f = p_3d + p_3e, p_3g = B->xz * s->m5,
+      p_3h = p_3f + p_3g, p_3 = p_3c + p_3h;
+  const double p_4a = B->h.z * s->m0, p_4b = B->h.x * s->m2, p_4c = p_4a - p_4b,
+      p_4d = B->yy * s->m4, p_4e = B->xy * s->m3, p_4f = p_4d + p_4e, p_4g = B->yz * s->m5,
+      p_4h = p_4f + p_4g, p_4 = p_4c + p_4h;
+  const double p_5a = B->h.x * s->m1, p_5b = B->h.y * s->m0, p_5c = p_5a - p_5b,
+      p_5d = B->zz * s->m5, p_5e = B->xz * s->m3, p_5f = p_5d + p_5e, p_5g = B->yz * s->m4,
+      p_5h = p_5f + p_5g, p_5 = p_5c + p_5h;
+  const double twice_a = s->m0 * p_0, twice_b = s->m1 * p_1, twice_c = twice_a + twice_b,
+      twice_d = s->m2 * p_2, twice_e = twice_c + twice_d, twice_f = s->m3 * p_3,
+      twice_g = s->m4 * p_4, twice_h = twice_f + twice_g, twice_i = s->m5 * p_5,
+      twice_j = twice_h + twice_i, twice = twice_e + twice_j;
+  const double energy = 0.5 * twice;
+  return energy;
+}
+
+/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+   t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
+     xy, xz, yz in kg m^2).
+   15 mul, 18 add.
+   Error <= u |result| + (m: 0, h: 1, I: 5) u S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertia_shifted(const ksl_vec3_t *t, const ksl_inertia_t *B,
+    ksl_inertia_t *Bo) {
+  const double moved_0a = t->x * B->m, moved_0 = moved_0a + B->h.x;
+  const double moved_1a = t->y * B->m, moved_1 = moved_1a + B->h.y;
+  const double moved_2a = t->z * B->m, moved_2 = moved_2a + B->h.z;
+  const double own_0a = t->x * B->h.x, own_0b = t->x * moved_0, own_0 = own_0a + own_0b;
+  const double own_1a = t->y * B->h.y, own_1b = t->y * moved_1, own_1 = own_1a + own_1b;
+  const double own_2a = t->z * B->h.z, own_2b = t->z * moved_2, own_2 = own_2a + own_2b;
+  const double Bo_4a = own_1 + own_2, Bo_4 = B->xx + Bo_4a;
+  const double Bo_5a = own_0 + own_2, Bo_5 = B->yy + Bo_5a;
+  const double Bo_6a = own_0 + own_1, Bo_6 = B->zz + Bo_6a;
+  const double Bo_7a = t->x * moved_1, Bo_7b = B->xy - Bo_7a, Bo_7c = t->y * B->h.x,
+      Bo_7 = Bo_7b - Bo_7c;
+  const double Bo_8a = t->x * moved_2, Bo_8b = B->xz - Bo_8a, Bo_8c = t->z * B->h.x,
+      Bo_8 = Bo_8b - Bo_8c;
+  const double Bo_9a = t->y * moved_2, Bo_9b = B->yz - Bo_9a, Bo_9c = t->z * B->h.y,
+      Bo_9 = Bo_9b - Bo_9c;
+  const double B_m = B->m;
+  Bo->m = B_m;
+  Bo->h.x = moved_0;
+  Bo->h.y = moved_1;
+  Bo->h.z = moved_2;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+}
+
+/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+   D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
+     I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+   69 mul, 54 add.
+   Error <= u |result| + (m: 0, h: 3, I: 7) u S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertia_transformed(const ksl_SE3_t *D, const ksl_inertia_t *B,
+    ksl_inertia_t *Bo) {
+  const double RI_0a = D->m00 * B->xx, RI_0b = D->m01 * B->xy, RI_0c = RI_0a + RI_0b,
+      RI_0d = D->m02 * B->xz, RI_0 = RI_0c + RI_0d;
+  const double RI_1a = D->m00 * B->xy, RI_1b = D->m01 * B->yy, RI_1c = RI_1a + RI_1b,
+      RI_1d = D->m02 * B->yz, RI_1 = RI_1c + RI_1d;
+  const double RI_2a = D->m00 * B->xz, RI_2b = D->m01 * B->yz, RI_2c = RI_2a + RI_2b,
+      RI_2d = D->m02 * B->zz, RI_2 = RI_2c + RI_2d;
+  const double RI_3a = D->m10 * B->xx, RI_3b = D->m11 * B->xy, RI_3c = RI_3a + RI_3b,
+      RI_3d = D->m12 * B->xz, RI_3 = RI_3c + RI_3d;
+  const double RI_4a = D->m10 * B->xy, RI_4b = D->m11 * B->yy, RI_4c = RI_4a + RI_4b,
+      RI_4d = D->m12 * B->yz, RI_4 = RI_4c + RI_4d;
+  const double RI_5a = D->m10 * B->xz, RI_5b = D->m11 * B->yz, RI_5c = RI_5a + RI_5b,
+      RI_5d = D->m12 * B->zz, RI_5 = RI_5c + RI_5d;
+  const double RI_6a = D->m20 * B->xx, RI_6b = D->m21 * B->xy, RI_6c = RI_6a + RI_6b,
+      RI_6d = D->m22 * B->xz, RI_6 = RI_6c + RI_6d;
+  const double RI_7a = D->m20 * B->xy, RI_7b = D->m21 * B->yy, RI_7c = RI_7a + RI_7b,
+      RI_7d = D->m22 * B->yz, RI_7 = RI_7c + RI_7d;
+  const double RI_8a = D->m20 * B->xz, RI_8b = D->m21 * B->yz, RI_8c = RI_8a + RI_8b,
+      RI_8d = D->m22 * B->zz, RI_8 = RI_8c + RI_8d;
+  const double turned_1a = D->m00 * B->h.x, turned_1b = D->m01 * B->h.y,
+      turned_1c = turned_1a + turned_1b, turned_1d = D->m02 * B->h.z,
+      turned_1 = turned_1c + turned_1d;
+  const double turned_2a = D->m10 * B->h.x, turned_2b = D->m11 * B->h.y,
+      turned_2c = turned_2a + turned_2b, turned_2d = D->m12 * B->h.z,
+      turned_2 = turned_2c + turned_2d;
+  const double turned_3a = D->m20 * B->h.x, turned_3b = D->m21 * B->h.y,
+      turned_3c = turned_3a + turned_3b, turned_3d = D->m22 * B->h.z,
+      turned_3 = turned_3c + turned_3d;
+  const double turned_4a = D->m00 * RI_0, turned_4b = D->m01 * RI_1,
+      turned_4c = turned_4a + turned_4b, turned_4d = D->m02 * RI_2,
+      turned_4 = turned_4c + turned_4d;
+  const double turned_5a = D->m10 * RI_3, turned_5b = D->m11 * RI_4,
+      turned_5c = turned_5a + turned_5b, turned_5d = D->m12 * RI_5,
+      turned_5 = turned_5c + turned_5d;
+  const double turned_6a = D->m20 * RI_6, turned_6b = D->m21 * RI_7,
+      turned_6c = turned_6a + turned_6b, turned_6d = D->m22 * RI_8,
+      turned_6 = turned_6c + turned_6d;
+  const double turned_7a = D->m10 * RI_0, turned_7b = D->m11 * RI_1,
+      turned_7c = turned_7a + turned_7b, turned_7d = D->m12 * RI_2,
+      turned_7 = turned_7c + turned_7d;
+  const double turned_8a = D->m20 * RI_0, turned_8b = D->m21 * RI_1,
+      turned_8c = turned_8a + turned_8b, turned_8d = D->m22 * RI_2,
+      turned_8 = turned_8c + turned_8d;
+  const double turned_9a = D->m20 * RI_3, turned_9b = D->m21 * RI_4,
+      turned_9c = turned_9a + turned_9b, turned_9d = D->m22 * RI_5,
+      turned_9 = turned_9c + turned_9d;
+  const double moved_0a = D->m03 * B->m, moved_0 = moved_0a + turned_1;
+  const double moved_1a = D->m13 * B->m, moved_1 = moved_1a + turned_2;
+  const double moved_2a = D->m23 * B->m, moved_2 = moved_2a + turned_3;
+  const double own_0a = D->m03 * turned_1, own_0b = D->m03 * moved_0, own_0 = own_0a + own_0b;
+  const double own_1a = D->m13 * turned_2, own_1b = D->m13 * moved_1, own_1 = own_1a + own_1b;
+  const double own_2a = D->m23 * turned_3, own_2b = D->m23 * moved_2, own_2 = own_2a + own_2b;
+  const double Bo_4a = own_1 + own_2, Bo_4 = turned_4 + Bo_4a;
+  const double Bo_5a = own_0 + own_2, Bo_5 = turned_5 + Bo_5a;
+  const double Bo_6a = own_0 + own_1, Bo_6 = turned_6 + Bo_6a;
+  const double Bo_7a = D->m03 * moved_1, Bo_7b = turned_7 - Bo_7a, Bo_7c = D->m13 * turned_1,
+      Bo_7 = Bo_7b - Bo_7c;
+  const double Bo_8a = D->m03 * moved_2, Bo_8b = turned_8 - Bo_8a, Bo_8c = D->m23 * turned_1,
+      Bo_8 = Bo_8b - Bo_8c;
+  const double Bo_9a = D->m13 * moved_2, Bo_9b = turned_9 - Bo_9a, Bo_9c = D->m23 * turned_2,
+      Bo_9 = Bo_9b - Bo_9c;
+  const double B_m = B->m;
+  Bo->m = B_m;
+  Bo->h.x = moved_0;
+  Bo->h.y = moved_1;
+  Bo->h.z = moved_2;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+}
+
+/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:
+     positive exactly if a body of positive density has this inertia.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2).
+   13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
+static inline double ksl_inertia_consistency(const ksl_inertia_t *B) {
+  const double trace_a = 0.5 * B->xx, trace_b = 0.5 * B->yy, trace_c = trace_a + trace_b,
+      trace_d = 0.5 * B->zz, trace = trace_c + trace_d;
+  const double sigma_0 = trace - B->xx;
+  const double sigma_1 = trace - B->yy;
+  const double sigma_2 = trace - B->zz;
+  const double divisor0 = 0.0 < B->m ? B->m : 1.0;
+  const double l0_0 = B->h.x / divisor0;
+  const double l0_1 = B->h.y / divisor0;
+  const double l0_2 = B->h.z / divisor0;
+  const double u1_0a = B->h.x * l0_0, u1_0 = sigma_0 - u1_0a;
+  const double u1_1a = B->h.y * l0_0, u1_1b = u1_1a + B->xy, u1_1 = -u1_1b;
+  const double u1_2a = B->h.z * l0_0, u1_2b = u1_2a + B->xz, u1_2 = -u1_2b;
+  const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
+  const double l1_0 = u1_1 / divisor1;
+  const double l1_1 = u1_2 / divisor1;
+  const double u2_0a = B->h.y * l0_1, u2_0b = sigma_1 - u2_0a, u2_0c = u1_1 * l1_0,
+      u2_0 = u2_0b - u2_0c;
+  const double u2_1a = B->h.z * l0_1, u2_1b = u2_1a + B->yz, u2_1c = u1_2 * l1_0,
+      u2_1d = u2_1b + u2_1c, u2_1 = -u2_1d;
+  const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0;
+  const double l2 = u2_1 / divisor2;
+  const double u3a = B->h.z * l0_2, u3b = sigma_2 - u3a, u3c = u1_2 * l1_1, u3d = u3b - u3c,
+      u3e = u2_1 * l2, u3 = u3d - u3e;
+  const double part0a = B->m / divisor0, part0 = 0.0 < B->m ? part0a : B->m;
+  const double own1 = 0.0 < sigma_0 ? sigma_0 : 1.0;
+  const double part1a = u1_0 / own1, part1 = 0.0 < sigma_0 ? part1a : sigma_0;
+  const double smallest1 = part0 < part1 ? part0 : part1;
+  const double own2 = 0.0 < sigma_1 ? sigma_1 : 1.0;
+  const double part2a = u2_0 / own2, part2 = 0.0 < sigma_1 ? part2a : sigma_1;
+  const double smallest2 = smallest1 < part2 ? smallest1 : part2;
+  const double own3 = 0.0 < sigma_2 ? sigma_2 : 1.0;
+  const double part3a = u3 / own3, part3 = 0.0 < sigma_2 ? part3a : sigma_2;
+  const double smallest3 = smallest2 < part3 ? smallest2 : part3;
+  return smallest3;
+}
+
+/* The inertia of these entries, in order. */
+static inline ksl_inertiaf_t ksl_inertiaf(const float m, const float hx, const float hy,
+    const float hz, const float xx, const float yy, const float zz, const float xy,
+    const float xz, const float yz) {
+  ksl_inertiaf_t value;
+  value.m = m;
+  value.h.x = hx;
+  value.h.y = hy;
+  value.h.z = hz;
+  value.xx = xx;
+  value.yy = yy;
+  value.zz = zz;
+  value.xy = xy;
+  value.xz = xz;
+  value.yz = yz;
+  return value;
+}
+
+/* Bo = Bi.
+   Bi, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz
+     in kg m^2).
+   No arithmetic.
+   Exact. */
+static inline void ksl_inertiaf_copy(const ksl_inertiaf_t *Bi, ksl_inertiaf_t *Bo) {
+  const float Bi_m = Bi->m;
+  const float Bi_h_x = Bi->h.x;
+  const float Bi_h_y = Bi->h.y;
+  const float Bi_h_z = Bi->h.z;
+  const float Bi_xx = Bi->xx;
+  const float Bi_yy = Bi->yy;
+  const float Bi_zz = Bi->zz;
+  const float Bi_xy = Bi->xy;
+  const float Bi_xz = Bi->xz;
+  const float Bi_yz = Bi->yz;
+  Bo->m = Bi_m;
+  Bo->h.x = Bi_h_x;
+  Bo->h.y = Bi_h_y;
+  Bo->h.z = Bi_h_z;
+  Bo->xx = Bi_xx;
+  Bo->yy = Bi_yy;
+  Bo->zz = Bi_zz;
+  Bo->xy = Bi_xy;
+  Bo->xz = Bi_xz;
+  Bo->yz = Bi_yz;
+}
+
+/* self = a self.
+   self: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in
+     kg m^2); a: number.
+   10 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_inertiaf_scale(ksl_inertiaf_t *self, const float a) {
+  const float self_0_new = self->m * a;
+  const float self_1_new = self->h.x * a;
+  const float self_2_new = self->h.y * a;
+  const float self_3_new = self->h.z * a;
+  const float self_4_new = self->xx * a;
+  const float self_5_new = self->yy * a;
+  const float self_6_new = self->zz * a;
+  const float self_7_new = self->xy * a;
+  const float self_8_new = self->xz * a;
+  const float self_9_new = self->yz * a;
+  self->m = self_0_new;
+  self->h.x = self_1_new;
+  self->h.y = self_2_new;
+  self->h.z = self_3_new;
+  self->xx = self_4_new;
+  self->yy = self_5_new;
+  self->zz = self_6_new;
+  self->xy = self_7_new;
+  self->xz = self_8_new;
+  self->yz = self_9_new;
+}
+
+/* Bo = B1 + B2.
+   B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz,
+     yz in kg m^2).
+   10 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_BBf(const ksl_inertiaf_t *B1, const ksl_inertiaf_t *B2,
+    ksl_inertiaf_t *Bo) {
+  const float Bo_0 = B1->m + B2->m;
+  const float Bo_1 = B1->h.x + B2->h.x;
+  const float Bo_2 = B1->h.y + B2->h.y;
+  const float Bo_3 = B1->h.z + B2->h.z;
+  const float Bo_4 = B1->xx + B2->xx;
+  const float Bo_5 = B1->yy + B2->yy;
+  const float Bo_6 = B1->zz + B2->zz;
+  const float Bo_7 = B1->xy + B2->xy;
+  const float Bo_8 = B1->xz + B2->xz;
+  const float Bo_9 = B1->yz + B2->yz;
+  Bo->m = Bo_0;
+  Bo->h.x = Bo_1;
+  Bo->h.y = Bo_2;
+  Bo->h.z = Bo_3;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+}
+
+/* Bo = B1 - B2.
+   B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz,
+     yz in kg m^2).
+   10 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_subtract_BBf(const ksl_inertiaf_t *B1, const ksl_inertiaf_t *B2,
+    ksl_inertiaf_t *Bo) {
+  const float Bo_0 = B1->m - B2->m;
+  const float Bo_1 = B1->h.x - B2->h.x;
+  const float Bo_2 = B1->h.y - B2->h.y;
+  const float Bo_3 = B1->h.z - B2->h.z;
+  const float Bo_4 = B1->xx - B2->xx;
+  const float Bo_5 = B1->yy - B2->yy;
+  const float Bo_6 = B1->zz - B2->zz;
+  const float Bo_7 = B1->xy - B2->xy;
+  const float Bo_8 = B1->xz - B2->xz;
+  const float Bo_9 = B1->yz - B2->yz;
+  Bo->m = Bo_0;
+  Bo->h.x = Bo_1;
+  Bo->h.y = Bo_2;
+  Bo->h.z = Bo_3;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+}
+
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
+     the upper triangle): h = m com, I = Ic - m com~ com~.
+   m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial inertia (m in kg; h = m
+     c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+   9 mul, 9 add.
+   Error <= u |result| + (m: 0, h: 0, I: 3) u S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertiaf_from_com(const float m, const ksl_vec3f_t *com,
+    const ksl_mat3x3f_t *Ic, ksl_inertiaf_t *Bo) {
+  const float h_0 = m * com->x;
+  const float h_1 = m * com->y;
+  const float h_2 = m * com->z;
+  const float squares_0 = com->x * h_0;
+  const float squares_1 = com->y * h_1;
+  const float squares_2 = com->z * h_2;
+  const float Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
+  const float Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
+  const float Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
+  const float Bo_7a = com->y * h_0, Bo_7 = Ic->m01 - Bo_7a;
+  const float Bo_8a = com->z * h_0, Bo_8 = Ic->m02 - Bo_8a;
+  const float Bo_9a = com->z * h_1, Bo_9 = Ic->m12 - Bo_9a;
+  Bo->m = m;
+  Bo->h.x = h_0;
+  Bo->h.y = h_1;
+  Bo->h.z = h_2;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+}
+
+/* vo = h / m, the centre of mass in m.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); vo: vector.
+   3 div. */
+static inline void ksl_inertiaf_com(const ksl_inertiaf_t *B, ksl_vec3f_t *vo) {
+  const float vo_0 = B->h.x / B->m;
+  const float vo_1 = B->h.y / B->m;
+  const float vo_2 = B->h.z / B->m;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+}
+
+/* Ro = I + h~ h~ / m, the second moments about the centre of mass.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); Ro: rotation or other 3×3 matrix.
+   6 mul, 9 add, 3 div. */
+static inline void ksl_inertiaf_about_com(const ksl_inertiaf_t *B, ksl_mat3x3f_t *Ro) {
+  const float c_0 = B->h.x / B->m;
+  const float c_1 = B->h.y / B->m;
+  const float c_2 = B->h.z / B->m;
+  const float squares_0 = B->h.x * c_0;
+  const float squares_1 = B->h.y * c_1;
+  const float squares_2 = B->h.z * c_2;
+  const float about_0a = squares_1 + squares_2, about_0 = B->xx - about_0a;
+  const float about_1a = squares_0 + squares_2, about_1 = B->yy - about_1a;
+  const float about_2a = squares_0 + squares_1, about_2 = B->zz - about_2a;
+  const float about_3a = B->h.x * c_1, about_3 = about_3a + B->xy;
+  const float about_4a = B->h.x * c_2, about_4 = about_4a + B->xz;
+  const float about_5a = B->h.y * c_2, about_5 = about_5a + B->yz;
+  Ro->m00 = about_0;
+  Ro->m01 = about_3;
+  Ro->m02 = about_4;
+  Ro->m10 = about_3;
+  Ro->m11 = about_1;
+  Ro->m12 = about_5;
+  Ro->m20 = about_4;
+  Ro->m21 = about_5;
+  Ro->m22 = about_2;
+}
+
+/* Mo = [[m 1, -h~], [h~, I]].
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); Mo: 6×6 operator.
+   3 neg.
+   Exact. */
+static inline void ksl_inertiaf_matrix(const ksl_inertiaf_t *B, ksl_mat6x6f_t *Mo) {
+  const float Mo_05 = -B->h.y;
+  const float Mo_13 = -B->h.z;
+  const float Mo_24 = -B->h.x;
+  const float B_m = B->m;
+  const float B_h_z = B->h.z;
+  const float B_h_x = B->h.x;
+  const float B_h_y = B->h.y;
+  const float B_xx = B->xx;
+  const float B_xy = B->xy;
+  const float B_xz = B->xz;
+  const float B_yy = B->yy;
+  const float B_yz = B->yz;
+  const float B_zz = B->zz;
+  Mo->at[0][0] = B_m;
+  Mo->at[1][0] = 0.0f;
+  Mo->at[2][0] = 0.0f;
+  Mo->at[3][0] = 0.0f;
+  Mo->at[4][0] = B_h_z;
+  Mo->at[5][0] = Mo_05;
+  Mo->at[0][1] = 0.0f;
+  Mo->at[1][1] = B_m;
+  Mo->at[2][1] = 0.0f;
+  Mo->at[3][1] = Mo_13;
+  Mo->at[4][1] = 0.0f;
+  Mo->at[5][1] = B_h_x;
+  Mo->at[0][2] = 0.0f;
+  Mo->at[1][2] = 0.0f;
+  Mo->at[2][2] = B_m;
+  Mo->at[3][2] = B_h_y;
+  Mo->at[4][2] = Mo_24;
+  Mo->at[5][2] = 0.0f;
+  Mo->at[0][3] = 0.0f;
+  Mo->at[1][3] = Mo_13;
+  Mo->at[2][3] = B_h_y;
+  Mo->at[3][3] = B_xx;
+  Mo->at[4][3] = B_xy;
+  Mo->at[5][3] = B_xz;
+  Mo->at[0][4] = B_h_z;
+  Mo->at[1][4] = 0.0f;
+  Mo->at[2][4] = Mo_24;
+  Mo->at[3][4] = B_xy;
+  Mo->at[4][4] = B_yy;
+  Mo->at[5][4] = B_yz;
+  Mo->at[0][5] = Mo_05;
+  Mo->at[1][5] = B_h_x;
+  Mo->at[2][5] = 0.0f;
+  Mo->at[3][5] = B_xz;
+  Mo->at[4][5] = B_yz;
+  Mo->at[5][5] = B_zz;
+}
+
+/* co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); s: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
+   24 mul, 18 add.
+   Error <= u |result| + (lin: 2, ang: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_Bsf(const ksl_inertiaf_t *B, const ksl_screwf_t *s,
+    ksl_coscrewf_t *co) {
+  const float co_0a = B->m * s->m0, co_0b = B->h.z * s->m4, co_0c = B->h.y * s->m5,
+      co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
+  const float co_1a = B->m * s->m1, co_1b = B->h.x * s->m5, co_1c = B->h.z * s->m3,
+      co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
+  const float co_2a = B->m * s->m2, co_2b = B->h.y * s->m3, co_2c = B->h.x * s->m4,
+      co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
+  const float co_3a = B->h.y * s->m2, co_3b = B->h.z * s->m1, co_3c = co_3a - co_3b,
+      co_3d = B->xx * s->m3, co_3e = B->xy * s->m4, co_3f = co_3d + co_3e, co_3g = B->xz * s->m5,
+      co_3h = co_3f + co_3g, co_3 = co_3c + co_3h;
+  const float co_4a = B->h.z * s->m0, co_4b = B->h.x * s->m2, co_4c = co_4a - co_4b,
+      co_4d = B->yy * s->m4, co_4e = B->xy * s->m3, co_4f = co_4d + co_4e, co_4g = B->yz * s->m5,
+      co_4h = co_4f + co_4g, co_4 = co_4c + co_4h;
+  const float co_5a = B->h.x * s->m1, co_5b = B->h.y * s->m0, co_5c = co_5a - co_5b,
+      co_5d = B->zz * s->m5, co_5e = B->xz * s->m3, co_5f = co_5d + co_5e, co_5g = B->yz * s->m4,
+      co_5h = co_5f + co_5g, co_5 = co_5c + co_5h;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+}
+
+/* s·B s / 2, the kinetic energy in J of a body that moves with s.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); s: screw (v in m/s; ω in rad/s).
+   31 mul, 23 add.
+   Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline float ksl_inertiaf_energy(const ksl_inertiaf_t *B, const ksl_screwf_t *s) {
+  const float p_0a = B->m * s->m0, p_0b = B->h.z * s->m4, p_0c = B->h.y * s->m5, p_0d = p_0b - p_0c,
+      p_0 = p_0a + p_0d;
+  const float p_1a = B->m * s->m1, p_1b = B->h.x * s->m5, p_1c = B->h.z * s->m3, p_1d = p_1b - p_1c,
+      p_1 = p_1a + p_1d;
+  const float p_2a = B->m * s->m2, p_2b = B->h.y * s->m3, p_2c = B->h.x * s->m4, p_2d = p_2b - p_2c,
+      p_2 = p_2a + p_2d;
+  const float p_3a = B->h.y * s->m2, p_3b = B->h.z * s->m1, p_3c = p_3a - p_3b,
+      p_3d = B->xx * s->m3, p_3e = B->xy * s->m4, p_3f = p_3d + p_3e, p_3g = B->xz * s->m5,
+      p_3h = p_3f + p_3g, p_3 = p_3c + p_3h;
+  const float p_4a = B->h.z * s->m0, p_4b = B->h.x * s->m2, p_4c = p_4a - p_4b,
+      p_4d = B->yy * s->m4, p_4e = B->xy * s->m3, p_4f = p_4d + p_4e, p_4g = B->yz * s->m5,
+      p_4h = p_4f + p_4g, p_4 = p_4c + p_4h;
+  const float p_5a = B->h.x * s->m1, p_5b = B->h.y * s->m0, p_5c = p_5a - p_5b,
+      p_5d = B->zz * s->m5, p_5e = B->xz * s->m3, p_5f = p_5d + p_5e, p_5g = B->yz * s->m4,
+      p_5h = p_5f + p_5g, p_5 = p_5c + p_5h;
+  const float twice_a = s->m0 * p_0, twice_b = s->m1 * p_1, twice_c = twice_a + twice_b,
+      twice_d = s->m2 * p_2, twice_e = twice_c + twice_d, twice_f = s->m3 * p_3,
+      twice_g = s->m4 * p_4, twice_h = twice_f + twice_g, twice_i = s->m5 * p_5,
+      twice_j = twice_h + twice_i, twice = twice_e + twice_j;
+  const float energy = 0.5f * twice;
+  return energy;
+}
+
+/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+   t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
+     xy, xz, yz in kg m^2).
+   15 mul, 18 add.
+   Error <= u |result| + (m: 0, h: 1, I: 5) u S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertiaf_shifted(const ksl_vec3f_t *t, const ksl_inertiaf_t *B,
+    ksl_inertiaf_t *Bo) {
+  const float moved_0a = t->x * B->m, moved_0 = moved_0a + B->h.x;
+  const float moved_1a = t->y * B->m, moved_1 = moved_1a + B->h.y;
+  const float moved_2a = t->z * B->m, moved_2 = moved_2a + B->h.z;
+  const float own_0a = t->x * B->h.x, own_0b = t->x * moved_0, own_0 = own_0a + own_0b;
+  const float own_1a = t->y * B->h.y, own_1b = t->y * moved_1, own_1 = own_1a + own_1b;
+  const float own_2a = t->z * B->h.z, own_2b = t->z * moved_2, own_2 = own_2a + own_2b;
+  const float Bo_4a = own_1 + own_2, Bo_4 = B->xx + Bo_4a;
+  const float Bo_5a = own_0 + own_2, Bo_5 = B->yy + Bo_5a;
+  const float Bo_6a = own_0 + own_1, Bo_6 = B->zz + Bo_6a;
+  const float Bo_7a = t->x * moved_1, Bo_7b = B->xy - Bo_7a, Bo_7c = t->y * B->h.x,
+      Bo_7 = Bo_7b - Bo_7c;
+  const float Bo_8a = t->x * moved_2, Bo_8b = B->xz - Bo_8a, Bo_8c = t->z * B->h.x,
+      Bo_8 = Bo_8b - Bo_8c;
+  const float Bo_9a = t->y * moved_2, Bo_9b = B->yz - Bo_9a, Bo_9c = t->z * B->h.y,
+      Bo_9 = Bo_9b - Bo_9c;
+  const float B_m = B->m;
+  Bo->m = B_m;
+  Bo->h.x = moved_0;
+  Bo->h.y = moved_1;
+  Bo->h.z = moved_2;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+}
+
+/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+   D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
+     I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+   69 mul, 54 add.
+   Error <= u |result| + (m: 0, h: 3, I: 7) u S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertiaf_transformed(const ksl_SE3f_t *D, const ksl_inertiaf_t *B,
+    ksl_inertiaf_t *Bo) {
+  const float RI_0a = D->m00 * B->xx, RI_0b = D->m01 * B->xy, RI_0c = RI_0a + RI_0b,
+      RI_0d = D->m02 * B->xz, RI_0 = RI_0c + RI_0d;
+  const float RI_1a = D->m00 * B->xy, RI_1b = D->m01 * B->yy, RI_1c = RI_1a + RI_1b,
+      RI_1d = D->m02 * B->yz, RI_1 = RI_1c + RI_1d;
+  const float RI_2a = D->m00 * B->xz, RI_2b = D->m01 * B->yz, RI_2c = RI_2a + RI_2b,
+      RI_2d = D->m02 * B->zz, RI_2 = RI_2c + RI_2d;
+  const float RI_3a = D->m10 * B->xx, RI_3b = D->m11 * B->xy, RI_3c = RI_3a + RI_3b,
+      RI_3d = D->m12 * B->xz, RI_3 = RI_3c + RI_3d;
+  const float RI_4a = D->m10 * B->xy, RI_4b = D->m11 * B->yy, RI_4c = RI_4a + RI_4b,
+      RI_4d = D->m12 * B->yz, RI_4 = RI_4c + RI_4d;
+  const float RI_5a = D->m10 * B->xz, RI_5b = D->m11 * B->yz, RI_5c = RI_5a + RI_5b,
+      RI_5d = D->m12 * B->zz, RI_5 = RI_5c + RI_5d;
+  const float RI_6a = D->m20 * B->xx, RI_6b = D->m21 * B->xy, RI_6c = RI_6a + RI_6b,
+      RI_6d = D->m22 * B->xz, RI_6 = RI_6c + RI_6d;
+  const float RI_7a = D->m20 * B->xy, RI_7b = D->m21 * B->yy, RI_7c = RI_7a + RI_7b,
+      RI_7d = D->m22 * B->yz, RI_7 = RI_7c + RI_7d;
+  const float RI_8a = D->m20 * B->xz, RI_8b = D->m21 * B->yz, RI_8c = RI_8a + RI_8b,
+      RI_8d = D->m22 * B->zz, RI_8 = RI_8c + RI_8d;
+  const float turned_1a = D->m00 * B->h.x, turned_1b = D->m01 * B->h.y,
+      turned_1c = turned_1a + turned_1b, turned_1d = D->m02 * B->h.z,
+      turned_1 = turned_1c + turned_1d;
+  const float turned_2a = D->m10 * B->h.x, turned_2b = D->m11 * B->h.y,
+      turned_2c = turned_2a + turned_2b, turned_2d = D->m12 * B->h.z,
+      turned_2 = turned_2c + turned_2d;
+  const float turned_3a = D->m20 * B->h.x, turned_3b = D->m21 * B->h.y,
+      turned_3c = turned_3a + turned_3b, turned_3d = D->m22 * B->h.z,
+      turned_3 = turned_3c + turned_3d;
+  const float turned_4a = D->m00 * RI_0, turned_4b = D->m01 * RI_1,
+      turned_4c = turned_4a + turned_4b, turned_4d = D->m02 * RI_2,
+      turned_4 = turned_4c + turned_4d;
+  const float turned_5a = D->m10 * RI_3, turned_5b = D->m11 * RI_4,
+      turned_5c = turned_5a + turned_5b, turned_5d = D->m12 * RI_5,
+      turned_5 = turned_5c + turned_5d;
+  const float turned_6a = D->m20 * RI_6, turned_6b = D->m21 * RI_7,
+      turned_6c = turned_6a + turned_6b, turned_6d = D->m22 * RI_8,
+      turned_6 = turned_6c + turned_6d;
+  const float turned_7a = D->m10 * RI_0, turned_7b = D->m11 * RI_1,
+      turned_7c = turned_7a + turned_7b, turned_7d = D->m12 * RI_2,
+      turned_7 = turned_7c + turned_7d;
+  const float turned_8a = D->m20 * RI_0, turned_8b = D->m21 * RI_1,
+      turned_8c = turned_8a + turned_8b, turned_8d = D->m22 * RI_2,
+      turned_8 = turned_8c + turned_8d;
+  const float turned_9a = D->m20 * RI_3, turned_9b = D->m21 * RI_4,
+      turned_9c = turned_9a + turned_9b, turned_9d = D->m22 * RI_5,
+      turned_9 = turned_9c + turned_9d;
+  const float moved_0a = D->m03 * B->m, moved_0 = moved_0a + turned_1;
+  const float moved_1a = D->m13 * B->m, moved_1 = moved_1a + turned_2;
+  const float moved_2a = D->m23 * B->m, moved_2 = moved_2a + turned_3;
+  const float own_0a = D->m03 * turned_1, own_0b = D->m03 * moved_0, own_0 = own_0a + own_0b;
+  const float own_1a = D->m13 * turned_2, own_1b = D->m13 * moved_1, own_1 = own_1a + own_1b;
+  const float own_2a = D->m23 * turned_3, own_2b = D->m23 * moved_2, own_2 = own_2a + own_2b;
+  const float Bo_4a = own_1 + own_2, Bo_4 = turned_4 + Bo_4a;
+  const float Bo_5a = own_0 + own_2, Bo_5 = turned_5 + Bo_5a;
+  const float Bo_6a = own_0 + own_1, Bo_6 = turned_6 + Bo_6a;
+  const float Bo_7a = D->m03 * moved_1, Bo_7b = turned_7 - Bo_7a, Bo_7c = D->m13 * turned_1,
+      Bo_7 = Bo_7b - Bo_7c;
+  const float Bo_8a = D->m03 * moved_2, Bo_8b = turned_8 - Bo_8a, Bo_8c = D->m23 * turned_1,
+      Bo_8 = Bo_8b - Bo_8c;
+  const float Bo_9a = D->m13 * moved_2, Bo_9b = turned_9 - Bo_9a, Bo_9c = D->m23 * turned_2,
+      Bo_9 = Bo_9b - Bo_9c;
+  const float B_m = B->m;
+  Bo->m = B_m;
+  Bo->h.x = moved_0;
+  Bo->h.y = moved_1;
+  Bo->h.z = moved_2;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+}
+
+/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:
+     positive exactly if a body of positive density has this inertia.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2).
+   13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
+static inline float ksl_inertiaf_consistency(const ksl_inertiaf_t *B) {
+  const float trace_a = 0.5f * B->xx, trace_b = 0.5f * B->yy, trace_c = trace_a + trace_b,
+      trace_d = 0.5f * B->zz, trace = trace_c + trace_d;
+  const float sigma_0 = trace - B->xx;
+  const float sigma_1 = trace - B->yy;
+  const float sigma_2 = trace - B->zz;
+  const float divisor0 = 0.0f < B->m ? B->m : 1.0f;
+  const float l0_0 = B->h.x / divisor0;
+  const float l0_1 = B->h.y / divisor0;
+  const float l0_2 = B->h.z / divisor0;
+  const float u1_0a = B->h.x * l0_0, u1_0 = sigma_0 - u1_0a;
+  const float u1_1a = B->h.y * l0_0, u1_1b = u1_1a + B->xy, u1_1 = -u1_1b;
+  const float u1_2a = B->h.z * l0_0, u1_2b = u1_2a + B->xz, u1_2 = -u1_2b;
+  const float divisor1 = 0.0f < u1_0 ? u1_0 : 1.0f;
+  const float l1_0 = u1_1 / divisor1;
+  const float l1_1 = u1_2 / divisor1;
+  const float u2_0a = B->h.y * l0_1, u2_0b = sigma_1 - u2_0a, u2_0c = u1_1 * l1_0,
+      u2_0 = u2_0b - u2_0c;
+  const float u2_1a = B->h.z * l0_1, u2_1b = u2_1a + B->yz, u2_1c = u1_2 * l1_0,
+      u2_1d = u2_1b + u2_1c, u2_1 = -u2_1d;
+  const float divisor2 = 0.0f < u2_0 ? u2_0 : 1.0f;
+  const float l2 = u2_1 / divisor2;
+  const float u3a = B->h.z * l0_2, u3b = sigma_2 - u3a, u3c = u1_2 * l1_1, u3d = u3b - u3c,
+      u3e = u2_1 * l2, u3 = u3d - u3e;
+  const float part0a = B->m / divisor0, part0 = 0.0f < B->m ? part0a : B->m;
+  const float own1 = 0.0f < sigma_0 ? sigma_0 : 1.0f;
+  const float part1a = u1_0 / own1, part1 = 0.0f < sigma_0 ? part1a : sigma_0;
+  const float smallest1 = part0 < part1 ? part0 : part1;
+  const float own2 = 0.0f < sigma_1 ? sigma_1 : 1.0f;
+  const float part2a = u2_0 / own2, part2 = 0.0f < sigma_1 ? part2a : sigma_1;
+  const float smallest2 = smallest1 < part2 ? smallest1 : part2;
+  const float own3 = 0.0f < sigma_2 ? sigma_2 : 1.0f;
+  const float part3a = u3 / own3, part3 = 0.0f < sigma_2 ? part3a : sigma_2;
+  const float smallest3 = smallest2 < part3 ? smallest2 : part3;
+  return smallest3;
+}
+
+#ifndef KSL_NO_ALLOC
+#include <stdlib.h>
+
+/* n zeroed ksl_inertia_t on the heap, to be freed by the caller; NULL for n <= 0 or when there
+     is no memory. */
+static inline ksl_inertia_t *ksl_inertia_alloc(int n) {
+  return n > 0 ? (ksl_inertia_t *)calloc((size_t)n, sizeof(ksl_inertia_t)) : NULL;
+}
+
+/* n zeroed ksl_inertiaf_t on the heap, to be freed by the caller; NULL for n <= 0 or when there
+     is no memory. */
+static inline ksl_inertiaf_t *ksl_inertiaf_alloc(int n) {
+  return n > 0 ? (ksl_inertiaf_t *)calloc((size_t)n, sizeof(ksl_inertiaf_t)) : NULL;
+}
+
+#endif
 
 #endif
 

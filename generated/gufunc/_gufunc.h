@@ -68,6 +68,8 @@ extern const coscrew_gufunc coscrew_screw_gufuncs[], coscrew_screw_gufuncs_avx2[
 extern const coscrew_gufunc coscrew_coscrew_gufuncs[], coscrew_coscrew_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_quaternion_gufuncs[], coscrew_quaternion_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_exponential_gufuncs[], coscrew_exponential_gufuncs_avx2[];
+extern const coscrew_gufunc coscrew_symmetric_gufuncs[], coscrew_symmetric_gufuncs_avx2[];
+extern const coscrew_gufunc coscrew_inertia_gufuncs[], coscrew_inertia_gufuncs_avx2[];
 
 INLINED void load_scalar_double(
     double *x, const char *p, const npy_intp *s) {

@@ -1175,6 +1175,93 @@ static PyUFuncGenericFunction vec3_normalized_loops[] = {
     vec3_normalized_double, vec3_normalized_single};
 
 /* (3),(3)->() */
+INLINED void angle_vv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v1;
+  load_vec3_double(&v1, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t v2;
+    double angle;
+    if (step[0] != 0) {
+      load_vec3_double(&v1, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&v2, p1 + i * step[1], core + 1);
+    angle = ksl_angle_vv(&v1, &v2);
+    store_scalar_double(&angle, p2 + i * step[2], core + 2);
+  }
+}
+
+static void angle_vv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    angle_vv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    angle_vv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  angle_vv_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),(3)->() */
+INLINED void angle_vv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v1;
+  load_vec3_single(&v1, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t v2;
+    float angle;
+    if (step[0] != 0) {
+      load_vec3_single(&v1, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&v2, p1 + i * step[1], core + 1);
+    angle = ksl_angle_vvf(&v1, &v2);
+    store_scalar_single(&angle, p2 + i * step[2], core + 2);
+  }
+}
+
+static void angle_vv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    angle_vv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    angle_vv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  angle_vv_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction angle_vv_loops[] = {
+    angle_vv_double, angle_vv_single};
+
+/* (3),(3)->() */
 INLINED void dot_vv_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
   char *const p0 = data[0];
@@ -2223,6 +2310,12 @@ const coscrew_gufunc TABLE(vec3)[] = {
     "(3)->(3).  v, vo: vector.\n"
     "12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.\n",
    1, 1, vec3_normalized_loops},
+  {"angle_vv", "(3),(3)->()",
+    "angle = atan2(|v1 × v2|, v1·v2), in [0, π].\n"
+    "\n"
+    "(3),(3)->().  v1, v2: vector; angle: number.\n"
+    "22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 14 less, 14 select.\n",
+   2, 1, angle_vv_loops},
   {"dot_vv", "(3),(3)->()",
     "v1·v2.\n"
     "\n"

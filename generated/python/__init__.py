@@ -13,7 +13,7 @@ from pathlib import Path
 
 from coscrew import c, double, single
 
-_PROVENANCE = "efede1db76f69f0f"
+_PROVENANCE = "8a70519f8919895e"
 
 
 def _is_compiled() -> bool:
@@ -53,6 +53,7 @@ if COMPILED:
         vec3_l2norm,
         vec3_normalize,
         vec3_normalized,
+        angle_vv,
         dot_vv,
         product_avinv,
         product_ainvv,
@@ -259,6 +260,25 @@ if COMPILED:
         SE3_leftJacobianInverse,
         SE3_rightJacobianInverse,
         SE3_interpolated,
+        mat3x3_ldl,
+        mat3x3_ldl_solve,
+        mat3x3_solve,
+        mat6x6_ldl,
+        mat6x6_ldl_solve,
+        mat6x6_solve,
+        inertia_copy,
+        inertia_scale,
+        add_BB,
+        subtract_BB,
+        inertia_from_com,
+        inertia_com,
+        inertia_about_com,
+        inertia_matrix,
+        product_Bs,
+        inertia_energy,
+        inertia_shifted,
+        inertia_transformed,
+        inertia_consistency,
     )
 else:
     from coscrew._dispatch import (
@@ -277,6 +297,7 @@ else:
         vec3_l2norm,
         vec3_normalize,
         vec3_normalized,
+        angle_vv,
         dot_vv,
         product_avinv,
         product_ainvv,
@@ -483,6 +504,25 @@ else:
         SE3_leftJacobianInverse,
         SE3_rightJacobianInverse,
         SE3_interpolated,
+        mat3x3_ldl,
+        mat3x3_ldl_solve,
+        mat3x3_solve,
+        mat6x6_ldl,
+        mat6x6_ldl_solve,
+        mat6x6_solve,
+        inertia_copy,
+        inertia_scale,
+        add_BB,
+        subtract_BB,
+        inertia_from_com,
+        inertia_com,
+        inertia_about_com,
+        inertia_matrix,
+        product_Bs,
+        inertia_energy,
+        inertia_shifted,
+        inertia_transformed,
+        inertia_consistency,
     )
 
 
@@ -513,6 +553,7 @@ __all__ = [
     "vec3_l2norm",
     "vec3_normalize",
     "vec3_normalized",
+    "angle_vv",
     "dot_vv",
     "product_avinv",
     "product_ainvv",
@@ -719,4 +760,23 @@ __all__ = [
     "SE3_leftJacobianInverse",
     "SE3_rightJacobianInverse",
     "SE3_interpolated",
+    "mat3x3_ldl",
+    "mat3x3_ldl_solve",
+    "mat3x3_solve",
+    "mat6x6_ldl",
+    "mat6x6_ldl_solve",
+    "mat6x6_solve",
+    "inertia_copy",
+    "inertia_scale",
+    "add_BB",
+    "subtract_BB",
+    "inertia_from_com",
+    "inertia_com",
+    "inertia_about_com",
+    "inertia_matrix",
+    "product_Bs",
+    "inertia_energy",
+    "inertia_shifted",
+    "inertia_transformed",
+    "inertia_consistency",
 ]

@@ -18,6 +18,7 @@ vec3_scaled = dispatch(__name__, double.vec3_scaled, single.vec3_scaled)
 vec3_l2norm = dispatch(__name__, double.vec3_l2norm, single.vec3_l2norm)
 vec3_normalize = dispatch(__name__, double.vec3_normalize, single.vec3_normalize)
 vec3_normalized = dispatch(__name__, double.vec3_normalized, single.vec3_normalized)
+angle_vv = dispatch(__name__, double.angle_vv, single.angle_vv)
 dot_vv = dispatch(__name__, double.dot_vv, single.dot_vv)
 product_avinv = dispatch(__name__, double.product_avinv, single.product_avinv)
 product_ainvv = dispatch(__name__, double.product_ainvv, single.product_ainvv)
@@ -164,6 +165,23 @@ SO3_log = dispatch(__name__, double.SO3_log, single.SO3_log)
 axis_angle_from_mat3x3 = dispatch(__name__, double.axis_angle_from_mat3x3, single.axis_angle_from_mat3x3)
 mat3x3_orthonormalize = dispatch(__name__, double.mat3x3_orthonormalize, single.mat3x3_orthonormalize)
 mat3x3_orthonormalized = dispatch(__name__, double.mat3x3_orthonormalized, single.mat3x3_orthonormalized)
+mat3x3_ldl = dispatch(__name__, double.mat3x3_ldl, single.mat3x3_ldl)
+mat3x3_ldl_solve = dispatch(__name__, double.mat3x3_ldl_solve, single.mat3x3_ldl_solve)
+mat3x3_solve = dispatch(__name__, double.mat3x3_solve, single.mat3x3_solve)
+mat6x6_ldl = dispatch(__name__, double.mat6x6_ldl, single.mat6x6_ldl)
+mat6x6_ldl_solve = dispatch(__name__, double.mat6x6_ldl_solve, single.mat6x6_ldl_solve)
+mat6x6_solve = dispatch(__name__, double.mat6x6_solve, single.mat6x6_solve)
+inertia_scale = dispatch(__name__, double.inertia_scale, single.inertia_scale)
+add_BB = dispatch(__name__, double.add_BB, single.add_BB)
+subtract_BB = dispatch(__name__, double.subtract_BB, single.subtract_BB)
+inertia_from_com = dispatch(__name__, double.inertia_from_com, single.inertia_from_com)
+inertia_com = dispatch(__name__, double.inertia_com, single.inertia_com)
+inertia_about_com = dispatch(__name__, double.inertia_about_com, single.inertia_about_com)
+product_Bs = dispatch(__name__, double.product_Bs, single.product_Bs)
+inertia_energy = dispatch(__name__, double.inertia_energy, single.inertia_energy)
+inertia_shifted = dispatch(__name__, double.inertia_shifted, single.inertia_shifted)
+inertia_transformed = dispatch(__name__, double.inertia_transformed, single.inertia_transformed)
+inertia_consistency = dispatch(__name__, double.inertia_consistency, single.inertia_consistency)
 
 __all__ = [
     "double", "single", 
@@ -178,6 +196,7 @@ __all__ = [
     "vec3_l2norm",
     "vec3_normalize",
     "vec3_normalized",
+    "angle_vv",
     "dot_vv",
     "product_avinv",
     "product_ainvv",
@@ -324,4 +343,21 @@ __all__ = [
     "axis_angle_from_mat3x3",
     "mat3x3_orthonormalize",
     "mat3x3_orthonormalized",
+    "mat3x3_ldl",
+    "mat3x3_ldl_solve",
+    "mat3x3_solve",
+    "mat6x6_ldl",
+    "mat6x6_ldl_solve",
+    "mat6x6_solve",
+    "inertia_scale",
+    "add_BB",
+    "subtract_BB",
+    "inertia_from_com",
+    "inertia_com",
+    "inertia_about_com",
+    "product_Bs",
+    "inertia_energy",
+    "inertia_shifted",
+    "inertia_transformed",
+    "inertia_consistency",
 ]

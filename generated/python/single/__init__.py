@@ -20,6 +20,7 @@ from coscrew.single.vec3 import (
     vec3_l2norm,
     vec3_normalize,
     vec3_normalized,
+    angle_vv,
     dot_vv,
     product_avinv,
     product_ainvv,
@@ -244,6 +245,29 @@ from coscrew.single.exponential import (
     SE3_leftJacobianInverse,
     SE3_rightJacobianInverse,
     SE3_interpolated,
+)
+from coscrew.single.symmetric import (
+    mat3x3_ldl,
+    mat3x3_ldl_solve,
+    mat3x3_solve,
+    mat6x6_ldl,
+    mat6x6_ldl_solve,
+    mat6x6_solve,
+)
+from coscrew.single.inertia import (
+    inertia_copy,
+    inertia_scale,
+    add_BB,
+    subtract_BB,
+    inertia_from_com,
+    inertia_com,
+    inertia_about_com,
+    inertia_matrix,
+    product_Bs,
+    inertia_energy,
+    inertia_shifted,
+    inertia_transformed,
+    inertia_consistency,
 )
 
 SE3 = SE3_fromRt

@@ -205,7 +205,7 @@ static inline void ksl_subtract_cc_accurate(const ksl_coscrew_t *c1, const ksl_c
 
 /* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
    ci: coscrew (f in N; τ in N m).
-   10 mul, 16 add, 4 product error, 2 sum error, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
+   10 mul, 15 add, 4 product error, 4 sum error, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
      select. */
 static inline double ksl_coscrew_norm_accurate(const ksl_coscrew_t *ci) {
   const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -229,17 +229,17 @@ static inline double ksl_coscrew_norm_accurate(const ksl_coscrew_t *ci) {
       n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
       n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
       n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
-      n_e_lo = n_e_lo1 + n_d_lo, n = sqrt(n_e), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
+      n_e_lo = n_e_lo1 + n_d_lo, n_of_n_e = n_e + n_e_lo,
+      n_of_n_e_lo = ksl_sum_error(n_e, n_e_lo, n_of_n_e), n = sqrt(n_of_n_e), n_product = n * n,
+      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
+      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r = 1.0 < s ? 2.409919865102884e-181 : r_b;
-  const double norm_total = n + n_lo, norm_added = norm_total - n,
-      norm_remaining = n_lo - norm_added, norm = norm_total * r, norm_inverse = 1.0 / r,
-      norm_back = norm * norm_inverse, norm_lost = norm_total - norm_back,
-      norm_rest = norm_lost + norm_remaining, norm_small = norm_rest * r,
-      norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
+  const double norm_of_n = n + n_lo, norm_of_n_lo = ksl_sum_error(n, n_lo, norm_of_n),
+      norm = norm_of_n * r, norm_inverse = 1.0 / r, norm_back = norm * norm_inverse,
+      norm_lost = norm_of_n - norm_back, norm_rest = norm_lost + norm_of_n_lo,
+      norm_small = norm_rest * r, norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
   const double norm_total = norm + norm_lo,
       norm_rounded = norm_total == norm_total ? norm_total : norm;
   return norm_rounded;
@@ -247,7 +247,7 @@ static inline double ksl_coscrew_norm_accurate(const ksl_coscrew_t *ci) {
 
 /* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   43 mul, 64 add, 10 product error, 2 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+   43 mul, 54 add, 10 product error, 10 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
      select. */
 static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
   const double small_a = fabs(self->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -271,9 +271,10 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
       n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
       n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
-      n_e_lo = n_e_lo1 + n_d_lo, n = sqrt(n_e), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
+      n_e_lo = n_e_lo1 + n_d_lo, n_of_n_e = n_e + n_e_lo,
+      n_of_n_e_lo = ksl_sum_error(n_e, n_e_lo, n_of_n_e), n = sqrt(n_of_n_e), n_product = n * n,
+      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
+      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double up = 1.0 < s ? s : 1.0;
@@ -284,94 +285,102 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
   const double enlarged_3 = self->m3 * up;
   const double enlarged_4 = self->m4 * up;
   const double enlarged_5 = self->m5 * up;
-  const double quotient_0 = enlarged_0 / divisor, quotient_0_cross = quotient_0 * divisor_lo,
-      quotient_0_product = quotient_0 * divisor,
-      quotient_0_product_error = ksl_product_error(quotient_0, divisor, quotient_0_product),
+  const double quotient_0_of_divisor = divisor + divisor_lo,
+      quotient_0_of_divisor_lo = ksl_sum_error(divisor, divisor_lo, quotient_0_of_divisor),
+      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
+      quotient_0_product = quotient_0 * quotient_0_of_divisor,
+      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
-      quotient_0_lo = quotient_0_residual / divisor;
-  const double quotient_1 = enlarged_1 / divisor, quotient_1_cross = quotient_1 * divisor_lo,
-      quotient_1_product = quotient_1 * divisor,
-      quotient_1_product_error = ksl_product_error(quotient_1, divisor, quotient_1_product),
+      quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
+  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
+      quotient_1_product = quotient_1 * quotient_0_of_divisor,
+      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
-      quotient_1_lo = quotient_1_residual / divisor;
-  const double quotient_2 = enlarged_2 / divisor, quotient_2_cross = quotient_2 * divisor_lo,
-      quotient_2_product = quotient_2 * divisor,
-      quotient_2_product_error = ksl_product_error(quotient_2, divisor, quotient_2_product),
+      quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
+  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
+      quotient_2_product = quotient_2 * quotient_0_of_divisor,
+      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
-      quotient_2_lo = quotient_2_residual / divisor;
-  const double quotient_3 = enlarged_3 / divisor, quotient_3_cross = quotient_3 * divisor_lo,
-      quotient_3_product = quotient_3 * divisor,
-      quotient_3_product_error = ksl_product_error(quotient_3, divisor, quotient_3_product),
+      quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
+  const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
+      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
+      quotient_3_product = quotient_3 * quotient_0_of_divisor,
+      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
       quotient_3_rest = enlarged_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
-      quotient_3_lo = quotient_3_residual / divisor;
-  const double quotient_4 = enlarged_4 / divisor, quotient_4_cross = quotient_4 * divisor_lo,
-      quotient_4_product = quotient_4 * divisor,
-      quotient_4_product_error = ksl_product_error(quotient_4, divisor, quotient_4_product),
+      quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
+  const double quotient_4 = enlarged_4 / quotient_0_of_divisor,
+      quotient_4_cross = quotient_4 * quotient_0_of_divisor_lo,
+      quotient_4_product = quotient_4 * quotient_0_of_divisor,
+      quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
       quotient_4_rest = enlarged_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
       quotient_4_residual = quotient_4_exact - quotient_4_cross,
-      quotient_4_lo = quotient_4_residual / divisor;
-  const double quotient_5 = enlarged_5 / divisor, quotient_5_cross = quotient_5 * divisor_lo,
-      quotient_5_product = quotient_5 * divisor,
-      quotient_5_product_error = ksl_product_error(quotient_5, divisor, quotient_5_product),
+      quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
+  const double quotient_5 = enlarged_5 / quotient_0_of_divisor,
+      quotient_5_cross = quotient_5 * quotient_0_of_divisor_lo,
+      quotient_5_product = quotient_5 * quotient_0_of_divisor,
+      quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
       quotient_5_rest = enlarged_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
       quotient_5_residual = quotient_5_exact - quotient_5_cross,
-      quotient_5_lo = quotient_5_residual / divisor;
-  const double self_0_new_total = quotient_0 + quotient_0_lo,
-      self_0_new_added = self_0_new_total - quotient_0,
-      self_0_new_remaining = quotient_0_lo - self_0_new_added, self_0_new = self_0_new_total * down,
-      self_0_new_inverse = 1.0 / down, self_0_new_back = self_0_new * self_0_new_inverse,
-      self_0_new_lost = self_0_new_total - self_0_new_back,
-      self_0_new_rest = self_0_new_lost + self_0_new_remaining,
+      quotient_5_lo = quotient_5_residual / quotient_0_of_divisor;
+  const double self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo,
+      self_0_new_of_quotient_0_lo = ksl_sum_error(quotient_0, quotient_0_lo, self_0_new_of_quotient_0),
+      self_0_new = self_0_new_of_quotient_0 * down, self_0_new_inverse = 1.0 / down,
+      self_0_new_back = self_0_new * self_0_new_inverse,
+      self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
+      self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo,
       self_0_new_small = self_0_new_rest * down,
       self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
-  const double self_1_new_total = quotient_1 + quotient_1_lo,
-      self_1_new_added = self_1_new_total - quotient_1,
-      self_1_new_remaining = quotient_1_lo - self_1_new_added, self_1_new = self_1_new_total * down,
+  const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
+      self_1_new_of_quotient_1_lo = ksl_sum_error(quotient_1, quotient_1_lo, self_1_new_of_quotient_1),
+      self_1_new = self_1_new_of_quotient_1 * down,
       self_1_new_back = self_1_new * self_0_new_inverse,
-      self_1_new_lost = self_1_new_total - self_1_new_back,
-      self_1_new_rest = self_1_new_lost + self_1_new_remaining,
+      self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
+      self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo,
       self_1_new_small = self_1_new_rest * down,
       self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
-  const double self_2_new_total = quotient_2 + quotient_2_lo,
-      self_2_new_added = self_2_new_total - quotient_2,
-      self_2_new_remaining = quotient_2_lo - self_2_new_added, self_2_new = self_2_new_total * down,
+  const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
+      self_2_new_of_quotient_2_lo = ksl_sum_error(quotient_2, quotient_2_lo, self_2_new_of_quotient_2),
+      self_2_new = self_2_new_of_quotient_2 * down,
       self_2_new_back = self_2_new * self_0_new_inverse,
-      self_2_new_lost = self_2_new_total - self_2_new_back,
-      self_2_new_rest = self_2_new_lost + self_2_new_remaining,
+      self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
+      self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo,
       self_2_new_small = self_2_new_rest * down,
       self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
-  const double self_3_new_total = quotient_3 + quotient_3_lo,
-      self_3_new_added = self_3_new_total - quotient_3,
-      self_3_new_remaining = quotient_3_lo - self_3_new_added, self_3_new = self_3_new_total * down,
+  const double self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo,
+      self_3_new_of_quotient_3_lo = ksl_sum_error(quotient_3, quotient_3_lo, self_3_new_of_quotient_3),
+      self_3_new = self_3_new_of_quotient_3 * down,
       self_3_new_back = self_3_new * self_0_new_inverse,
-      self_3_new_lost = self_3_new_total - self_3_new_back,
-      self_3_new_rest = self_3_new_lost + self_3_new_remaining,
+      self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
+      self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo,
       self_3_new_small = self_3_new_rest * down,
       self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
-  const double self_4_new_total = quotient_4 + quotient_4_lo,
-      self_4_new_added = self_4_new_total - quotient_4,
-      self_4_new_remaining = quotient_4_lo - self_4_new_added, self_4_new = self_4_new_total * down,
+  const double self_4_new_of_quotient_4 = quotient_4 + quotient_4_lo,
+      self_4_new_of_quotient_4_lo = ksl_sum_error(quotient_4, quotient_4_lo, self_4_new_of_quotient_4),
+      self_4_new = self_4_new_of_quotient_4 * down,
       self_4_new_back = self_4_new * self_0_new_inverse,
-      self_4_new_lost = self_4_new_total - self_4_new_back,
-      self_4_new_rest = self_4_new_lost + self_4_new_remaining,
+      self_4_new_lost = self_4_new_of_quotient_4 - self_4_new_back,
+      self_4_new_rest = self_4_new_lost + self_4_new_of_quotient_4_lo,
       self_4_new_small = self_4_new_rest * down,
       self_4_new_lo = self_4_new_lost == 0.0 ? 0.0 : self_4_new_small;
-  const double self_5_new_total = quotient_5 + quotient_5_lo,
-      self_5_new_added = self_5_new_total - quotient_5,
-      self_5_new_remaining = quotient_5_lo - self_5_new_added, self_5_new = self_5_new_total * down,
+  const double self_5_new_of_quotient_5 = quotient_5 + quotient_5_lo,
+      self_5_new_of_quotient_5_lo = ksl_sum_error(quotient_5, quotient_5_lo, self_5_new_of_quotient_5),
+      self_5_new = self_5_new_of_quotient_5 * down,
       self_5_new_back = self_5_new * self_0_new_inverse,
-      self_5_new_lost = self_5_new_total - self_5_new_back,
-      self_5_new_rest = self_5_new_lost + self_5_new_remaining,
+      self_5_new_lost = self_5_new_of_quotient_5 - self_5_new_back,
+      self_5_new_rest = self_5_new_lost + self_5_new_of_quotient_5_lo,
       self_5_new_small = self_5_new_rest * down,
       self_5_new_lo = self_5_new_lost == 0.0 ? 0.0 : self_5_new_small;
   const double self_0_new_total = self_0_new + self_0_new_lo,
@@ -396,7 +405,7 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
 
 /* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   43 mul, 64 add, 10 product error, 2 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+   43 mul, 54 add, 10 product error, 10 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
      select. */
 static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
   const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -420,9 +429,10 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
       n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
       n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
-      n_e_lo = n_e_lo1 + n_d_lo, n = sqrt(n_e), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
+      n_e_lo = n_e_lo1 + n_d_lo, n_of_n_e = n_e + n_e_lo,
+      n_of_n_e_lo = ksl_sum_error(n_e, n_e_lo, n_of_n_e), n = sqrt(n_of_n_e), n_product = n * n,
+      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
+      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double up = 1.0 < s ? s : 1.0;
@@ -433,78 +443,86 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
   const double enlarged_3 = ci->m3 * up;
   const double enlarged_4 = ci->m4 * up;
   const double enlarged_5 = ci->m5 * up;
-  const double quotient_0 = enlarged_0 / divisor, quotient_0_cross = quotient_0 * divisor_lo,
-      quotient_0_product = quotient_0 * divisor,
-      quotient_0_product_error = ksl_product_error(quotient_0, divisor, quotient_0_product),
+  const double quotient_0_of_divisor = divisor + divisor_lo,
+      quotient_0_of_divisor_lo = ksl_sum_error(divisor, divisor_lo, quotient_0_of_divisor),
+      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
+      quotient_0_product = quotient_0 * quotient_0_of_divisor,
+      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
-      quotient_0_lo = quotient_0_residual / divisor;
-  const double quotient_1 = enlarged_1 / divisor, quotient_1_cross = quotient_1 * divisor_lo,
-      quotient_1_product = quotient_1 * divisor,
-      quotient_1_product_error = ksl_product_error(quotient_1, divisor, quotient_1_product),
+      quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
+  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
+      quotient_1_product = quotient_1 * quotient_0_of_divisor,
+      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
-      quotient_1_lo = quotient_1_residual / divisor;
-  const double quotient_2 = enlarged_2 / divisor, quotient_2_cross = quotient_2 * divisor_lo,
-      quotient_2_product = quotient_2 * divisor,
-      quotient_2_product_error = ksl_product_error(quotient_2, divisor, quotient_2_product),
+      quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
+  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
+      quotient_2_product = quotient_2 * quotient_0_of_divisor,
+      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
-      quotient_2_lo = quotient_2_residual / divisor;
-  const double quotient_3 = enlarged_3 / divisor, quotient_3_cross = quotient_3 * divisor_lo,
-      quotient_3_product = quotient_3 * divisor,
-      quotient_3_product_error = ksl_product_error(quotient_3, divisor, quotient_3_product),
+      quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
+  const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
+      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
+      quotient_3_product = quotient_3 * quotient_0_of_divisor,
+      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
       quotient_3_rest = enlarged_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
-      quotient_3_lo = quotient_3_residual / divisor;
-  const double quotient_4 = enlarged_4 / divisor, quotient_4_cross = quotient_4 * divisor_lo,
-      quotient_4_product = quotient_4 * divisor,
-      quotient_4_product_error = ksl_product_error(quotient_4, divisor, quotient_4_product),
+      quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
+  const double quotient_4 = enlarged_4 / quotient_0_of_divisor,
+      quotient_4_cross = quotient_4 * quotient_0_of_divisor_lo,
+      quotient_4_product = quotient_4 * quotient_0_of_divisor,
+      quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
       quotient_4_rest = enlarged_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
       quotient_4_residual = quotient_4_exact - quotient_4_cross,
-      quotient_4_lo = quotient_4_residual / divisor;
-  const double quotient_5 = enlarged_5 / divisor, quotient_5_cross = quotient_5 * divisor_lo,
-      quotient_5_product = quotient_5 * divisor,
-      quotient_5_product_error = ksl_product_error(quotient_5, divisor, quotient_5_product),
+      quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
+  const double quotient_5 = enlarged_5 / quotient_0_of_divisor,
+      quotient_5_cross = quotient_5 * quotient_0_of_divisor_lo,
+      quotient_5_product = quotient_5 * quotient_0_of_divisor,
+      quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
       quotient_5_rest = enlarged_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
       quotient_5_residual = quotient_5_exact - quotient_5_cross,
-      quotient_5_lo = quotient_5_residual / divisor;
-  const double co_0_total = quotient_0 + quotient_0_lo, co_0_added = co_0_total - quotient_0,
-      co_0_remaining = quotient_0_lo - co_0_added, co_0 = co_0_total * down,
-      co_0_inverse = 1.0 / down, co_0_back = co_0 * co_0_inverse,
-      co_0_lost = co_0_total - co_0_back, co_0_rest = co_0_lost + co_0_remaining,
+      quotient_5_lo = quotient_5_residual / quotient_0_of_divisor;
+  const double co_0_of_quotient_0 = quotient_0 + quotient_0_lo,
+      co_0_of_quotient_0_lo = ksl_sum_error(quotient_0, quotient_0_lo, co_0_of_quotient_0),
+      co_0 = co_0_of_quotient_0 * down, co_0_inverse = 1.0 / down, co_0_back = co_0 * co_0_inverse,
+      co_0_lost = co_0_of_quotient_0 - co_0_back, co_0_rest = co_0_lost + co_0_of_quotient_0_lo,
       co_0_small = co_0_rest * down, co_0_lo = co_0_lost == 0.0 ? 0.0 : co_0_small;
-  const double co_1_total = quotient_1 + quotient_1_lo, co_1_added = co_1_total - quotient_1,
-      co_1_remaining = quotient_1_lo - co_1_added, co_1 = co_1_total * down,
-      co_1_back = co_1 * co_0_inverse, co_1_lost = co_1_total - co_1_back,
-      co_1_rest = co_1_lost + co_1_remaining, co_1_small = co_1_rest * down,
-      co_1_lo = co_1_lost == 0.0 ? 0.0 : co_1_small;
-  const double co_2_total = quotient_2 + quotient_2_lo, co_2_added = co_2_total - quotient_2,
-      co_2_remaining = quotient_2_lo - co_2_added, co_2 = co_2_total * down,
-      co_2_back = co_2 * co_0_inverse, co_2_lost = co_2_total - co_2_back,
-      co_2_rest = co_2_lost + co_2_remaining, co_2_small = co_2_rest * down,
-      co_2_lo = co_2_lost == 0.0 ? 0.0 : co_2_small;
-  const double co_3_total = quotient_3 + quotient_3_lo, co_3_added = co_3_total - quotient_3,
-      co_3_remaining = quotient_3_lo - co_3_added, co_3 = co_3_total * down,
-      co_3_back = co_3 * co_0_inverse, co_3_lost = co_3_total - co_3_back,
-      co_3_rest = co_3_lost + co_3_remaining, co_3_small = co_3_rest * down,
-      co_3_lo = co_3_lost == 0.0 ? 0.0 : co_3_small;
-  const double co_4_total = quotient_4 + quotient_4_lo, co_4_added = co_4_total - quotient_4,
-      co_4_remaining = quotient_4_lo - co_4_added, co_4 = co_4_total * down,
-      co_4_back = co_4 * co_0_inverse, co_4_lost = co_4_total - co_4_back,
-      co_4_rest = co_4_lost + co_4_remaining, co_4_small = co_4_rest * down,
-      co_4_lo = co_4_lost == 0.0 ? 0.0 : co_4_small;
-  const double co_5_total = quotient_5 + quotient_5_lo, co_5_added = co_5_total - quotient_5,
-      co_5_remaining = quotient_5_lo - co_5_added, co_5 = co_5_total * down,
-      co_5_back = co_5 * co_0_inverse, co_5_lost = co_5_total - co_5_back,
-      co_5_rest = co_5_lost + co_5_remaining, co_5_small = co_5_rest * down,
-      co_5_lo = co_5_lost == 0.0 ? 0.0 : co_5_small;
+  const double co_1_of_quotient_1 = quotient_1 + quotient_1_lo,
+      co_1_of_quotient_1_lo = ksl_sum_error(quotient_1, quotient_1_lo, co_1_of_quotient_1),
+      co_1 = co_1_of_quotient_1 * down, co_1_back = co_1 * co_0_inverse,
+      co_1_lost = co_1_of_quotient_1 - co_1_back, co_1_rest = co_1_lost + co_1_of_quotient_1_lo,
+      co_1_small = co_1_rest * down, co_1_lo = co_1_lost == 0.0 ? 0.0 : co_1_small;
+  const double co_2_of_quotient_2 = quotient_2 + quotient_2_lo,
+      co_2_of_quotient_2_lo = ksl_sum_error(quotient_2, quotient_2_lo, co_2_of_quotient_2),
+      co_2 = co_2_of_quotient_2 * down, co_2_back = co_2 * co_0_inverse,
+      co_2_lost = co_2_of_quotient_2 - co_2_back, co_2_rest = co_2_lost + co_2_of_quotient_2_lo,
+      co_2_small = co_2_rest * down, co_2_lo = co_2_lost == 0.0 ? 0.0 : co_2_small;
+  const double co_3_of_quotient_3 = quotient_3 + quotient_3_lo,
+      co_3_of_quotient_3_lo = ksl_sum_error(quotient_3, quotient_3_lo, co_3_of_quotient_3),
+      co_3 = co_3_of_quotient_3 * down, co_3_back = co_3 * co_0_inverse,
+      co_3_lost = co_3_of_quotient_3 - co_3_back, co_3_rest = co_3_lost + co_3_of_quotient_3_lo,
+      co_3_small = co_3_rest * down, co_3_lo = co_3_lost == 0.0 ? 0.0 : co_3_small;
+  const double co_4_of_quotient_4 = quotient_4 + quotient_4_lo,
+      co_4_of_quotient_4_lo = ksl_sum_error(quotient_4, quotient_4_lo, co_4_of_quotient_4),
+      co_4 = co_4_of_quotient_4 * down, co_4_back = co_4 * co_0_inverse,
+      co_4_lost = co_4_of_quotient_4 - co_4_back, co_4_rest = co_4_lost + co_4_of_quotient_4_lo,
+      co_4_small = co_4_rest * down, co_4_lo = co_4_lost == 0.0 ? 0.0 : co_4_small;
+  const double co_5_of_quotient_5 = quotient_5 + quotient_5_lo,
+      co_5_of_quotient_5_lo = ksl_sum_error(quotient_5, quotient_5_lo, co_5_of_quotient_5),
+      co_5 = co_5_of_quotient_5 * down, co_5_back = co_5 * co_0_inverse,
+      co_5_lost = co_5_of_quotient_5 - co_5_back, co_5_rest = co_5_lost + co_5_of_quotient_5_lo,
+      co_5_small = co_5_rest * down, co_5_lo = co_5_lost == 0.0 ? 0.0 : co_5_small;
   const double co_0_total = co_0 + co_0_lo,
       co_0_rounded = co_0_total == co_0_total ? co_0_total : co_0;
   const double co_1_total = co_1 + co_1_lo,

@@ -642,6 +642,9 @@ static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_
   const double unit_2 = upper_3 / divisor;
   const double angle = 2.0 * half;
   const double axis_0 = n == 0.0 ? 1.0 : unit_0;
+  axis->x = axis_0;
+  axis->y = unit_1;
+  axis->z = unit_2;
   return angle;
 }
 
@@ -2787,6 +2790,9 @@ static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3
   const float unit_2 = upper_3 / divisor;
   const float angle = 2.0f * half;
   const float axis_0 = n == 0.0f ? 1.0f : unit_0;
+  axis->x = axis_0;
+  axis->y = unit_1;
+  axis->z = unit_2;
   return angle;
 }
 

@@ -8,7 +8,7 @@
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   39 mul, 78 add, 9 product error, 20 sum error, 6 div, 1 sqrt, 1 atan2, 12 neg, 3 abs, 13 less,
+   39 mul, 75 add, 9 product error, 29 sum error, 6 div, 1 sqrt, 1 atan2, 12 neg, 3 abs, 13 less,
      9 equal, 53 select. */
 static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double p_0 = R->m21 - R->m12, p_0_lo = ksl_difference_error(R->m21, R->m12, p_0);
@@ -77,21 +77,21 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       v_s_largest2_lo = v_s_largest1 < v_s_size_2 ? v_s_size_2_lo : v_s_largest1_lo;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0_total = upper_1 + upper_1_lo, v_y_0_added = v_y_0_total - upper_1,
-      v_y_0_remaining = upper_1_lo - v_y_0_added, v_y_0 = v_y_0_total * v_s,
-      v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
-      v_y_0_lost = v_y_0_total - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_remaining,
+  const double v_y_0_of_upper_1 = upper_1 + upper_1_lo,
+      v_y_0_of_upper_1_lo = ksl_sum_error(upper_1, upper_1_lo, v_y_0_of_upper_1),
+      v_y_0 = v_y_0_of_upper_1 * v_s, v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
+      v_y_0_lost = v_y_0_of_upper_1 - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_of_upper_1_lo,
       v_y_0_small = v_y_0_rest * v_s, v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
-  const double v_y_1_total = upper_2 + upper_2_lo, v_y_1_added = v_y_1_total - upper_2,
-      v_y_1_remaining = upper_2_lo - v_y_1_added, v_y_1 = v_y_1_total * v_s,
-      v_y_1_back = v_y_1 * v_y_0_inverse, v_y_1_lost = v_y_1_total - v_y_1_back,
-      v_y_1_rest = v_y_1_lost + v_y_1_remaining, v_y_1_small = v_y_1_rest * v_s,
-      v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
-  const double v_y_2_total = upper_3 + upper_3_lo, v_y_2_added = v_y_2_total - upper_3,
-      v_y_2_remaining = upper_3_lo - v_y_2_added, v_y_2 = v_y_2_total * v_s,
-      v_y_2_back = v_y_2 * v_y_0_inverse, v_y_2_lost = v_y_2_total - v_y_2_back,
-      v_y_2_rest = v_y_2_lost + v_y_2_remaining, v_y_2_small = v_y_2_rest * v_s,
-      v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
+  const double v_y_1_of_upper_2 = upper_2 + upper_2_lo,
+      v_y_1_of_upper_2_lo = ksl_sum_error(upper_2, upper_2_lo, v_y_1_of_upper_2),
+      v_y_1 = v_y_1_of_upper_2 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
+      v_y_1_lost = v_y_1_of_upper_2 - v_y_1_back, v_y_1_rest = v_y_1_lost + v_y_1_of_upper_2_lo,
+      v_y_1_small = v_y_1_rest * v_s, v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
+  const double v_y_2_of_upper_3 = upper_3 + upper_3_lo,
+      v_y_2_of_upper_3_lo = ksl_sum_error(upper_3, upper_3_lo, v_y_2_of_upper_3),
+      v_y_2 = v_y_2_of_upper_3 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
+      v_y_2_lost = v_y_2_of_upper_3 - v_y_2_back, v_y_2_rest = v_y_2_lost + v_y_2_of_upper_3_lo,
+      v_y_2_small = v_y_2_rest * v_s, v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
   const double v_n_a = v_y_0 * v_y_0, v_n_a_cross1 = v_y_0_lo * v_y_0,
       v_n_a_cross2 = v_y_0 * v_y_0_lo, v_n_a_error = ksl_product_error(v_y_0, v_y_0, v_n_a),
       v_n_a_lo1 = v_n_a_error + v_n_a_cross1, v_n_a_lo = v_n_a_lo1 + v_n_a_cross2,
@@ -103,35 +103,49 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       v_n_d_cross2 = v_y_2 * v_y_2_lo, v_n_d_error = ksl_product_error(v_y_2, v_y_2, v_n_d),
       v_n_d_lo1 = v_n_d_error + v_n_d_cross1, v_n_d_lo = v_n_d_lo1 + v_n_d_cross2,
       v_n_e = v_n_c + v_n_d, v_n_e_error = ksl_sum_error(v_n_c, v_n_d, v_n_e),
-      v_n_e_lo1 = v_n_e_error + v_n_c_lo, v_n_e_lo = v_n_e_lo1 + v_n_d_lo, v_n = sqrt(v_n_e),
+      v_n_e_lo1 = v_n_e_error + v_n_c_lo, v_n_e_lo = v_n_e_lo1 + v_n_d_lo,
+      v_n_of_v_n_e = v_n_e + v_n_e_lo,
+      v_n_of_v_n_e_lo = ksl_sum_error(v_n_e, v_n_e_lo, v_n_of_v_n_e), v_n = sqrt(v_n_of_v_n_e),
       v_n_product = v_n * v_n, v_n_product_error = ksl_product_error(v_n, v_n, v_n_product),
-      v_n_rest = v_n_e - v_n_product, v_n_exact = v_n_rest - v_n_product_error,
-      v_n_residual = v_n_exact + v_n_e_lo, v_n_twice = v_n + v_n,
+      v_n_rest = v_n_of_v_n_e - v_n_product, v_n_exact = v_n_rest - v_n_product_error,
+      v_n_residual = v_n_exact + v_n_of_v_n_e_lo, v_n_twice = v_n + v_n,
       v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
-  const double n_total = v_n + v_n_lo, n_added = n_total - v_n, n_remaining = v_n_lo - n_added,
-      n = n_total * v_r, n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_total - n_back,
-      n_rest = n_lost + n_remaining, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
-  const double half = atan2(n, upper_0), half_cross0 = upper_0 * n_lo, half_cross1 = n * upper_0_lo,
-      half_cross = half_cross0 - half_cross1, half_square0 = upper_0 * upper_0,
-      half_square1 = n * n, half_square = half_square0 + half_square1,
-      half_lo = half_cross / half_square;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double n_of_v_n = v_n + v_n_lo, n_of_v_n_lo = ksl_sum_error(v_n, v_n_lo, n_of_v_n),
+      n = n_of_v_n * v_r, n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_of_v_n - n_back,
+      n_rest = n_lost + n_of_v_n_lo, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
+  const double half_of_n = n + n_lo, half_of_n_lo = ksl_sum_error(n, n_lo, half_of_n),
+      half_of_upper_0 = upper_0 + upper_0_lo,
+      half_of_upper_0_lo = ksl_sum_error(upper_0, upper_0_lo, half_of_upper_0),
+      half = atan2(half_of_n, half_of_upper_0), half_cross0 = half_of_upper_0 * half_of_n_lo,
+      half_cross1 = half_of_n * half_of_upper_0_lo, half_cross = half_cross0 - half_cross1,
+      half_square0 = half_of_upper_0 * half_of_upper_0, half_square1 = half_of_n * half_of_n,
+      half_square = half_square0 + half_square1, half_lo = half_cross / half_square;
+  const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
+      divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
   const double theta = 2.0 * half, theta_cross1 = 2.0 * half_lo,
       theta_error = ksl_product_error(2.0, half, theta), theta_lo = theta_error + theta_cross1;
-  const double k = theta / divisor, k_cross = k * divisor_lo, k_product = k * divisor,
-      k_product_error = ksl_product_error(k, divisor, k_product), k_rest = theta - k_product,
-      k_exact = k_rest - k_product_error, k_lo1 = k_exact + theta_lo, k_residual = k_lo1 - k_cross,
-      k_lo = k_residual / divisor;
-  const double vector_0 = upper_1 * k, vector_0_cross1 = upper_1_lo * k,
-      vector_0_cross2 = upper_1 * k_lo, vector_0_error = ksl_product_error(upper_1, k, vector_0),
+  const double k_of_theta = theta + theta_lo,
+      k_of_theta_lo = ksl_sum_error(theta, theta_lo, k_of_theta),
+      k_of_divisor = divisor + divisor_lo,
+      k_of_divisor_lo = ksl_sum_error(divisor, divisor_lo, k_of_divisor),
+      k = k_of_theta / k_of_divisor, k_cross = k * k_of_divisor_lo, k_product = k * k_of_divisor,
+      k_product_error = ksl_product_error(k, k_of_divisor, k_product),
+      k_rest = k_of_theta - k_product, k_exact = k_rest - k_product_error,
+      k_lo1 = k_exact + k_of_theta_lo, k_residual = k_lo1 - k_cross,
+      k_lo = k_residual / k_of_divisor;
+  const double vector_0 = v_y_0_of_upper_1 * k, vector_0_cross1 = v_y_0_of_upper_1_lo * k,
+      vector_0_cross2 = v_y_0_of_upper_1 * k_lo,
+      vector_0_error = ksl_product_error(v_y_0_of_upper_1, k, vector_0),
       vector_0_lo1 = vector_0_error + vector_0_cross1, vector_0_lo = vector_0_lo1 + vector_0_cross2;
-  const double vector_1 = upper_2 * k, vector_1_cross1 = upper_2_lo * k,
-      vector_1_cross2 = upper_2 * k_lo, vector_1_error = ksl_product_error(upper_2, k, vector_1),
+  const double vector_1 = v_y_1_of_upper_2 * k, vector_1_cross1 = v_y_1_of_upper_2_lo * k,
+      vector_1_cross2 = v_y_1_of_upper_2 * k_lo,
+      vector_1_error = ksl_product_error(v_y_1_of_upper_2, k, vector_1),
       vector_1_lo1 = vector_1_error + vector_1_cross1, vector_1_lo = vector_1_lo1 + vector_1_cross2;
-  const double vector_2 = upper_3 * k, vector_2_cross1 = upper_3_lo * k,
-      vector_2_cross2 = upper_3 * k_lo, vector_2_error = ksl_product_error(upper_3, k, vector_2),
+  const double vector_2 = v_y_2_of_upper_3 * k, vector_2_cross1 = v_y_2_of_upper_3_lo * k,
+      vector_2_cross2 = v_y_2_of_upper_3 * k_lo,
+      vector_2_error = ksl_product_error(v_y_2_of_upper_3, k, vector_2),
       vector_2_lo1 = vector_2_error + vector_2_cross1, vector_2_lo = vector_2_lo1 + vector_2_cross2;
   const double vector_0_total = vector_0 + vector_0_lo,
       vector_0_rounded = vector_0_total == vector_0_total ? vector_0_total : vector_0;
@@ -146,7 +160,7 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
    R: rotation or other 3×3 matrix; axis: vector.
-   34 mul, 81 add, 8 product error, 20 sum error, 10 div, 1 sqrt, 1 atan2, 12 neg, 3 abs, 13
+   34 mul, 77 add, 8 product error, 28 sum error, 10 div, 1 sqrt, 1 atan2, 12 neg, 3 abs, 13
      less, 10 equal, 56 select. */
 static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
   const double p_0 = R->m21 - R->m12, p_0_lo = ksl_difference_error(R->m21, R->m12, p_0);
@@ -215,21 +229,21 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       v_s_largest2_lo = v_s_largest1 < v_s_size_2 ? v_s_size_2_lo : v_s_largest1_lo;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0_total = upper_1 + upper_1_lo, v_y_0_added = v_y_0_total - upper_1,
-      v_y_0_remaining = upper_1_lo - v_y_0_added, v_y_0 = v_y_0_total * v_s,
-      v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
-      v_y_0_lost = v_y_0_total - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_remaining,
+  const double v_y_0_of_upper_1 = upper_1 + upper_1_lo,
+      v_y_0_of_upper_1_lo = ksl_sum_error(upper_1, upper_1_lo, v_y_0_of_upper_1),
+      v_y_0 = v_y_0_of_upper_1 * v_s, v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
+      v_y_0_lost = v_y_0_of_upper_1 - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_of_upper_1_lo,
       v_y_0_small = v_y_0_rest * v_s, v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
-  const double v_y_1_total = upper_2 + upper_2_lo, v_y_1_added = v_y_1_total - upper_2,
-      v_y_1_remaining = upper_2_lo - v_y_1_added, v_y_1 = v_y_1_total * v_s,
-      v_y_1_back = v_y_1 * v_y_0_inverse, v_y_1_lost = v_y_1_total - v_y_1_back,
-      v_y_1_rest = v_y_1_lost + v_y_1_remaining, v_y_1_small = v_y_1_rest * v_s,
-      v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
-  const double v_y_2_total = upper_3 + upper_3_lo, v_y_2_added = v_y_2_total - upper_3,
-      v_y_2_remaining = upper_3_lo - v_y_2_added, v_y_2 = v_y_2_total * v_s,
-      v_y_2_back = v_y_2 * v_y_0_inverse, v_y_2_lost = v_y_2_total - v_y_2_back,
-      v_y_2_rest = v_y_2_lost + v_y_2_remaining, v_y_2_small = v_y_2_rest * v_s,
-      v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
+  const double v_y_1_of_upper_2 = upper_2 + upper_2_lo,
+      v_y_1_of_upper_2_lo = ksl_sum_error(upper_2, upper_2_lo, v_y_1_of_upper_2),
+      v_y_1 = v_y_1_of_upper_2 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
+      v_y_1_lost = v_y_1_of_upper_2 - v_y_1_back, v_y_1_rest = v_y_1_lost + v_y_1_of_upper_2_lo,
+      v_y_1_small = v_y_1_rest * v_s, v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
+  const double v_y_2_of_upper_3 = upper_3 + upper_3_lo,
+      v_y_2_of_upper_3_lo = ksl_sum_error(upper_3, upper_3_lo, v_y_2_of_upper_3),
+      v_y_2 = v_y_2_of_upper_3 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
+      v_y_2_lost = v_y_2_of_upper_3 - v_y_2_back, v_y_2_rest = v_y_2_lost + v_y_2_of_upper_3_lo,
+      v_y_2_small = v_y_2_rest * v_s, v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
   const double v_n_a = v_y_0 * v_y_0, v_n_a_cross1 = v_y_0_lo * v_y_0,
       v_n_a_cross2 = v_y_0 * v_y_0_lo, v_n_a_error = ksl_product_error(v_y_0, v_y_0, v_n_a),
       v_n_a_lo1 = v_n_a_error + v_n_a_cross1, v_n_a_lo = v_n_a_lo1 + v_n_a_cross2,
@@ -241,42 +255,54 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       v_n_d_cross2 = v_y_2 * v_y_2_lo, v_n_d_error = ksl_product_error(v_y_2, v_y_2, v_n_d),
       v_n_d_lo1 = v_n_d_error + v_n_d_cross1, v_n_d_lo = v_n_d_lo1 + v_n_d_cross2,
       v_n_e = v_n_c + v_n_d, v_n_e_error = ksl_sum_error(v_n_c, v_n_d, v_n_e),
-      v_n_e_lo1 = v_n_e_error + v_n_c_lo, v_n_e_lo = v_n_e_lo1 + v_n_d_lo, v_n = sqrt(v_n_e),
+      v_n_e_lo1 = v_n_e_error + v_n_c_lo, v_n_e_lo = v_n_e_lo1 + v_n_d_lo,
+      v_n_of_v_n_e = v_n_e + v_n_e_lo,
+      v_n_of_v_n_e_lo = ksl_sum_error(v_n_e, v_n_e_lo, v_n_of_v_n_e), v_n = sqrt(v_n_of_v_n_e),
       v_n_product = v_n * v_n, v_n_product_error = ksl_product_error(v_n, v_n, v_n_product),
-      v_n_rest = v_n_e - v_n_product, v_n_exact = v_n_rest - v_n_product_error,
-      v_n_residual = v_n_exact + v_n_e_lo, v_n_twice = v_n + v_n,
+      v_n_rest = v_n_of_v_n_e - v_n_product, v_n_exact = v_n_rest - v_n_product_error,
+      v_n_residual = v_n_exact + v_n_of_v_n_e_lo, v_n_twice = v_n + v_n,
       v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
-  const double n_total = v_n + v_n_lo, n_added = n_total - v_n, n_remaining = v_n_lo - n_added,
-      n = n_total * v_r, n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_total - n_back,
-      n_rest = n_lost + n_remaining, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
-  const double half = atan2(n, upper_0), half_cross0 = upper_0 * n_lo, half_cross1 = n * upper_0_lo,
-      half_cross = half_cross0 - half_cross1, half_square0 = upper_0 * upper_0,
-      half_square1 = n * n, half_square = half_square0 + half_square1,
-      half_lo = half_cross / half_square;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
-  const double unit_0 = upper_1 / divisor, unit_0_cross = unit_0 * divisor_lo,
-      unit_0_product = unit_0 * divisor,
-      unit_0_product_error = ksl_product_error(unit_0, divisor, unit_0_product),
-      unit_0_rest = upper_1 - unit_0_product, unit_0_exact = unit_0_rest - unit_0_product_error,
-      unit_0_lo1 = unit_0_exact + upper_1_lo, unit_0_residual = unit_0_lo1 - unit_0_cross,
-      unit_0_lo = unit_0_residual / divisor;
-  const double unit_1 = upper_2 / divisor, unit_1_cross = unit_1 * divisor_lo,
-      unit_1_product = unit_1 * divisor,
-      unit_1_product_error = ksl_product_error(unit_1, divisor, unit_1_product),
-      unit_1_rest = upper_2 - unit_1_product, unit_1_exact = unit_1_rest - unit_1_product_error,
-      unit_1_lo1 = unit_1_exact + upper_2_lo, unit_1_residual = unit_1_lo1 - unit_1_cross,
-      unit_1_lo = unit_1_residual / divisor;
-  const double unit_2 = upper_3 / divisor, unit_2_cross = unit_2 * divisor_lo,
-      unit_2_product = unit_2 * divisor,
-      unit_2_product_error = ksl_product_error(unit_2, divisor, unit_2_product),
-      unit_2_rest = upper_3 - unit_2_product, unit_2_exact = unit_2_rest - unit_2_product_error,
-      unit_2_lo1 = unit_2_exact + upper_3_lo, unit_2_residual = unit_2_lo1 - unit_2_cross,
-      unit_2_lo = unit_2_residual / divisor;
+  const double n_of_v_n = v_n + v_n_lo, n_of_v_n_lo = ksl_sum_error(v_n, v_n_lo, n_of_v_n),
+      n = n_of_v_n * v_r, n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_of_v_n - n_back,
+      n_rest = n_lost + n_of_v_n_lo, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
+  const double half_of_n = n + n_lo, half_of_n_lo = ksl_sum_error(n, n_lo, half_of_n),
+      half_of_upper_0 = upper_0 + upper_0_lo,
+      half_of_upper_0_lo = ksl_sum_error(upper_0, upper_0_lo, half_of_upper_0),
+      half = atan2(half_of_n, half_of_upper_0), half_cross0 = half_of_upper_0 * half_of_n_lo,
+      half_cross1 = half_of_n * half_of_upper_0_lo, half_cross = half_cross0 - half_cross1,
+      half_square0 = half_of_upper_0 * half_of_upper_0, half_square1 = half_of_n * half_of_n,
+      half_square = half_square0 + half_square1, half_lo = half_cross / half_square;
+  const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
+      divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
+  const double unit_0_of_divisor = divisor + divisor_lo,
+      unit_0_of_divisor_lo = ksl_sum_error(divisor, divisor_lo, unit_0_of_divisor),
+      unit_0 = v_y_0_of_upper_1 / unit_0_of_divisor, unit_0_cross = unit_0 * unit_0_of_divisor_lo,
+      unit_0_product = unit_0 * unit_0_of_divisor,
+      unit_0_product_error = ksl_product_error(unit_0, unit_0_of_divisor, unit_0_product),
+      unit_0_rest = v_y_0_of_upper_1 - unit_0_product,
+      unit_0_exact = unit_0_rest - unit_0_product_error,
+      unit_0_lo1 = unit_0_exact + v_y_0_of_upper_1_lo, unit_0_residual = unit_0_lo1 - unit_0_cross,
+      unit_0_lo = unit_0_residual / unit_0_of_divisor;
+  const double unit_1 = v_y_1_of_upper_2 / unit_0_of_divisor,
+      unit_1_cross = unit_1 * unit_0_of_divisor_lo, unit_1_product = unit_1 * unit_0_of_divisor,
+      unit_1_product_error = ksl_product_error(unit_1, unit_0_of_divisor, unit_1_product),
+      unit_1_rest = v_y_1_of_upper_2 - unit_1_product,
+      unit_1_exact = unit_1_rest - unit_1_product_error,
+      unit_1_lo1 = unit_1_exact + v_y_1_of_upper_2_lo, unit_1_residual = unit_1_lo1 - unit_1_cross,
+      unit_1_lo = unit_1_residual / unit_0_of_divisor;
+  const double unit_2 = v_y_2_of_upper_3 / unit_0_of_divisor,
+      unit_2_cross = unit_2 * unit_0_of_divisor_lo, unit_2_product = unit_2 * unit_0_of_divisor,
+      unit_2_product_error = ksl_product_error(unit_2, unit_0_of_divisor, unit_2_product),
+      unit_2_rest = v_y_2_of_upper_3 - unit_2_product,
+      unit_2_exact = unit_2_rest - unit_2_product_error,
+      unit_2_lo1 = unit_2_exact + v_y_2_of_upper_3_lo, unit_2_residual = unit_2_lo1 - unit_2_cross,
+      unit_2_lo = unit_2_residual / unit_0_of_divisor;
   const double angle = 2.0 * half, angle_cross1 = 2.0 * half_lo,
       angle_error = ksl_product_error(2.0, half, angle), angle_lo = angle_error + angle_cross1;
-  const double axis_0 = n == 0.0 ? 1.0 : unit_0, axis_0_lo = n == 0.0 ? 0.0 : unit_0_lo;
+  const double axis_0 = half_of_n == 0.0 ? 1.0 : unit_0,
+      axis_0_lo = half_of_n == 0.0 ? 0.0 : unit_0_lo;
   const double angle_total = angle + angle_lo,
       angle_rounded = angle_total == angle_total ? angle_total : angle;
   const double axis_0_total = axis_0 + axis_0_lo,
@@ -285,6 +311,9 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       unit_1_rounded = unit_1_total == unit_1_total ? unit_1_total : unit_1;
   const double unit_2_total = unit_2 + unit_2_lo,
       unit_2_rounded = unit_2_total == unit_2_total ? unit_2_total : unit_2;
+  axis->x = axis_0_rounded;
+  axis->y = unit_1_rounded;
+  axis->z = unit_2_rounded;
   return angle_rounded;
 }
 
@@ -959,6 +988,9 @@ static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   const double unit_2 = upper_3 / divisor;
   const double angle = 2.0 * half;
   const double axis_0 = n == 0.0 ? 1.0 : unit_0;
+  axis->x = (float)axis_0;
+  axis->y = (float)unit_1;
+  axis->z = (float)unit_2;
   return (float)angle;
 }
 

@@ -13,6 +13,8 @@
 #include "coscrew.h"
 #include "quaternion.h"
 #include "exponential.h"
+#include "symmetric.h"
+#include "inertia.h"
 #include "ksl_selfcheck.h"
 
 #endif

@@ -11,5 +11,7 @@
 #include "coscrew_accurate.h"
 #include "quaternion_accurate.h"
 #include "exponential_accurate.h"
+#include "symmetric_accurate.h"
+#include "inertia_accurate.h"
 
 #endif

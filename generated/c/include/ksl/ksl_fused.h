@@ -11,5 +11,6 @@
 #include "coscrew_fused.h"
 #include "quaternion_fused.h"
 #include "exponential_fused.h"
+#include "inertia_fused.h"
 
 #endif

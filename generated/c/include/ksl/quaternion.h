@@ -429,6 +429,9 @@ static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, k
   const double unit_2 = upper_3 / divisor;
   const double angle = 2.0 * half;
   const double axis_0 = n == 0.0 ? 1.0 : unit_0;
+  axis->x = axis_0;
+  axis->y = unit_1;
+  axis->z = unit_2;
   return angle;
 }
 
@@ -1025,6 +1028,9 @@ static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, 
   const float unit_2 = upper_3 / divisor;
   const float angle = 2.0f * half;
   const float axis_0 = n == 0.0f ? 1.0f : unit_0;
+  axis->x = axis_0;
+  axis->y = unit_1;
+  axis->z = unit_2;
   return angle;
 }
 

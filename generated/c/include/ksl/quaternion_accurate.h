@@ -27,7 +27,7 @@ static inline void ksl_quaternion_scale_accurate(ksl_quaternion_t *self, const d
 
 /* |q| = sqrt(w^2 + v·v).
    q: quaternion (w; x, y, z), the scalar first.
-   12 mul, 19 add, 5 product error, 3 sum error, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
+   12 mul, 18 add, 5 product error, 5 sum error, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
      select. */
 static inline double ksl_quaternion_norm_accurate(const ksl_quaternion_t *q) {
   const double s_size_0 = fabs(q->w);
@@ -50,17 +50,17 @@ static inline double ksl_quaternion_norm_accurate(const ksl_quaternion_t *q) {
       n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
       n_e_lo = n_e_lo1 + n_d_lo, n_f = y_3 * y_3, n_f_lo = ksl_product_error(y_3, y_3, n_f),
       n_g = n_e + n_f, n_g_error = ksl_sum_error(n_e, n_f, n_g), n_g_lo1 = n_g_error + n_e_lo,
-      n_g_lo = n_g_lo1 + n_f_lo, n = sqrt(n_g), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_g - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_g_lo, n_twice = n + n,
+      n_g_lo = n_g_lo1 + n_f_lo, n_of_n_g = n_g + n_g_lo,
+      n_of_n_g_lo = ksl_sum_error(n_g, n_g_lo, n_of_n_g), n = sqrt(n_of_n_g), n_product = n * n,
+      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
+      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r = 1.0 < s ? 2.409919865102884e-181 : r_b;
-  const double norm_total = n + n_lo, norm_added = norm_total - n,
-      norm_remaining = n_lo - norm_added, norm = norm_total * r, norm_inverse = 1.0 / r,
-      norm_back = norm * norm_inverse, norm_lost = norm_total - norm_back,
-      norm_rest = norm_lost + norm_remaining, norm_small = norm_rest * r,
-      norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
+  const double norm_of_n = n + n_lo, norm_of_n_lo = ksl_sum_error(n, n_lo, norm_of_n),
+      norm = norm_of_n * r, norm_inverse = 1.0 / r, norm_back = norm * norm_inverse,
+      norm_lost = norm_of_n - norm_back, norm_rest = norm_lost + norm_of_n_lo,
+      norm_small = norm_rest * r, norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
   const double norm_total = norm + norm_lo,
       norm_rounded = norm_total == norm_total ? norm_total : norm;
   return norm_rounded;
@@ -68,7 +68,7 @@ static inline double ksl_quaternion_norm_accurate(const ksl_quaternion_t *q) {
 
 /* self = self / |self|; zero stays zero.
    self: quaternion (w; x, y, z), the scalar first.
-   33 mul, 49 add, 9 product error, 3 sum error, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+   33 mul, 43 add, 9 product error, 9 sum error, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
      select. */
 static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
   const double s_size_0 = fabs(self->w);
@@ -91,9 +91,10 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
       n_e_lo = n_e_lo1 + n_d_lo, n_f = y_3 * y_3, n_f_lo = ksl_product_error(y_3, y_3, n_f),
       n_g = n_e + n_f, n_g_error = ksl_sum_error(n_e, n_f, n_g), n_g_lo1 = n_g_error + n_e_lo,
-      n_g_lo = n_g_lo1 + n_f_lo, n = sqrt(n_g), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_g - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_g_lo, n_twice = n + n,
+      n_g_lo = n_g_lo1 + n_f_lo, n_of_n_g = n_g + n_g_lo,
+      n_of_n_g_lo = ksl_sum_error(n_g, n_g_lo, n_of_n_g), n = sqrt(n_of_n_g), n_product = n * n,
+      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
+      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double up = 1.0 < s ? s : 1.0;
@@ -102,64 +103,70 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
   const double enlarged_1 = self->x * up;
   const double enlarged_2 = self->y * up;
   const double enlarged_3 = self->z * up;
-  const double quotient_0 = enlarged_0 / divisor, quotient_0_cross = quotient_0 * divisor_lo,
-      quotient_0_product = quotient_0 * divisor,
-      quotient_0_product_error = ksl_product_error(quotient_0, divisor, quotient_0_product),
+  const double quotient_0_of_divisor = divisor + divisor_lo,
+      quotient_0_of_divisor_lo = ksl_sum_error(divisor, divisor_lo, quotient_0_of_divisor),
+      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
+      quotient_0_product = quotient_0 * quotient_0_of_divisor,
+      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
-      quotient_0_lo = quotient_0_residual / divisor;
-  const double quotient_1 = enlarged_1 / divisor, quotient_1_cross = quotient_1 * divisor_lo,
-      quotient_1_product = quotient_1 * divisor,
-      quotient_1_product_error = ksl_product_error(quotient_1, divisor, quotient_1_product),
+      quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
+  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
+      quotient_1_product = quotient_1 * quotient_0_of_divisor,
+      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
-      quotient_1_lo = quotient_1_residual / divisor;
-  const double quotient_2 = enlarged_2 / divisor, quotient_2_cross = quotient_2 * divisor_lo,
-      quotient_2_product = quotient_2 * divisor,
-      quotient_2_product_error = ksl_product_error(quotient_2, divisor, quotient_2_product),
+      quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
+  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
+      quotient_2_product = quotient_2 * quotient_0_of_divisor,
+      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
-      quotient_2_lo = quotient_2_residual / divisor;
-  const double quotient_3 = enlarged_3 / divisor, quotient_3_cross = quotient_3 * divisor_lo,
-      quotient_3_product = quotient_3 * divisor,
-      quotient_3_product_error = ksl_product_error(quotient_3, divisor, quotient_3_product),
+      quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
+  const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
+      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
+      quotient_3_product = quotient_3 * quotient_0_of_divisor,
+      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
       quotient_3_rest = enlarged_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
-      quotient_3_lo = quotient_3_residual / divisor;
-  const double self_0_new_total = quotient_0 + quotient_0_lo,
-      self_0_new_added = self_0_new_total - quotient_0,
-      self_0_new_remaining = quotient_0_lo - self_0_new_added, self_0_new = self_0_new_total * down,
-      self_0_new_inverse = 1.0 / down, self_0_new_back = self_0_new * self_0_new_inverse,
-      self_0_new_lost = self_0_new_total - self_0_new_back,
-      self_0_new_rest = self_0_new_lost + self_0_new_remaining,
+      quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
+  const double self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo,
+      self_0_new_of_quotient_0_lo = ksl_sum_error(quotient_0, quotient_0_lo, self_0_new_of_quotient_0),
+      self_0_new = self_0_new_of_quotient_0 * down, self_0_new_inverse = 1.0 / down,
+      self_0_new_back = self_0_new * self_0_new_inverse,
+      self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
+      self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo,
       self_0_new_small = self_0_new_rest * down,
       self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
-  const double self_1_new_total = quotient_1 + quotient_1_lo,
-      self_1_new_added = self_1_new_total - quotient_1,
-      self_1_new_remaining = quotient_1_lo - self_1_new_added, self_1_new = self_1_new_total * down,
+  const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
+      self_1_new_of_quotient_1_lo = ksl_sum_error(quotient_1, quotient_1_lo, self_1_new_of_quotient_1),
+      self_1_new = self_1_new_of_quotient_1 * down,
       self_1_new_back = self_1_new * self_0_new_inverse,
-      self_1_new_lost = self_1_new_total - self_1_new_back,
-      self_1_new_rest = self_1_new_lost + self_1_new_remaining,
+      self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
+      self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo,
       self_1_new_small = self_1_new_rest * down,
       self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
-  const double self_2_new_total = quotient_2 + quotient_2_lo,
-      self_2_new_added = self_2_new_total - quotient_2,
-      self_2_new_remaining = quotient_2_lo - self_2_new_added, self_2_new = self_2_new_total * down,
+  const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
+      self_2_new_of_quotient_2_lo = ksl_sum_error(quotient_2, quotient_2_lo, self_2_new_of_quotient_2),
+      self_2_new = self_2_new_of_quotient_2 * down,
       self_2_new_back = self_2_new * self_0_new_inverse,
-      self_2_new_lost = self_2_new_total - self_2_new_back,
-      self_2_new_rest = self_2_new_lost + self_2_new_remaining,
+      self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
+      self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo,
       self_2_new_small = self_2_new_rest * down,
       self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
-  const double self_3_new_total = quotient_3 + quotient_3_lo,
-      self_3_new_added = self_3_new_total - quotient_3,
-      self_3_new_remaining = quotient_3_lo - self_3_new_added, self_3_new = self_3_new_total * down,
+  const double self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo,
+      self_3_new_of_quotient_3_lo = ksl_sum_error(quotient_3, quotient_3_lo, self_3_new_of_quotient_3),
+      self_3_new = self_3_new_of_quotient_3 * down,
       self_3_new_back = self_3_new * self_0_new_inverse,
-      self_3_new_lost = self_3_new_total - self_3_new_back,
-      self_3_new_rest = self_3_new_lost + self_3_new_remaining,
+      self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
+      self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo,
       self_3_new_small = self_3_new_rest * down,
       self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
   const double self_0_new_total = self_0_new + self_0_new_lo,
@@ -178,7 +185,7 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
 
 /* qo = q / |q|; zero stays zero.
    q, qo: quaternion (w; x, y, z), the scalar first.
-   33 mul, 49 add, 9 product error, 3 sum error, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+   33 mul, 43 add, 9 product error, 9 sum error, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
      select. */
 static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
     ksl_quaternion_t *qo) {
@@ -202,9 +209,10 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
       n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
       n_e_lo = n_e_lo1 + n_d_lo, n_f = y_3 * y_3, n_f_lo = ksl_product_error(y_3, y_3, n_f),
       n_g = n_e + n_f, n_g_error = ksl_sum_error(n_e, n_f, n_g), n_g_lo1 = n_g_error + n_e_lo,
-      n_g_lo = n_g_lo1 + n_f_lo, n = sqrt(n_g), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_g - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_g_lo, n_twice = n + n,
+      n_g_lo = n_g_lo1 + n_f_lo, n_of_n_g = n_g + n_g_lo,
+      n_of_n_g_lo = ksl_sum_error(n_g, n_g_lo, n_of_n_g), n = sqrt(n_of_n_g), n_product = n * n,
+      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
+      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double up = 1.0 < s ? s : 1.0;
@@ -213,54 +221,60 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
   const double enlarged_1 = q->x * up;
   const double enlarged_2 = q->y * up;
   const double enlarged_3 = q->z * up;
-  const double quotient_0 = enlarged_0 / divisor, quotient_0_cross = quotient_0 * divisor_lo,
-      quotient_0_product = quotient_0 * divisor,
-      quotient_0_product_error = ksl_product_error(quotient_0, divisor, quotient_0_product),
+  const double quotient_0_of_divisor = divisor + divisor_lo,
+      quotient_0_of_divisor_lo = ksl_sum_error(divisor, divisor_lo, quotient_0_of_divisor),
+      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
+      quotient_0_product = quotient_0 * quotient_0_of_divisor,
+      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
-      quotient_0_lo = quotient_0_residual / divisor;
-  const double quotient_1 = enlarged_1 / divisor, quotient_1_cross = quotient_1 * divisor_lo,
-      quotient_1_product = quotient_1 * divisor,
-      quotient_1_product_error = ksl_product_error(quotient_1, divisor, quotient_1_product),
+      quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
+  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
+      quotient_1_product = quotient_1 * quotient_0_of_divisor,
+      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
-      quotient_1_lo = quotient_1_residual / divisor;
-  const double quotient_2 = enlarged_2 / divisor, quotient_2_cross = quotient_2 * divisor_lo,
-      quotient_2_product = quotient_2 * divisor,
-      quotient_2_product_error = ksl_product_error(quotient_2, divisor, quotient_2_product),
+      quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
+  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
+      quotient_2_product = quotient_2 * quotient_0_of_divisor,
+      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
-      quotient_2_lo = quotient_2_residual / divisor;
-  const double quotient_3 = enlarged_3 / divisor, quotient_3_cross = quotient_3 * divisor_lo,
-      quotient_3_product = quotient_3 * divisor,
-      quotient_3_product_error = ksl_product_error(quotient_3, divisor, quotient_3_product),
+      quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
+  const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
+      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
+      quotient_3_product = quotient_3 * quotient_0_of_divisor,
+      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
       quotient_3_rest = enlarged_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
-      quotient_3_lo = quotient_3_residual / divisor;
-  const double qo_0_total = quotient_0 + quotient_0_lo, qo_0_added = qo_0_total - quotient_0,
-      qo_0_remaining = quotient_0_lo - qo_0_added, qo_0 = qo_0_total * down,
-      qo_0_inverse = 1.0 / down, qo_0_back = qo_0 * qo_0_inverse,
-      qo_0_lost = qo_0_total - qo_0_back, qo_0_rest = qo_0_lost + qo_0_remaining,
+      quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
+  const double qo_0_of_quotient_0 = quotient_0 + quotient_0_lo,
+      qo_0_of_quotient_0_lo = ksl_sum_error(quotient_0, quotient_0_lo, qo_0_of_quotient_0),
+      qo_0 = qo_0_of_quotient_0 * down, qo_0_inverse = 1.0 / down, qo_0_back = qo_0 * qo_0_inverse,
+      qo_0_lost = qo_0_of_quotient_0 - qo_0_back, qo_0_rest = qo_0_lost + qo_0_of_quotient_0_lo,
       qo_0_small = qo_0_rest * down, qo_0_lo = qo_0_lost == 0.0 ? 0.0 : qo_0_small;
-  const double qo_1_total = quotient_1 + quotient_1_lo, qo_1_added = qo_1_total - quotient_1,
-      qo_1_remaining = quotient_1_lo - qo_1_added, qo_1 = qo_1_total * down,
-      qo_1_back = qo_1 * qo_0_inverse, qo_1_lost = qo_1_total - qo_1_back,
-      qo_1_rest = qo_1_lost + qo_1_remaining, qo_1_small = qo_1_rest * down,
-      qo_1_lo = qo_1_lost == 0.0 ? 0.0 : qo_1_small;
-  const double qo_2_total = quotient_2 + quotient_2_lo, qo_2_added = qo_2_total - quotient_2,
-      qo_2_remaining = quotient_2_lo - qo_2_added, qo_2 = qo_2_total * down,
-      qo_2_back = qo_2 * qo_0_inverse, qo_2_lost = qo_2_total - qo_2_back,
-      qo_2_rest = qo_2_lost + qo_2_remaining, qo_2_small = qo_2_rest * down,
-      qo_2_lo = qo_2_lost == 0.0 ? 0.0 : qo_2_small;
-  const double qo_3_total = quotient_3 + quotient_3_lo, qo_3_added = qo_3_total - quotient_3,
-      qo_3_remaining = quotient_3_lo - qo_3_added, qo_3 = qo_3_total * down,
-      qo_3_back = qo_3 * qo_0_inverse, qo_3_lost = qo_3_total - qo_3_back,
-      qo_3_rest = qo_3_lost + qo_3_remaining, qo_3_small = qo_3_rest * down,
-      qo_3_lo = qo_3_lost == 0.0 ? 0.0 : qo_3_small;
+  const double qo_1_of_quotient_1 = quotient_1 + quotient_1_lo,
+      qo_1_of_quotient_1_lo = ksl_sum_error(quotient_1, quotient_1_lo, qo_1_of_quotient_1),
+      qo_1 = qo_1_of_quotient_1 * down, qo_1_back = qo_1 * qo_0_inverse,
+      qo_1_lost = qo_1_of_quotient_1 - qo_1_back, qo_1_rest = qo_1_lost + qo_1_of_quotient_1_lo,
+      qo_1_small = qo_1_rest * down, qo_1_lo = qo_1_lost == 0.0 ? 0.0 : qo_1_small;
+  const double qo_2_of_quotient_2 = quotient_2 + quotient_2_lo,
+      qo_2_of_quotient_2_lo = ksl_sum_error(quotient_2, quotient_2_lo, qo_2_of_quotient_2),
+      qo_2 = qo_2_of_quotient_2 * down, qo_2_back = qo_2 * qo_0_inverse,
+      qo_2_lost = qo_2_of_quotient_2 - qo_2_back, qo_2_rest = qo_2_lost + qo_2_of_quotient_2_lo,
+      qo_2_small = qo_2_rest * down, qo_2_lo = qo_2_lost == 0.0 ? 0.0 : qo_2_small;
+  const double qo_3_of_quotient_3 = quotient_3 + quotient_3_lo,
+      qo_3_of_quotient_3_lo = ksl_sum_error(quotient_3, quotient_3_lo, qo_3_of_quotient_3),
+      qo_3 = qo_3_of_quotient_3 * down, qo_3_back = qo_3 * qo_0_inverse,
+      qo_3_lost = qo_3_of_quotient_3 - qo_3_back, qo_3_rest = qo_3_lost + qo_3_of_quotient_3_lo,
+      qo_3_small = qo_3_rest * down, qo_3_lo = qo_3_lost == 0.0 ? 0.0 : qo_3_small;
   const double qo_0_total = qo_0 + qo_0_lo,
       qo_0_rounded = qo_0_total == qo_0_total ? qo_0_total : qo_0;
   const double qo_1_total = qo_1 + qo_1_lo,
@@ -592,7 +606,7 @@ static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const 
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-   32 mul, 67 add, 18 product error, 15 sum error, 2 div, 9 equal, 9 select. */
+   32 mul, 68 add, 18 product error, 16 sum error, 2 div, 9 equal, 9 select. */
 static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
   const double square_a = q->w * q->w, square_a_lo = ksl_product_error(q->w, q->w, square_a),
       square_b = q->x * q->x, square_b_lo = ksl_product_error(q->x, q->x, square_b),
@@ -604,11 +618,13 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
       square_f = q->z * q->z, square_f_lo = ksl_product_error(q->z, q->z, square_f),
       square = square_e + square_f, square_error = ksl_sum_error(square_e, square_f, square),
       square_lo1 = square_error + square_e_lo, square_lo = square_lo1 + square_f_lo;
-  const double scale = 2.0 / square, scale_cross = scale * square_lo,
-      scale_product = scale * square,
-      scale_product_error = ksl_product_error(scale, square, scale_product),
+  const double scale_of_square = square + square_lo,
+      scale_of_square_lo = ksl_sum_error(square, square_lo, scale_of_square),
+      scale = 2.0 / scale_of_square, scale_cross = scale * scale_of_square_lo,
+      scale_product = scale * scale_of_square,
+      scale_product_error = ksl_product_error(scale, scale_of_square, scale_product),
       scale_rest = 2.0 - scale_product, scale_exact = scale_rest - scale_product_error,
-      scale_residual = scale_exact - scale_cross, scale_lo = scale_residual / square;
+      scale_residual = scale_exact - scale_cross, scale_lo = scale_residual / scale_of_square;
   const double scale_w = q->w * scale, scale_w_cross1 = q->w * scale_lo,
       scale_w_error = ksl_product_error(q->w, scale, scale_w),
       scale_w_lo = scale_w_error + scale_w_cross1;
@@ -697,7 +713,7 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-   21 mul, 67 add, 9 product error, 21 sum error, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
+   21 mul, 73 add, 9 product error, 27 sum error, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
      select. */
 static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
     ksl_quaternion_t *qo) {
@@ -777,32 +793,49 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
       length_f_lo1 = length_f_error + length_f_cross1, length_f_lo = length_f_lo1 + length_f_cross2,
       length_g = length_e + length_f, length_g_error = ksl_sum_error(length_e, length_f, length_g),
       length_g_lo1 = length_g_error + length_e_lo, length_g_lo = length_g_lo1 + length_f_lo,
-      length = sqrt(length_g), length_product = length * length,
+      length_of_length_g = length_g + length_g_lo,
+      length_of_length_g_lo = ksl_sum_error(length_g, length_g_lo, length_of_length_g),
+      length = sqrt(length_of_length_g), length_product = length * length,
       length_product_error = ksl_product_error(length, length, length_product),
-      length_rest = length_g - length_product, length_exact = length_rest - length_product_error,
-      length_residual = length_exact + length_g_lo, length_twice = length + length,
+      length_rest = length_of_length_g - length_product,
+      length_exact = length_rest - length_product_error,
+      length_residual = length_exact + length_of_length_g_lo, length_twice = length + length,
       length_divisor = length == 0.0 ? 1.0 : length_twice,
       length_lo = length_residual / length_divisor;
-  const double qo_0 = upper_0 / length, qo_0_cross = qo_0 * length_lo, qo_0_product = qo_0 * length,
-      qo_0_product_error = ksl_product_error(qo_0, length, qo_0_product),
-      qo_0_rest = upper_0 - qo_0_product, qo_0_exact = qo_0_rest - qo_0_product_error,
-      qo_0_lo1 = qo_0_exact + upper_0_lo, qo_0_residual = qo_0_lo1 - qo_0_cross,
-      qo_0_lo = qo_0_residual / length;
-  const double qo_1 = upper_1 / length, qo_1_cross = qo_1 * length_lo, qo_1_product = qo_1 * length,
-      qo_1_product_error = ksl_product_error(qo_1, length, qo_1_product),
-      qo_1_rest = upper_1 - qo_1_product, qo_1_exact = qo_1_rest - qo_1_product_error,
-      qo_1_lo1 = qo_1_exact + upper_1_lo, qo_1_residual = qo_1_lo1 - qo_1_cross,
-      qo_1_lo = qo_1_residual / length;
-  const double qo_2 = upper_2 / length, qo_2_cross = qo_2 * length_lo, qo_2_product = qo_2 * length,
-      qo_2_product_error = ksl_product_error(qo_2, length, qo_2_product),
-      qo_2_rest = upper_2 - qo_2_product, qo_2_exact = qo_2_rest - qo_2_product_error,
-      qo_2_lo1 = qo_2_exact + upper_2_lo, qo_2_residual = qo_2_lo1 - qo_2_cross,
-      qo_2_lo = qo_2_residual / length;
-  const double qo_3 = upper_3 / length, qo_3_cross = qo_3 * length_lo, qo_3_product = qo_3 * length,
-      qo_3_product_error = ksl_product_error(qo_3, length, qo_3_product),
-      qo_3_rest = upper_3 - qo_3_product, qo_3_exact = qo_3_rest - qo_3_product_error,
-      qo_3_lo1 = qo_3_exact + upper_3_lo, qo_3_residual = qo_3_lo1 - qo_3_cross,
-      qo_3_lo = qo_3_residual / length;
+  const double qo_0_of_upper_0 = upper_0 + upper_0_lo,
+      qo_0_of_upper_0_lo = ksl_sum_error(upper_0, upper_0_lo, qo_0_of_upper_0),
+      qo_0_of_length = length + length_lo,
+      qo_0_of_length_lo = ksl_sum_error(length, length_lo, qo_0_of_length),
+      qo_0 = qo_0_of_upper_0 / qo_0_of_length, qo_0_cross = qo_0 * qo_0_of_length_lo,
+      qo_0_product = qo_0 * qo_0_of_length,
+      qo_0_product_error = ksl_product_error(qo_0, qo_0_of_length, qo_0_product),
+      qo_0_rest = qo_0_of_upper_0 - qo_0_product, qo_0_exact = qo_0_rest - qo_0_product_error,
+      qo_0_lo1 = qo_0_exact + qo_0_of_upper_0_lo, qo_0_residual = qo_0_lo1 - qo_0_cross,
+      qo_0_lo = qo_0_residual / qo_0_of_length;
+  const double qo_1_of_upper_1 = upper_1 + upper_1_lo,
+      qo_1_of_upper_1_lo = ksl_sum_error(upper_1, upper_1_lo, qo_1_of_upper_1),
+      qo_1 = qo_1_of_upper_1 / qo_0_of_length, qo_1_cross = qo_1 * qo_0_of_length_lo,
+      qo_1_product = qo_1 * qo_0_of_length,
+      qo_1_product_error = ksl_product_error(qo_1, qo_0_of_length, qo_1_product),
+      qo_1_rest = qo_1_of_upper_1 - qo_1_product, qo_1_exact = qo_1_rest - qo_1_product_error,
+      qo_1_lo1 = qo_1_exact + qo_1_of_upper_1_lo, qo_1_residual = qo_1_lo1 - qo_1_cross,
+      qo_1_lo = qo_1_residual / qo_0_of_length;
+  const double qo_2_of_upper_2 = upper_2 + upper_2_lo,
+      qo_2_of_upper_2_lo = ksl_sum_error(upper_2, upper_2_lo, qo_2_of_upper_2),
+      qo_2 = qo_2_of_upper_2 / qo_0_of_length, qo_2_cross = qo_2 * qo_0_of_length_lo,
+      qo_2_product = qo_2 * qo_0_of_length,
+      qo_2_product_error = ksl_product_error(qo_2, qo_0_of_length, qo_2_product),
+      qo_2_rest = qo_2_of_upper_2 - qo_2_product, qo_2_exact = qo_2_rest - qo_2_product_error,
+      qo_2_lo1 = qo_2_exact + qo_2_of_upper_2_lo, qo_2_residual = qo_2_lo1 - qo_2_cross,
+      qo_2_lo = qo_2_residual / qo_0_of_length;
+  const double qo_3_of_upper_3 = upper_3 + upper_3_lo,
+      qo_3_of_upper_3_lo = ksl_sum_error(upper_3, upper_3_lo, qo_3_of_upper_3),
+      qo_3 = qo_3_of_upper_3 / qo_0_of_length, qo_3_cross = qo_3 * qo_0_of_length_lo,
+      qo_3_product = qo_3 * qo_0_of_length,
+      qo_3_product_error = ksl_product_error(qo_3, qo_0_of_length, qo_3_product),
+      qo_3_rest = qo_3_of_upper_3 - qo_3_product, qo_3_exact = qo_3_rest - qo_3_product_error,
+      qo_3_lo1 = qo_3_exact + qo_3_of_upper_3_lo, qo_3_residual = qo_3_lo1 - qo_3_cross,
+      qo_3_lo = qo_3_residual / qo_0_of_length;
   const double qo_0_total = qo_0 + qo_0_lo,
       qo_0_rounded = qo_0_total == qo_0_total ? qo_0_total : qo_0;
   const double qo_1_total = qo_1 + qo_1_lo,
@@ -820,7 +853,7 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where angle
      = 0; any multiple of a quaternion.
    q: quaternion (w; x, y, z), the scalar first; axis: vector.
-   21 mul, 30 add, 8 product error, 2 sum error, 9 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 7
+   21 mul, 31 add, 8 product error, 6 sum error, 9 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 7
      equal, 20 select. */
 static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternion_t *q,
     ksl_vec3_t *axis) {
@@ -844,38 +877,47 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
       v_n_c_lo1 = v_n_c_error + v_n_a_lo, v_n_c_lo = v_n_c_lo1 + v_n_b_lo, v_n_d = v_y_2 * v_y_2,
       v_n_d_lo = ksl_product_error(v_y_2, v_y_2, v_n_d), v_n_e = v_n_c + v_n_d,
       v_n_e_error = ksl_sum_error(v_n_c, v_n_d, v_n_e), v_n_e_lo1 = v_n_e_error + v_n_c_lo,
-      v_n_e_lo = v_n_e_lo1 + v_n_d_lo, v_n = sqrt(v_n_e), v_n_product = v_n * v_n,
-      v_n_product_error = ksl_product_error(v_n, v_n, v_n_product), v_n_rest = v_n_e - v_n_product,
-      v_n_exact = v_n_rest - v_n_product_error, v_n_residual = v_n_exact + v_n_e_lo,
-      v_n_twice = v_n + v_n, v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice,
-      v_n_lo = v_n_residual / v_n_divisor;
+      v_n_e_lo = v_n_e_lo1 + v_n_d_lo, v_n_of_v_n_e = v_n_e + v_n_e_lo,
+      v_n_of_v_n_e_lo = ksl_sum_error(v_n_e, v_n_e_lo, v_n_of_v_n_e), v_n = sqrt(v_n_of_v_n_e),
+      v_n_product = v_n * v_n, v_n_product_error = ksl_product_error(v_n, v_n, v_n_product),
+      v_n_rest = v_n_of_v_n_e - v_n_product, v_n_exact = v_n_rest - v_n_product_error,
+      v_n_residual = v_n_exact + v_n_of_v_n_e_lo, v_n_twice = v_n + v_n,
+      v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
-  const double n_total = v_n + v_n_lo, n_added = n_total - v_n, n_remaining = v_n_lo - n_added,
-      n = n_total * v_r, n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_total - n_back,
-      n_rest = n_lost + n_remaining, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
-  const double half = atan2(n, upper_0), half_cross0 = upper_0 * n_lo,
-      half_square0 = upper_0 * upper_0, half_square1 = n * n,
+  const double n_of_v_n = v_n + v_n_lo, n_of_v_n_lo = ksl_sum_error(v_n, v_n_lo, n_of_v_n),
+      n = n_of_v_n * v_r, n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_of_v_n - n_back,
+      n_rest = n_lost + n_of_v_n_lo, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
+  const double half_of_n = n + n_lo, half_of_n_lo = ksl_sum_error(n, n_lo, half_of_n),
+      half = atan2(half_of_n, upper_0), half_cross0 = upper_0 * half_of_n_lo,
+      half_square0 = upper_0 * upper_0, half_square1 = half_of_n * half_of_n,
       half_square = half_square0 + half_square1, half_lo = half_cross0 / half_square;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
-  const double unit_0 = upper_1 / divisor, unit_0_cross = unit_0 * divisor_lo,
-      unit_0_product = unit_0 * divisor,
-      unit_0_product_error = ksl_product_error(unit_0, divisor, unit_0_product),
+  const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
+      divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
+  const double unit_0_of_divisor = divisor + divisor_lo,
+      unit_0_of_divisor_lo = ksl_sum_error(divisor, divisor_lo, unit_0_of_divisor),
+      unit_0 = upper_1 / unit_0_of_divisor, unit_0_cross = unit_0 * unit_0_of_divisor_lo,
+      unit_0_product = unit_0 * unit_0_of_divisor,
+      unit_0_product_error = ksl_product_error(unit_0, unit_0_of_divisor, unit_0_product),
       unit_0_rest = upper_1 - unit_0_product, unit_0_exact = unit_0_rest - unit_0_product_error,
-      unit_0_residual = unit_0_exact - unit_0_cross, unit_0_lo = unit_0_residual / divisor;
-  const double unit_1 = upper_2 / divisor, unit_1_cross = unit_1 * divisor_lo,
-      unit_1_product = unit_1 * divisor,
-      unit_1_product_error = ksl_product_error(unit_1, divisor, unit_1_product),
+      unit_0_residual = unit_0_exact - unit_0_cross,
+      unit_0_lo = unit_0_residual / unit_0_of_divisor;
+  const double unit_1 = upper_2 / unit_0_of_divisor, unit_1_cross = unit_1 * unit_0_of_divisor_lo,
+      unit_1_product = unit_1 * unit_0_of_divisor,
+      unit_1_product_error = ksl_product_error(unit_1, unit_0_of_divisor, unit_1_product),
       unit_1_rest = upper_2 - unit_1_product, unit_1_exact = unit_1_rest - unit_1_product_error,
-      unit_1_residual = unit_1_exact - unit_1_cross, unit_1_lo = unit_1_residual / divisor;
-  const double unit_2 = upper_3 / divisor, unit_2_cross = unit_2 * divisor_lo,
-      unit_2_product = unit_2 * divisor,
-      unit_2_product_error = ksl_product_error(unit_2, divisor, unit_2_product),
+      unit_1_residual = unit_1_exact - unit_1_cross,
+      unit_1_lo = unit_1_residual / unit_0_of_divisor;
+  const double unit_2 = upper_3 / unit_0_of_divisor, unit_2_cross = unit_2 * unit_0_of_divisor_lo,
+      unit_2_product = unit_2 * unit_0_of_divisor,
+      unit_2_product_error = ksl_product_error(unit_2, unit_0_of_divisor, unit_2_product),
       unit_2_rest = upper_3 - unit_2_product, unit_2_exact = unit_2_rest - unit_2_product_error,
-      unit_2_residual = unit_2_exact - unit_2_cross, unit_2_lo = unit_2_residual / divisor;
+      unit_2_residual = unit_2_exact - unit_2_cross,
+      unit_2_lo = unit_2_residual / unit_0_of_divisor;
   const double angle = 2.0 * half, angle_cross1 = 2.0 * half_lo,
       angle_error = ksl_product_error(2.0, half, angle), angle_lo = angle_error + angle_cross1;
-  const double axis_0 = n == 0.0 ? 1.0 : unit_0, axis_0_lo = n == 0.0 ? 0.0 : unit_0_lo;
+  const double axis_0 = half_of_n == 0.0 ? 1.0 : unit_0,
+      axis_0_lo = half_of_n == 0.0 ? 0.0 : unit_0_lo;
   const double angle_total = angle + angle_lo,
       angle_rounded = angle_total == angle_total ? angle_total : angle;
   const double axis_0_total = axis_0 + axis_0_lo,
@@ -884,12 +926,15 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
       unit_1_rounded = unit_1_total == unit_1_total ? unit_1_total : unit_1;
   const double unit_2_total = unit_2 + unit_2_lo,
       unit_2_rounded = unit_2_total == unit_2_total ? unit_2_total : unit_2;
+  axis->x = axis_0_rounded;
+  axis->y = unit_1_rounded;
+  axis->z = unit_2_rounded;
   return angle_rounded;
 }
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (w; x, y, z), the scalar first; vo: vector.
-   23 mul, 27 add, 9 product error, 2 sum error, 5 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 6
+   23 mul, 29 add, 9 product error, 7 sum error, 5 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 6
      equal, 17 select. */
 static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
   const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
@@ -912,26 +957,34 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
       v_n_c_lo1 = v_n_c_error + v_n_a_lo, v_n_c_lo = v_n_c_lo1 + v_n_b_lo, v_n_d = v_y_2 * v_y_2,
       v_n_d_lo = ksl_product_error(v_y_2, v_y_2, v_n_d), v_n_e = v_n_c + v_n_d,
       v_n_e_error = ksl_sum_error(v_n_c, v_n_d, v_n_e), v_n_e_lo1 = v_n_e_error + v_n_c_lo,
-      v_n_e_lo = v_n_e_lo1 + v_n_d_lo, v_n = sqrt(v_n_e), v_n_product = v_n * v_n,
-      v_n_product_error = ksl_product_error(v_n, v_n, v_n_product), v_n_rest = v_n_e - v_n_product,
-      v_n_exact = v_n_rest - v_n_product_error, v_n_residual = v_n_exact + v_n_e_lo,
-      v_n_twice = v_n + v_n, v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice,
-      v_n_lo = v_n_residual / v_n_divisor;
+      v_n_e_lo = v_n_e_lo1 + v_n_d_lo, v_n_of_v_n_e = v_n_e + v_n_e_lo,
+      v_n_of_v_n_e_lo = ksl_sum_error(v_n_e, v_n_e_lo, v_n_of_v_n_e), v_n = sqrt(v_n_of_v_n_e),
+      v_n_product = v_n * v_n, v_n_product_error = ksl_product_error(v_n, v_n, v_n_product),
+      v_n_rest = v_n_of_v_n_e - v_n_product, v_n_exact = v_n_rest - v_n_product_error,
+      v_n_residual = v_n_exact + v_n_of_v_n_e_lo, v_n_twice = v_n + v_n,
+      v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
-  const double n_total = v_n + v_n_lo, n_added = n_total - v_n, n_remaining = v_n_lo - n_added,
-      n = n_total * v_r, n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_total - n_back,
-      n_rest = n_lost + n_remaining, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
-  const double half = atan2(n, upper_0), half_cross0 = upper_0 * n_lo,
-      half_square0 = upper_0 * upper_0, half_square1 = n * n,
+  const double n_of_v_n = v_n + v_n_lo, n_of_v_n_lo = ksl_sum_error(v_n, v_n_lo, n_of_v_n),
+      n = n_of_v_n * v_r, n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_of_v_n - n_back,
+      n_rest = n_lost + n_of_v_n_lo, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
+  const double half_of_n = n + n_lo, half_of_n_lo = ksl_sum_error(n, n_lo, half_of_n),
+      half = atan2(half_of_n, upper_0), half_cross0 = upper_0 * half_of_n_lo,
+      half_square0 = upper_0 * upper_0, half_square1 = half_of_n * half_of_n,
       half_square = half_square0 + half_square1, half_lo = half_cross0 / half_square;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
+      divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
   const double theta = 2.0 * half, theta_cross1 = 2.0 * half_lo,
       theta_error = ksl_product_error(2.0, half, theta), theta_lo = theta_error + theta_cross1;
-  const double k = theta / divisor, k_cross = k * divisor_lo, k_product = k * divisor,
-      k_product_error = ksl_product_error(k, divisor, k_product), k_rest = theta - k_product,
-      k_exact = k_rest - k_product_error, k_lo1 = k_exact + theta_lo, k_residual = k_lo1 - k_cross,
-      k_lo = k_residual / divisor;
+  const double k_of_theta = theta + theta_lo,
+      k_of_theta_lo = ksl_sum_error(theta, theta_lo, k_of_theta),
+      k_of_divisor = divisor + divisor_lo,
+      k_of_divisor_lo = ksl_sum_error(divisor, divisor_lo, k_of_divisor),
+      k = k_of_theta / k_of_divisor, k_cross = k * k_of_divisor_lo, k_product = k * k_of_divisor,
+      k_product_error = ksl_product_error(k, k_of_divisor, k_product),
+      k_rest = k_of_theta - k_product, k_exact = k_rest - k_product_error,
+      k_lo1 = k_exact + k_of_theta_lo, k_residual = k_lo1 - k_cross,
+      k_lo = k_residual / k_of_divisor;
   const double vector_0 = upper_1 * k, vector_0_cross1 = upper_1 * k_lo,
       vector_0_error = ksl_product_error(upper_1, k, vector_0),
       vector_0_lo = vector_0_error + vector_0_cross1;
@@ -1335,6 +1388,9 @@ static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternio
   const double unit_2 = upper_3 / divisor;
   const double angle = 2.0 * half;
   const double axis_0 = n == 0.0 ? 1.0 : unit_0;
+  axis->x = (float)axis_0;
+  axis->y = (float)unit_1;
+  axis->z = (float)unit_2;
   return (float)angle;
 }
 

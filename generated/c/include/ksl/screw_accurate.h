@@ -204,7 +204,7 @@ static inline void ksl_subtract_ss_accurate(const ksl_screw_t *s1, const ksl_scr
 
 /* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
    si: screw (v in m/s; ω in rad/s).
-   10 mul, 16 add, 4 product error, 2 sum error, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
+   10 mul, 15 add, 4 product error, 4 sum error, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
      select. */
 static inline double ksl_screw_norm_accurate(const ksl_screw_t *si) {
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -228,17 +228,17 @@ static inline double ksl_screw_norm_accurate(const ksl_screw_t *si) {
       n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
       n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
       n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
-      n_e_lo = n_e_lo1 + n_d_lo, n = sqrt(n_e), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
+      n_e_lo = n_e_lo1 + n_d_lo, n_of_n_e = n_e + n_e_lo,
+      n_of_n_e_lo = ksl_sum_error(n_e, n_e_lo, n_of_n_e), n = sqrt(n_of_n_e), n_product = n * n,
+      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
+      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r = 1.0 < s ? 2.409919865102884e-181 : r_b;
-  const double norm_total = n + n_lo, norm_added = norm_total - n,
-      norm_remaining = n_lo - norm_added, norm = norm_total * r, norm_inverse = 1.0 / r,
-      norm_back = norm * norm_inverse, norm_lost = norm_total - norm_back,
-      norm_rest = norm_lost + norm_remaining, norm_small = norm_rest * r,
-      norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
+  const double norm_of_n = n + n_lo, norm_of_n_lo = ksl_sum_error(n, n_lo, norm_of_n),
+      norm = norm_of_n * r, norm_inverse = 1.0 / r, norm_back = norm * norm_inverse,
+      norm_lost = norm_of_n - norm_back, norm_rest = norm_lost + norm_of_n_lo,
+      norm_small = norm_rest * r, norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
   const double norm_total = norm + norm_lo,
       norm_rounded = norm_total == norm_total ? norm_total : norm;
   return norm_rounded;
@@ -246,7 +246,7 @@ static inline double ksl_screw_norm_accurate(const ksl_screw_t *si) {
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   43 mul, 64 add, 10 product error, 2 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+   43 mul, 54 add, 10 product error, 10 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
      select. */
 static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
   const double small_a = fabs(self->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -270,9 +270,10 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
       n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
       n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
-      n_e_lo = n_e_lo1 + n_d_lo, n = sqrt(n_e), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
+      n_e_lo = n_e_lo1 + n_d_lo, n_of_n_e = n_e + n_e_lo,
+      n_of_n_e_lo = ksl_sum_error(n_e, n_e_lo, n_of_n_e), n = sqrt(n_of_n_e), n_product = n * n,
+      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
+      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double up = 1.0 < s ? s : 1.0;
@@ -283,94 +284,102 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
   const double enlarged_3 = self->m3 * up;
   const double enlarged_4 = self->m4 * up;
   const double enlarged_5 = self->m5 * up;
-  const double quotient_0 = enlarged_0 / divisor, quotient_0_cross = quotient_0 * divisor_lo,
-      quotient_0_product = quotient_0 * divisor,
-      quotient_0_product_error = ksl_product_error(quotient_0, divisor, quotient_0_product),
+  const double quotient_0_of_divisor = divisor + divisor_lo,
+      quotient_0_of_divisor_lo = ksl_sum_error(divisor, divisor_lo, quotient_0_of_divisor),
+      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
+      quotient_0_product = quotient_0 * quotient_0_of_divisor,
+      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
-      quotient_0_lo = quotient_0_residual / divisor;
-  const double quotient_1 = enlarged_1 / divisor, quotient_1_cross = quotient_1 * divisor_lo,
-      quotient_1_product = quotient_1 * divisor,
-      quotient_1_product_error = ksl_product_error(quotient_1, divisor, quotient_1_product),
+      quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
+  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
+      quotient_1_product = quotient_1 * quotient_0_of_divisor,
+      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
-      quotient_1_lo = quotient_1_residual / divisor;
-  const double quotient_2 = enlarged_2 / divisor, quotient_2_cross = quotient_2 * divisor_lo,
-      quotient_2_product = quotient_2 * divisor,
-      quotient_2_product_error = ksl_product_error(quotient_2, divisor, quotient_2_product),
+      quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
+  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
+      quotient_2_product = quotient_2 * quotient_0_of_divisor,
+      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
-      quotient_2_lo = quotient_2_residual / divisor;
-  const double quotient_3 = enlarged_3 / divisor, quotient_3_cross = quotient_3 * divisor_lo,
-      quotient_3_product = quotient_3 * divisor,
-      quotient_3_product_error = ksl_product_error(quotient_3, divisor, quotient_3_product),
+      quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
+  const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
+      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
+      quotient_3_product = quotient_3 * quotient_0_of_divisor,
+      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
       quotient_3_rest = enlarged_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
-      quotient_3_lo = quotient_3_residual / divisor;
-  const double quotient_4 = enlarged_4 / divisor, quotient_4_cross = quotient_4 * divisor_lo,
-      quotient_4_product = quotient_4 * divisor,
-      quotient_4_product_error = ksl_product_error(quotient_4, divisor, quotient_4_product),
+      quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
+  const double quotient_4 = enlarged_4 / quotient_0_of_divisor,
+      quotient_4_cross = quotient_4 * quotient_0_of_divisor_lo,
+      quotient_4_product = quotient_4 * quotient_0_of_divisor,
+      quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
       quotient_4_rest = enlarged_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
       quotient_4_residual = quotient_4_exact - quotient_4_cross,
-      quotient_4_lo = quotient_4_residual / divisor;
-  const double quotient_5 = enlarged_5 / divisor, quotient_5_cross = quotient_5 * divisor_lo,
-      quotient_5_product = quotient_5 * divisor,
-      quotient_5_product_error = ksl_product_error(quotient_5, divisor, quotient_5_product),
+      quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
+  const double quotient_5 = enlarged_5 / quotient_0_of_divisor,
+      quotient_5_cross = quotient_5 * quotient_0_of_divisor_lo,
+      quotient_5_product = quotient_5 * quotient_0_of_divisor,
+      quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
       quotient_5_rest = enlarged_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
       quotient_5_residual = quotient_5_exact - quotient_5_cross,
-      quotient_5_lo = quotient_5_residual / divisor;
-  const double self_0_new_total = quotient_0 + quotient_0_lo,
-      self_0_new_added = self_0_new_total - quotient_0,
-      self_0_new_remaining = quotient_0_lo - self_0_new_added, self_0_new = self_0_new_total * down,
-      self_0_new_inverse = 1.0 / down, self_0_new_back = self_0_new * self_0_new_inverse,
-      self_0_new_lost = self_0_new_total - self_0_new_back,
-      self_0_new_rest = self_0_new_lost + self_0_new_remaining,
+      quotient_5_lo = quotient_5_residual / quotient_0_of_divisor;
+  const double self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo,
+      self_0_new_of_quotient_0_lo = ksl_sum_error(quotient_0, quotient_0_lo, self_0_new_of_quotient_0),
+      self_0_new = self_0_new_of_quotient_0 * down, self_0_new_inverse = 1.0 / down,
+      self_0_new_back = self_0_new * self_0_new_inverse,
+      self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
+      self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo,
       self_0_new_small = self_0_new_rest * down,
       self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
-  const double self_1_new_total = quotient_1 + quotient_1_lo,
-      self_1_new_added = self_1_new_total - quotient_1,
-      self_1_new_remaining = quotient_1_lo - self_1_new_added, self_1_new = self_1_new_total * down,
+  const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
+      self_1_new_of_quotient_1_lo = ksl_sum_error(quotient_1, quotient_1_lo, self_1_new_of_quotient_1),
+      self_1_new = self_1_new_of_quotient_1 * down,
       self_1_new_back = self_1_new * self_0_new_inverse,
-      self_1_new_lost = self_1_new_total - self_1_new_back,
-      self_1_new_rest = self_1_new_lost + self_1_new_remaining,
+      self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
+      self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo,
       self_1_new_small = self_1_new_rest * down,
       self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
-  const double self_2_new_total = quotient_2 + quotient_2_lo,
-      self_2_new_added = self_2_new_total - quotient_2,
-      self_2_new_remaining = quotient_2_lo - self_2_new_added, self_2_new = self_2_new_total * down,
+  const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
+      self_2_new_of_quotient_2_lo = ksl_sum_error(quotient_2, quotient_2_lo, self_2_new_of_quotient_2),
+      self_2_new = self_2_new_of_quotient_2 * down,
       self_2_new_back = self_2_new * self_0_new_inverse,
-      self_2_new_lost = self_2_new_total - self_2_new_back,
-      self_2_new_rest = self_2_new_lost + self_2_new_remaining,
+      self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
+      self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo,
       self_2_new_small = self_2_new_rest * down,
       self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
-  const double self_3_new_total = quotient_3 + quotient_3_lo,
-      self_3_new_added = self_3_new_total - quotient_3,
-      self_3_new_remaining = quotient_3_lo - self_3_new_added, self_3_new = self_3_new_total * down,
+  const double self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo,
+      self_3_new_of_quotient_3_lo = ksl_sum_error(quotient_3, quotient_3_lo, self_3_new_of_quotient_3),
+      self_3_new = self_3_new_of_quotient_3 * down,
       self_3_new_back = self_3_new * self_0_new_inverse,
-      self_3_new_lost = self_3_new_total - self_3_new_back,
-      self_3_new_rest = self_3_new_lost + self_3_new_remaining,
+      self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
+      self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo,
       self_3_new_small = self_3_new_rest * down,
       self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
-  const double self_4_new_total = quotient_4 + quotient_4_lo,
-      self_4_new_added = self_4_new_total - quotient_4,
-      self_4_new_remaining = quotient_4_lo - self_4_new_added, self_4_new = self_4_new_total * down,
+  const double self_4_new_of_quotient_4 = quotient_4 + quotient_4_lo,
+      self_4_new_of_quotient_4_lo = ksl_sum_error(quotient_4, quotient_4_lo, self_4_new_of_quotient_4),
+      self_4_new = self_4_new_of_quotient_4 * down,
       self_4_new_back = self_4_new * self_0_new_inverse,
-      self_4_new_lost = self_4_new_total - self_4_new_back,
-      self_4_new_rest = self_4_new_lost + self_4_new_remaining,
+      self_4_new_lost = self_4_new_of_quotient_4 - self_4_new_back,
+      self_4_new_rest = self_4_new_lost + self_4_new_of_quotient_4_lo,
       self_4_new_small = self_4_new_rest * down,
       self_4_new_lo = self_4_new_lost == 0.0 ? 0.0 : self_4_new_small;
-  const double self_5_new_total = quotient_5 + quotient_5_lo,
-      self_5_new_added = self_5_new_total - quotient_5,
-      self_5_new_remaining = quotient_5_lo - self_5_new_added, self_5_new = self_5_new_total * down,
+  const double self_5_new_of_quotient_5 = quotient_5 + quotient_5_lo,
+      self_5_new_of_quotient_5_lo = ksl_sum_error(quotient_5, quotient_5_lo, self_5_new_of_quotient_5),
+      self_5_new = self_5_new_of_quotient_5 * down,
       self_5_new_back = self_5_new * self_0_new_inverse,
-      self_5_new_lost = self_5_new_total - self_5_new_back,
-      self_5_new_rest = self_5_new_lost + self_5_new_remaining,
+      self_5_new_lost = self_5_new_of_quotient_5 - self_5_new_back,
+      self_5_new_rest = self_5_new_lost + self_5_new_of_quotient_5_lo,
       self_5_new_small = self_5_new_rest * down,
       self_5_new_lo = self_5_new_lost == 0.0 ? 0.0 : self_5_new_small;
   const double self_0_new_total = self_0_new + self_0_new_lo,
@@ -395,7 +404,7 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   43 mul, 64 add, 10 product error, 2 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+   43 mul, 54 add, 10 product error, 10 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
      select. */
 static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_screw_t *so) {
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -419,9 +428,10 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
       n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
       n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
-      n_e_lo = n_e_lo1 + n_d_lo, n = sqrt(n_e), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_e - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_e_lo, n_twice = n + n,
+      n_e_lo = n_e_lo1 + n_d_lo, n_of_n_e = n_e + n_e_lo,
+      n_of_n_e_lo = ksl_sum_error(n_e, n_e_lo, n_of_n_e), n = sqrt(n_of_n_e), n_product = n * n,
+      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
+      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double up = 1.0 < s ? s : 1.0;
@@ -432,78 +442,86 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
   const double enlarged_3 = si->m3 * up;
   const double enlarged_4 = si->m4 * up;
   const double enlarged_5 = si->m5 * up;
-  const double quotient_0 = enlarged_0 / divisor, quotient_0_cross = quotient_0 * divisor_lo,
-      quotient_0_product = quotient_0 * divisor,
-      quotient_0_product_error = ksl_product_error(quotient_0, divisor, quotient_0_product),
+  const double quotient_0_of_divisor = divisor + divisor_lo,
+      quotient_0_of_divisor_lo = ksl_sum_error(divisor, divisor_lo, quotient_0_of_divisor),
+      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
+      quotient_0_product = quotient_0 * quotient_0_of_divisor,
+      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
-      quotient_0_lo = quotient_0_residual / divisor;
-  const double quotient_1 = enlarged_1 / divisor, quotient_1_cross = quotient_1 * divisor_lo,
-      quotient_1_product = quotient_1 * divisor,
-      quotient_1_product_error = ksl_product_error(quotient_1, divisor, quotient_1_product),
+      quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
+  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
+      quotient_1_product = quotient_1 * quotient_0_of_divisor,
+      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
-      quotient_1_lo = quotient_1_residual / divisor;
-  const double quotient_2 = enlarged_2 / divisor, quotient_2_cross = quotient_2 * divisor_lo,
-      quotient_2_product = quotient_2 * divisor,
-      quotient_2_product_error = ksl_product_error(quotient_2, divisor, quotient_2_product),
+      quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
+  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
+      quotient_2_product = quotient_2 * quotient_0_of_divisor,
+      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
-      quotient_2_lo = quotient_2_residual / divisor;
-  const double quotient_3 = enlarged_3 / divisor, quotient_3_cross = quotient_3 * divisor_lo,
-      quotient_3_product = quotient_3 * divisor,
-      quotient_3_product_error = ksl_product_error(quotient_3, divisor, quotient_3_product),
+      quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
+  const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
+      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
+      quotient_3_product = quotient_3 * quotient_0_of_divisor,
+      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
       quotient_3_rest = enlarged_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
-      quotient_3_lo = quotient_3_residual / divisor;
-  const double quotient_4 = enlarged_4 / divisor, quotient_4_cross = quotient_4 * divisor_lo,
-      quotient_4_product = quotient_4 * divisor,
-      quotient_4_product_error = ksl_product_error(quotient_4, divisor, quotient_4_product),
+      quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
+  const double quotient_4 = enlarged_4 / quotient_0_of_divisor,
+      quotient_4_cross = quotient_4 * quotient_0_of_divisor_lo,
+      quotient_4_product = quotient_4 * quotient_0_of_divisor,
+      quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
       quotient_4_rest = enlarged_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
       quotient_4_residual = quotient_4_exact - quotient_4_cross,
-      quotient_4_lo = quotient_4_residual / divisor;
-  const double quotient_5 = enlarged_5 / divisor, quotient_5_cross = quotient_5 * divisor_lo,
-      quotient_5_product = quotient_5 * divisor,
-      quotient_5_product_error = ksl_product_error(quotient_5, divisor, quotient_5_product),
+      quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
+  const double quotient_5 = enlarged_5 / quotient_0_of_divisor,
+      quotient_5_cross = quotient_5 * quotient_0_of_divisor_lo,
+      quotient_5_product = quotient_5 * quotient_0_of_divisor,
+      quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
       quotient_5_rest = enlarged_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
       quotient_5_residual = quotient_5_exact - quotient_5_cross,
-      quotient_5_lo = quotient_5_residual / divisor;
-  const double so_0_total = quotient_0 + quotient_0_lo, so_0_added = so_0_total - quotient_0,
-      so_0_remaining = quotient_0_lo - so_0_added, so_0 = so_0_total * down,
-      so_0_inverse = 1.0 / down, so_0_back = so_0 * so_0_inverse,
-      so_0_lost = so_0_total - so_0_back, so_0_rest = so_0_lost + so_0_remaining,
+      quotient_5_lo = quotient_5_residual / quotient_0_of_divisor;
+  const double so_0_of_quotient_0 = quotient_0 + quotient_0_lo,
+      so_0_of_quotient_0_lo = ksl_sum_error(quotient_0, quotient_0_lo, so_0_of_quotient_0),
+      so_0 = so_0_of_quotient_0 * down, so_0_inverse = 1.0 / down, so_0_back = so_0 * so_0_inverse,
+      so_0_lost = so_0_of_quotient_0 - so_0_back, so_0_rest = so_0_lost + so_0_of_quotient_0_lo,
       so_0_small = so_0_rest * down, so_0_lo = so_0_lost == 0.0 ? 0.0 : so_0_small;
-  const double so_1_total = quotient_1 + quotient_1_lo, so_1_added = so_1_total - quotient_1,
-      so_1_remaining = quotient_1_lo - so_1_added, so_1 = so_1_total * down,
-      so_1_back = so_1 * so_0_inverse, so_1_lost = so_1_total - so_1_back,
-      so_1_rest = so_1_lost + so_1_remaining, so_1_small = so_1_rest * down,
-      so_1_lo = so_1_lost == 0.0 ? 0.0 : so_1_small;
-  const double so_2_total = quotient_2 + quotient_2_lo, so_2_added = so_2_total - quotient_2,
-      so_2_remaining = quotient_2_lo - so_2_added, so_2 = so_2_total * down,
-      so_2_back = so_2 * so_0_inverse, so_2_lost = so_2_total - so_2_back,
-      so_2_rest = so_2_lost + so_2_remaining, so_2_small = so_2_rest * down,
-      so_2_lo = so_2_lost == 0.0 ? 0.0 : so_2_small;
-  const double so_3_total = quotient_3 + quotient_3_lo, so_3_added = so_3_total - quotient_3,
-      so_3_remaining = quotient_3_lo - so_3_added, so_3 = so_3_total * down,
-      so_3_back = so_3 * so_0_inverse, so_3_lost = so_3_total - so_3_back,
-      so_3_rest = so_3_lost + so_3_remaining, so_3_small = so_3_rest * down,
-      so_3_lo = so_3_lost == 0.0 ? 0.0 : so_3_small;
-  const double so_4_total = quotient_4 + quotient_4_lo, so_4_added = so_4_total - quotient_4,
-      so_4_remaining = quotient_4_lo - so_4_added, so_4 = so_4_total * down,
-      so_4_back = so_4 * so_0_inverse, so_4_lost = so_4_total - so_4_back,
-      so_4_rest = so_4_lost + so_4_remaining, so_4_small = so_4_rest * down,
-      so_4_lo = so_4_lost == 0.0 ? 0.0 : so_4_small;
-  const double so_5_total = quotient_5 + quotient_5_lo, so_5_added = so_5_total - quotient_5,
-      so_5_remaining = quotient_5_lo - so_5_added, so_5 = so_5_total * down,
-      so_5_back = so_5 * so_0_inverse, so_5_lost = so_5_total - so_5_back,
-      so_5_rest = so_5_lost + so_5_remaining, so_5_small = so_5_rest * down,
-      so_5_lo = so_5_lost == 0.0 ? 0.0 : so_5_small;
+  const double so_1_of_quotient_1 = quotient_1 + quotient_1_lo,
+      so_1_of_quotient_1_lo = ksl_sum_error(quotient_1, quotient_1_lo, so_1_of_quotient_1),
+      so_1 = so_1_of_quotient_1 * down, so_1_back = so_1 * so_0_inverse,
+      so_1_lost = so_1_of_quotient_1 - so_1_back, so_1_rest = so_1_lost + so_1_of_quotient_1_lo,
+      so_1_small = so_1_rest * down, so_1_lo = so_1_lost == 0.0 ? 0.0 : so_1_small;
+  const double so_2_of_quotient_2 = quotient_2 + quotient_2_lo,
+      so_2_of_quotient_2_lo = ksl_sum_error(quotient_2, quotient_2_lo, so_2_of_quotient_2),
+      so_2 = so_2_of_quotient_2 * down, so_2_back = so_2 * so_0_inverse,
+      so_2_lost = so_2_of_quotient_2 - so_2_back, so_2_rest = so_2_lost + so_2_of_quotient_2_lo,
+      so_2_small = so_2_rest * down, so_2_lo = so_2_lost == 0.0 ? 0.0 : so_2_small;
+  const double so_3_of_quotient_3 = quotient_3 + quotient_3_lo,
+      so_3_of_quotient_3_lo = ksl_sum_error(quotient_3, quotient_3_lo, so_3_of_quotient_3),
+      so_3 = so_3_of_quotient_3 * down, so_3_back = so_3 * so_0_inverse,
+      so_3_lost = so_3_of_quotient_3 - so_3_back, so_3_rest = so_3_lost + so_3_of_quotient_3_lo,
+      so_3_small = so_3_rest * down, so_3_lo = so_3_lost == 0.0 ? 0.0 : so_3_small;
+  const double so_4_of_quotient_4 = quotient_4 + quotient_4_lo,
+      so_4_of_quotient_4_lo = ksl_sum_error(quotient_4, quotient_4_lo, so_4_of_quotient_4),
+      so_4 = so_4_of_quotient_4 * down, so_4_back = so_4 * so_0_inverse,
+      so_4_lost = so_4_of_quotient_4 - so_4_back, so_4_rest = so_4_lost + so_4_of_quotient_4_lo,
+      so_4_small = so_4_rest * down, so_4_lo = so_4_lost == 0.0 ? 0.0 : so_4_small;
+  const double so_5_of_quotient_5 = quotient_5 + quotient_5_lo,
+      so_5_of_quotient_5_lo = ksl_sum_error(quotient_5, quotient_5_lo, so_5_of_quotient_5),
+      so_5 = so_5_of_quotient_5 * down, so_5_back = so_5 * so_0_inverse,
+      so_5_lost = so_5_of_quotient_5 - so_5_back, so_5_rest = so_5_lost + so_5_of_quotient_5_lo,
+      so_5_small = so_5_rest * down, so_5_lo = so_5_lost == 0.0 ? 0.0 : so_5_small;
   const double so_0_total = so_0 + so_0_lo,
       so_0_rounded = so_0_total == so_0_total ? so_0_total : so_0;
   const double so_1_total = so_1 + so_1_lo,

@@ -265,6 +265,57 @@ static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
   vo->z = vo_2;
 }
 
+/* angle = atan2(|v1 × v2|, v1·v2), in [0, π].
+   v1, v2: vector.
+   22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 14 less, 14 select. */
+static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
+  const double s1_size_0 = fabs(v1->x);
+  const double s1_size_1 = fabs(v1->y);
+  const double s1_size_2 = fabs(v1->z);
+  const double s1_largest1 = s1_size_0 < s1_size_1 ? s1_size_1 : s1_size_0;
+  const double s1_largest2 = s1_largest1 < s1_size_2 ? s1_size_2 : s1_largest1;
+  const double s1b = 6.703903964971299e+153 < s1_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s1 = s1_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s1b;
+  const double scaled_s1_0 = v1->x * s1;
+  const double scaled_s1_1 = v1->y * s1;
+  const double scaled_s1_2 = v1->z * s1;
+  const double s2_size_0 = fabs(v2->x);
+  const double s2_size_1 = fabs(v2->y);
+  const double s2_size_2 = fabs(v2->z);
+  const double s2_largest1 = s2_size_0 < s2_size_1 ? s2_size_1 : s2_size_0;
+  const double s2_largest2 = s2_largest1 < s2_size_2 ? s2_size_2 : s2_largest1;
+  const double s2b = 6.703903964971299e+153 < s2_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s2 = s2_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s2b;
+  const double scaled_s2_0 = v2->x * s2;
+  const double scaled_s2_1 = v2->y * s2;
+  const double scaled_s2_2 = v2->z * s2;
+  const double c_0a = scaled_s1_1 * scaled_s2_2, c_0b = scaled_s1_2 * scaled_s2_1,
+      c_0 = c_0a - c_0b;
+  const double c_1a = scaled_s1_2 * scaled_s2_0, c_1b = scaled_s1_0 * scaled_s2_2,
+      c_1 = c_1a - c_1b;
+  const double c_2a = scaled_s1_0 * scaled_s2_1, c_2b = scaled_s1_1 * scaled_s2_0,
+      c_2 = c_2a - c_2b;
+  const double s_size_0 = fabs(c_0);
+  const double s_size_1 = fabs(c_1);
+  const double s_size_2 = fabs(c_2);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+  const double y_0 = c_0 * s;
+  const double y_1 = c_1 * s;
+  const double y_2 = c_2 * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+  const double cross = n * r;
+  const double dot__a = scaled_s1_0 * scaled_s2_0, dot__b = scaled_s1_1 * scaled_s2_1,
+      dot__c = dot__a + dot__b, dot__d = scaled_s1_2 * scaled_s2_2, dot_ = dot__c + dot__d;
+  const double angle = atan2(cross, dot_);
+  return angle;
+}
+
 /* v1·v2.
    v1, v2: vector.
    3 mul, 2 add.
@@ -664,6 +715,53 @@ static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
+}
+
+/* angle = atan2(|v1 × v2|, v1·v2), in [0, π].
+   v1, v2: vector.
+   22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 14 less, 14 select. */
+static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
+  const float s1_size_0 = fabsf(v1->x);
+  const float s1_size_1 = fabsf(v1->y);
+  const float s1_size_2 = fabsf(v1->z);
+  const float s1_largest1 = s1_size_0 < s1_size_1 ? s1_size_1 : s1_size_0;
+  const float s1_largest2 = s1_largest1 < s1_size_2 ? s1_size_2 : s1_largest1;
+  const float s1b = 4.611686e+18f < s1_largest2 ? 2.7105054e-20f : 1.0f,
+      s1 = s1_largest2 < 8.881784e-16f ? 1.2676506e+30f : s1b;
+  const float scaled_s1_0 = v1->x * s1;
+  const float scaled_s1_1 = v1->y * s1;
+  const float scaled_s1_2 = v1->z * s1;
+  const float s2_size_0 = fabsf(v2->x);
+  const float s2_size_1 = fabsf(v2->y);
+  const float s2_size_2 = fabsf(v2->z);
+  const float s2_largest1 = s2_size_0 < s2_size_1 ? s2_size_1 : s2_size_0;
+  const float s2_largest2 = s2_largest1 < s2_size_2 ? s2_size_2 : s2_largest1;
+  const float s2b = 4.611686e+18f < s2_largest2 ? 2.7105054e-20f : 1.0f,
+      s2 = s2_largest2 < 8.881784e-16f ? 1.2676506e+30f : s2b;
+  const float scaled_s2_0 = v2->x * s2;
+  const float scaled_s2_1 = v2->y * s2;
+  const float scaled_s2_2 = v2->z * s2;
+  const float c_0a = scaled_s1_1 * scaled_s2_2, c_0b = scaled_s1_2 * scaled_s2_1, c_0 = c_0a - c_0b;
+  const float c_1a = scaled_s1_2 * scaled_s2_0, c_1b = scaled_s1_0 * scaled_s2_2, c_1 = c_1a - c_1b;
+  const float c_2a = scaled_s1_0 * scaled_s2_1, c_2b = scaled_s1_1 * scaled_s2_0, c_2 = c_2a - c_2b;
+  const float s_size_0 = fabsf(c_0);
+  const float s_size_1 = fabsf(c_1);
+  const float s_size_2 = fabsf(c_2);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
+      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+  const float y_0 = c_0 * s;
+  const float y_1 = c_1 * s;
+  const float y_2 = c_2 * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
+  const float cross = n * r;
+  const float dot__a = scaled_s1_0 * scaled_s2_0, dot__b = scaled_s1_1 * scaled_s2_1,
+      dot__c = dot__a + dot__b, dot__d = scaled_s1_2 * scaled_s2_2, dot_ = dot__c + dot__d;
+  const float angle = atan2f(cross, dot_);
+  return angle;
 }
 
 /* v1·v2.

@@ -16,6 +16,7 @@ from coscrew.accurate.double.vec3 import (
     vec3_l2norm,
     vec3_normalize,
     vec3_normalized,
+    angle_vv,
     dot_vv,
     product_avinv,
     product_ainvv,
@@ -176,4 +177,25 @@ from coscrew.accurate.double.exponential import (
     axis_angle_from_mat3x3,
     mat3x3_orthonormalize,
     mat3x3_orthonormalized,
+)
+from coscrew.accurate.double.symmetric import (
+    mat3x3_ldl,
+    mat3x3_ldl_solve,
+    mat3x3_solve,
+    mat6x6_ldl,
+    mat6x6_ldl_solve,
+    mat6x6_solve,
+)
+from coscrew.accurate.double.inertia import (
+    inertia_scale,
+    add_BB,
+    subtract_BB,
+    inertia_from_com,
+    inertia_com,
+    inertia_about_com,
+    product_Bs,
+    inertia_energy,
+    inertia_shifted,
+    inertia_transformed,
+    inertia_consistency,
 )

@@ -80,6 +80,13 @@ def vec3_normalized(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDAr
     12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.
     """
 
+def angle_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
+
+    (3),(3)->().  v1, v2: vector; angle: number.
+    22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 14 less, 14 select.
+    """
+
 def dot_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """v1·v2.
 
@@ -1225,4 +1232,147 @@ def mat3x3_orthonormalized(R: ArrayLike, out: NDArray[np.float64] | None = ...) 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
     51 mul, 42 add, 3 neg.  Error <= u |result| + 8 u S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
+    """
+
+def mat3x3_ldl(A: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest
+    pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
+
+    (3,3)->(),(3,3).  A, L: rotation or other 3×3 matrix; pivot: number.
+    4 mul, 4 add, 6 div, 6 less, 9 select.
+    """
+
+def mat3x3_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """x = A^-1 b, L of mat3x3_ldl with a positive pivot.
+
+    (3,3),(3)->(3).  L: rotation or other 3×3 matrix; b, x: vector.
+    6 mul, 6 add, 3 div.
+    """
+
+def mat3x3_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where it is
+    not above 8 u, A is singular or indefinite, and x not a number.
+
+    (3,3),(3)->(),(3).  A: rotation or other 3×3 matrix; b, x: vector; pivot: number.
+    25 mul, 28 add, 12 div, 8 less, 13 select.
+    """
+
+def mat6x6_ldl(A: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest
+    pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
+
+    (6,6)->(),(6,6).  A, L: 6×6 operator; pivot: number.
+    35 mul, 35 add, 21 div, 15 less, 21 select.
+    """
+
+def mat6x6_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """x = A^-1 b, L of mat6x6_ldl with a positive pivot.
+
+    (6,6),(6)->(6).  L: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in
+    rad/s).
+    30 mul, 30 add, 6 div.
+    """
+
+def mat6x6_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where it is
+    not above 8 u, A is singular or indefinite, and x not a number.
+
+    (6,6),(6)->(),(6).  A: 6×6 operator; b: coscrew (f in N; τ in N m); pivot: number; x: screw
+    (v in m/s; ω in rad/s).
+    131 mul, 137 add, 33 div, 17 less, 28 select.
+    """
+
+def inertia_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """self = a self.
+
+    (10),()->(10).  self: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
+    zz, xy, xz, yz in kg m^2); a: number.
+    10 mul.  Error <= u |result|, barring over- and underflow.
+    """
+
+def add_BB(B1: ArrayLike, B2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """Bo = B1 + B2.
+
+    (10),(10)->(10).  B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin,
+    xx, yy, zz, xy, xz, yz in kg m^2).
+    10 add.  Error <= u |result|, barring over- and underflow.
+    """
+
+def subtract_BB(B1: ArrayLike, B2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """Bo = B1 - B2.
+
+    (10),(10)->(10).  B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin,
+    xx, yy, zz, xy, xz, yz in kg m^2).
+    10 add.  Error <= u |result|, barring over- and underflow.
+    """
+
+def inertia_from_com(m: ArrayLike, com: ArrayLike, Ic: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
+    the upper triangle): h = m com, I = Ic - m com~ com~.
+
+    (),(3),(3,3)->(10).  m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial
+    inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+    9 mul, 9 add.  Error <= u |result| + (m: 0, h: 0, I: 3) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
+    """
+
+def inertia_com(B: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """vo = h / m, the centre of mass in m.
+
+    (10)->(3).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
+    xy, xz, yz in kg m^2); vo: vector.
+    3 div.
+    """
+
+def inertia_about_com(B: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """Ro = I + h~ h~ / m, the second moments about the centre of mass.
+
+    (10)->(3,3).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
+    xy, xz, yz in kg m^2); Ro: rotation or other 3×3 matrix.
+    6 mul, 9 add, 3 div.
+    """
+
+def product_Bs(B: ArrayLike, s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s.
+
+    (10),(6)->(6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
+    zz, xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
+    24 mul, 18 add.  Error <= u |result| + (lin: 2, ang: 3) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
+    """
+
+def inertia_energy(B: ArrayLike, s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """s·B s / 2, the kinetic energy in J of a body that moves with s.
+
+    (10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
+    xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy: number.
+    31 mul, 23 add.  Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def inertia_shifted(t: ArrayLike, B: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+
+    (3),(10)->(10).  t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the
+    origin, xx, yy, zz, xy, xz, yz in kg m^2).
+    15 mul, 18 add.  Error <= u |result| + (m: 0, h: 1, I: 5) u S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+
+def inertia_transformed(D: ArrayLike, B: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+
+    (3,4),(10)->(10).  D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in
+    kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+    69 mul, 54 add.  Error <= u |result| + (m: 0, h: 3, I: 7) u S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+
+def inertia_consistency(B: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:
+    positive exactly if a body of positive density has this inertia.
+
+    (10)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
+    xz, yz in kg m^2); pivot: number.
+    13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select.
     """

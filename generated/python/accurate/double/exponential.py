@@ -14,7 +14,7 @@ def SO3_log(R):
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    39 mul, 78 add, 9 product error, 20 sum error, 6 div, 1 sqrt, 1 atan2, 12 neg, 3 abs, 13
+    39 mul, 75 add, 9 product error, 29 sum error, 6 div, 1 sqrt, 1 atan2, 12 neg, 3 abs, 13
     less, 9 equal, 53 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
@@ -70,6 +70,7 @@ def SO3_log(R):
     column_3 = where(R_22 < 0, low_3, high_3)
     column_3_lo = where(R_22 < 0, where(R_11 < R_00, s_1_lo, s_0_lo), high_3_lo)
     upper_0 = where(column_0 < 0, -column_0, column_0)
+    upper_0_lo = where(column_0 < 0, -column_0_lo, column_0_lo)
     upper_1 = where(column_0 < 0, -column_1, column_1)
     upper_1_lo = where(column_0 < 0, -column_1_lo, column_1_lo)
     upper_2 = where(column_0 < 0, -column_2, column_2)
@@ -88,22 +89,22 @@ def SO3_log(R):
     v_s_largest2_lo = where(v_s_largest1 < v_s_size_2, v_s_size_2_lo, v_s_largest1_lo)
     v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
     v_s = where(v_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, v_s_b)
-    v_y_0_total = upper_1 + upper_1_lo
-    v_y_0 = v_y_0_total * v_s
+    v_y_0_of_upper_1 = upper_1 + upper_1_lo
+    v_y_0_of_upper_1_lo = sum_error(upper_1, upper_1_lo, v_y_0_of_upper_1)
+    v_y_0 = v_y_0_of_upper_1 * v_s
     v_y_0_inverse = 1 / v_s
-    v_y_0_lost = v_y_0_total - v_y_0 * v_y_0_inverse
-    v_y_0_small = (v_y_0_lost + (upper_1_lo - (v_y_0_total - upper_1))) * v_s
-    v_y_0_lo = where(v_y_0_lost == 0, 0, v_y_0_small)
-    v_y_1_total = upper_2 + upper_2_lo
-    v_y_1 = v_y_1_total * v_s
-    v_y_1_lost = v_y_1_total - v_y_1 * v_y_0_inverse
-    v_y_1_small = (v_y_1_lost + (upper_2_lo - (v_y_1_total - upper_2))) * v_s
-    v_y_1_lo = where(v_y_1_lost == 0, 0, v_y_1_small)
-    v_y_2_total = upper_3 + upper_3_lo
-    v_y_2 = v_y_2_total * v_s
-    v_y_2_lost = v_y_2_total - v_y_2 * v_y_0_inverse
-    v_y_2_small = (v_y_2_lost + (upper_3_lo - (v_y_2_total - upper_3))) * v_s
-    v_y_2_lo = where(v_y_2_lost == 0, 0, v_y_2_small)
+    v_y_0_lost = v_y_0_of_upper_1 - v_y_0 * v_y_0_inverse
+    v_y_0_lo = where(v_y_0_lost == 0, 0, (v_y_0_lost + v_y_0_of_upper_1_lo) * v_s)
+    v_y_1_of_upper_2 = upper_2 + upper_2_lo
+    v_y_1_of_upper_2_lo = sum_error(upper_2, upper_2_lo, v_y_1_of_upper_2)
+    v_y_1 = v_y_1_of_upper_2 * v_s
+    v_y_1_lost = v_y_1_of_upper_2 - v_y_1 * v_y_0_inverse
+    v_y_1_lo = where(v_y_1_lost == 0, 0, (v_y_1_lost + v_y_1_of_upper_2_lo) * v_s)
+    v_y_2_of_upper_3 = upper_3 + upper_3_lo
+    v_y_2_of_upper_3_lo = sum_error(upper_3, upper_3_lo, v_y_2_of_upper_3)
+    v_y_2 = v_y_2_of_upper_3 * v_s
+    v_y_2_lost = v_y_2_of_upper_3 - v_y_2 * v_y_0_inverse
+    v_y_2_lo = where(v_y_2_lost == 0, 0, (v_y_2_lost + v_y_2_of_upper_3_lo) * v_s)
     v_n_a = v_y_0 * v_y_0
     v_n_a_lo = product_error(v_y_0, v_y_0, v_n_a) + v_y_0_lo * v_y_0 + v_y_0 * v_y_0_lo
     v_n_b = v_y_1 * v_y_1
@@ -116,36 +117,47 @@ def SO3_log(R):
     v_n_e = v_n_c + v_n_d
     v_n_e_lo1 = sum_error(v_n_c, v_n_d, v_n_e) + v_n_c_lo
     v_n_e_lo = v_n_e_lo1 + v_n_d_lo
-    v_n = sqrt(v_n_e)
+    v_n_of_v_n_e = v_n_e + v_n_e_lo
+    v_n = sqrt(v_n_of_v_n_e)
     v_n_product = v_n * v_n
-    v_n_exact = v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
-    v_n_residual = v_n_exact + v_n_e_lo
+    v_n_exact = v_n_of_v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
+    v_n_residual = v_n_exact + sum_error(v_n_e, v_n_e_lo, v_n_of_v_n_e)
     v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
     v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
     v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
-    n_total = v_n + v_n_lo
-    n = n_total * v_r
-    n_lost = n_total - n * (1 / v_r)
-    n_lo = where(n_lost == 0, 0, (n_lost + (v_n_lo - (n_total - v_n))) * v_r)
-    half = arctan2(n, upper_0)
-    half_cross = upper_0 * n_lo - n * where(column_0 < 0, -column_0_lo, column_0_lo)
-    half_lo = half_cross / (upper_0 * upper_0 + n * n)
-    divisor = where(n == 0, 1, n)
+    n_of_v_n = v_n + v_n_lo
+    n = n_of_v_n * v_r
+    n_lost = n_of_v_n - n * (1 / v_r)
+    n_lo = where(n_lost == 0, 0, (n_lost + sum_error(v_n, v_n_lo, n_of_v_n)) * v_r)
+    half_of_n = n + n_lo
+    half_of_n_lo = sum_error(n, n_lo, half_of_n)
+    half_of_upper_0 = upper_0 + upper_0_lo
+    half = arctan2(half_of_n, half_of_upper_0)
+    half_cross1 = half_of_n * sum_error(upper_0, upper_0_lo, half_of_upper_0)
+    half_cross = half_of_upper_0 * half_of_n_lo - half_cross1
+    half_lo = half_cross / (half_of_upper_0 * half_of_upper_0 + half_of_n * half_of_n)
+    divisor = where(half_of_n == 0, 1, half_of_n)
+    divisor_lo = where(half_of_n == 0, 0, half_of_n_lo)
     theta = 2 * half
     theta_cross1 = 2 * half_lo
     theta_lo = product_error(2, half, theta) + theta_cross1
-    k = theta / divisor
-    k_product = k * divisor
-    k_exact = theta - k_product - product_error(k, divisor, k_product)
-    k_lo1 = k_exact + theta_lo
-    k_residual = k_lo1 - k * where(n == 0, 0, n_lo)
-    k_lo = k_residual / divisor
-    vector_0 = upper_1 * k
-    vector_0_lo = product_error(upper_1, k, vector_0) + upper_1_lo * k + upper_1 * k_lo
-    vector_1 = upper_2 * k
-    vector_1_lo = product_error(upper_2, k, vector_1) + upper_2_lo * k + upper_2 * k_lo
-    vector_2 = upper_3 * k
-    vector_2_lo = product_error(upper_3, k, vector_2) + upper_3_lo * k + upper_3 * k_lo
+    k_of_theta = theta + theta_lo
+    k_of_divisor = divisor + divisor_lo
+    k = k_of_theta / k_of_divisor
+    k_product = k * k_of_divisor
+    k_exact = k_of_theta - k_product - product_error(k, k_of_divisor, k_product)
+    k_lo1 = k_exact + sum_error(theta, theta_lo, k_of_theta)
+    k_residual = k_lo1 - k * sum_error(divisor, divisor_lo, k_of_divisor)
+    k_lo = k_residual / k_of_divisor
+    vector_0 = v_y_0_of_upper_1 * k
+    vector_0_lo1 = product_error(v_y_0_of_upper_1, k, vector_0) + v_y_0_of_upper_1_lo * k
+    vector_0_lo = vector_0_lo1 + v_y_0_of_upper_1 * k_lo
+    vector_1 = v_y_1_of_upper_2 * k
+    vector_1_lo1 = product_error(v_y_1_of_upper_2, k, vector_1) + v_y_1_of_upper_2_lo * k
+    vector_1_lo = vector_1_lo1 + v_y_1_of_upper_2 * k_lo
+    vector_2 = v_y_2_of_upper_3 * k
+    vector_2_lo1 = product_error(v_y_2_of_upper_3, k, vector_2) + v_y_2_of_upper_3_lo * k
+    vector_2_lo = vector_2_lo1 + v_y_2_of_upper_3 * k_lo
     vector_0_total = vector_0 + vector_0_lo
     vector_0_rounded = where(vector_0_total == vector_0_total, vector_0_total, vector_0)
     vector_1_total = vector_1 + vector_1_lo
@@ -160,7 +172,7 @@ def axis_angle_from_mat3x3(R):
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    34 mul, 81 add, 8 product error, 20 sum error, 10 div, 1 sqrt, 1 atan2, 12 neg, 3 abs, 13
+    34 mul, 77 add, 8 product error, 28 sum error, 10 div, 1 sqrt, 1 atan2, 12 neg, 3 abs, 13
     less, 10 equal, 56 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
@@ -216,6 +228,7 @@ def axis_angle_from_mat3x3(R):
     column_3 = where(R_22 < 0, low_3, high_3)
     column_3_lo = where(R_22 < 0, where(R_11 < R_00, s_1_lo, s_0_lo), high_3_lo)
     upper_0 = where(column_0 < 0, -column_0, column_0)
+    upper_0_lo = where(column_0 < 0, -column_0_lo, column_0_lo)
     upper_1 = where(column_0 < 0, -column_1, column_1)
     upper_1_lo = where(column_0 < 0, -column_1_lo, column_1_lo)
     upper_2 = where(column_0 < 0, -column_2, column_2)
@@ -234,22 +247,22 @@ def axis_angle_from_mat3x3(R):
     v_s_largest2_lo = where(v_s_largest1 < v_s_size_2, v_s_size_2_lo, v_s_largest1_lo)
     v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
     v_s = where(v_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, v_s_b)
-    v_y_0_total = upper_1 + upper_1_lo
-    v_y_0 = v_y_0_total * v_s
+    v_y_0_of_upper_1 = upper_1 + upper_1_lo
+    v_y_0_of_upper_1_lo = sum_error(upper_1, upper_1_lo, v_y_0_of_upper_1)
+    v_y_0 = v_y_0_of_upper_1 * v_s
     v_y_0_inverse = 1 / v_s
-    v_y_0_lost = v_y_0_total - v_y_0 * v_y_0_inverse
-    v_y_0_small = (v_y_0_lost + (upper_1_lo - (v_y_0_total - upper_1))) * v_s
-    v_y_0_lo = where(v_y_0_lost == 0, 0, v_y_0_small)
-    v_y_1_total = upper_2 + upper_2_lo
-    v_y_1 = v_y_1_total * v_s
-    v_y_1_lost = v_y_1_total - v_y_1 * v_y_0_inverse
-    v_y_1_small = (v_y_1_lost + (upper_2_lo - (v_y_1_total - upper_2))) * v_s
-    v_y_1_lo = where(v_y_1_lost == 0, 0, v_y_1_small)
-    v_y_2_total = upper_3 + upper_3_lo
-    v_y_2 = v_y_2_total * v_s
-    v_y_2_lost = v_y_2_total - v_y_2 * v_y_0_inverse
-    v_y_2_small = (v_y_2_lost + (upper_3_lo - (v_y_2_total - upper_3))) * v_s
-    v_y_2_lo = where(v_y_2_lost == 0, 0, v_y_2_small)
+    v_y_0_lost = v_y_0_of_upper_1 - v_y_0 * v_y_0_inverse
+    v_y_0_lo = where(v_y_0_lost == 0, 0, (v_y_0_lost + v_y_0_of_upper_1_lo) * v_s)
+    v_y_1_of_upper_2 = upper_2 + upper_2_lo
+    v_y_1_of_upper_2_lo = sum_error(upper_2, upper_2_lo, v_y_1_of_upper_2)
+    v_y_1 = v_y_1_of_upper_2 * v_s
+    v_y_1_lost = v_y_1_of_upper_2 - v_y_1 * v_y_0_inverse
+    v_y_1_lo = where(v_y_1_lost == 0, 0, (v_y_1_lost + v_y_1_of_upper_2_lo) * v_s)
+    v_y_2_of_upper_3 = upper_3 + upper_3_lo
+    v_y_2_of_upper_3_lo = sum_error(upper_3, upper_3_lo, v_y_2_of_upper_3)
+    v_y_2 = v_y_2_of_upper_3 * v_s
+    v_y_2_lost = v_y_2_of_upper_3 - v_y_2 * v_y_0_inverse
+    v_y_2_lo = where(v_y_2_lost == 0, 0, (v_y_2_lost + v_y_2_of_upper_3_lo) * v_s)
     v_n_a = v_y_0 * v_y_0
     v_n_a_lo = product_error(v_y_0, v_y_0, v_n_a) + v_y_0_lo * v_y_0 + v_y_0 * v_y_0_lo
     v_n_b = v_y_1 * v_y_1
@@ -262,45 +275,55 @@ def axis_angle_from_mat3x3(R):
     v_n_e = v_n_c + v_n_d
     v_n_e_lo1 = sum_error(v_n_c, v_n_d, v_n_e) + v_n_c_lo
     v_n_e_lo = v_n_e_lo1 + v_n_d_lo
-    v_n = sqrt(v_n_e)
+    v_n_of_v_n_e = v_n_e + v_n_e_lo
+    v_n = sqrt(v_n_of_v_n_e)
     v_n_product = v_n * v_n
-    v_n_exact = v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
-    v_n_residual = v_n_exact + v_n_e_lo
+    v_n_exact = v_n_of_v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
+    v_n_residual = v_n_exact + sum_error(v_n_e, v_n_e_lo, v_n_of_v_n_e)
     v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
     v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
     v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
-    n_total = v_n + v_n_lo
-    n = n_total * v_r
-    n_lost = n_total - n * (1 / v_r)
-    n_lo = where(n_lost == 0, 0, (n_lost + (v_n_lo - (n_total - v_n))) * v_r)
-    half = arctan2(n, upper_0)
-    half_cross = upper_0 * n_lo - n * where(column_0 < 0, -column_0_lo, column_0_lo)
-    half_lo = half_cross / (upper_0 * upper_0 + n * n)
-    divisor = where(n == 0, 1, n)
-    divisor_lo = where(n == 0, 0, n_lo)
-    unit_0 = upper_1 / divisor
-    unit_0_product = unit_0 * divisor
-    unit_0_exact = upper_1 - unit_0_product - product_error(unit_0, divisor, unit_0_product)
-    unit_0_lo1 = unit_0_exact + upper_1_lo
-    unit_0_residual = unit_0_lo1 - unit_0 * divisor_lo
-    unit_0_lo = unit_0_residual / divisor
-    unit_1 = upper_2 / divisor
-    unit_1_product = unit_1 * divisor
-    unit_1_exact = upper_2 - unit_1_product - product_error(unit_1, divisor, unit_1_product)
-    unit_1_lo1 = unit_1_exact + upper_2_lo
-    unit_1_residual = unit_1_lo1 - unit_1 * divisor_lo
-    unit_1_lo = unit_1_residual / divisor
-    unit_2 = upper_3 / divisor
-    unit_2_product = unit_2 * divisor
-    unit_2_exact = upper_3 - unit_2_product - product_error(unit_2, divisor, unit_2_product)
-    unit_2_lo1 = unit_2_exact + upper_3_lo
-    unit_2_residual = unit_2_lo1 - unit_2 * divisor_lo
-    unit_2_lo = unit_2_residual / divisor
+    n_of_v_n = v_n + v_n_lo
+    n = n_of_v_n * v_r
+    n_lost = n_of_v_n - n * (1 / v_r)
+    n_lo = where(n_lost == 0, 0, (n_lost + sum_error(v_n, v_n_lo, n_of_v_n)) * v_r)
+    half_of_n = n + n_lo
+    half_of_n_lo = sum_error(n, n_lo, half_of_n)
+    half_of_upper_0 = upper_0 + upper_0_lo
+    half = arctan2(half_of_n, half_of_upper_0)
+    half_cross1 = half_of_n * sum_error(upper_0, upper_0_lo, half_of_upper_0)
+    half_cross = half_of_upper_0 * half_of_n_lo - half_cross1
+    half_lo = half_cross / (half_of_upper_0 * half_of_upper_0 + half_of_n * half_of_n)
+    divisor = where(half_of_n == 0, 1, half_of_n)
+    divisor_lo = where(half_of_n == 0, 0, half_of_n_lo)
+    unit_0_of_divisor = divisor + divisor_lo
+    unit_0_of_divisor_lo = sum_error(divisor, divisor_lo, unit_0_of_divisor)
+    unit_0 = v_y_0_of_upper_1 / unit_0_of_divisor
+    unit_0_product = unit_0 * unit_0_of_divisor
+    unit_0_product_error = product_error(unit_0, unit_0_of_divisor, unit_0_product)
+    unit_0_exact = v_y_0_of_upper_1 - unit_0_product - unit_0_product_error
+    unit_0_lo1 = unit_0_exact + v_y_0_of_upper_1_lo
+    unit_0_residual = unit_0_lo1 - unit_0 * unit_0_of_divisor_lo
+    unit_0_lo = unit_0_residual / unit_0_of_divisor
+    unit_1 = v_y_1_of_upper_2 / unit_0_of_divisor
+    unit_1_product = unit_1 * unit_0_of_divisor
+    unit_1_product_error = product_error(unit_1, unit_0_of_divisor, unit_1_product)
+    unit_1_exact = v_y_1_of_upper_2 - unit_1_product - unit_1_product_error
+    unit_1_lo1 = unit_1_exact + v_y_1_of_upper_2_lo
+    unit_1_residual = unit_1_lo1 - unit_1 * unit_0_of_divisor_lo
+    unit_1_lo = unit_1_residual / unit_0_of_divisor
+    unit_2 = v_y_2_of_upper_3 / unit_0_of_divisor
+    unit_2_product = unit_2 * unit_0_of_divisor
+    unit_2_product_error = product_error(unit_2, unit_0_of_divisor, unit_2_product)
+    unit_2_exact = v_y_2_of_upper_3 - unit_2_product - unit_2_product_error
+    unit_2_lo1 = unit_2_exact + v_y_2_of_upper_3_lo
+    unit_2_residual = unit_2_lo1 - unit_2 * unit_0_of_divisor_lo
+    unit_2_lo = unit_2_residual / unit_0_of_divisor
     angle = 2 * half
     angle_cross1 = 2 * half_lo
     angle_lo = product_error(2, half, angle) + angle_cross1
-    axis_0 = where(n == 0, 1, unit_0)
-    axis_0_lo = where(n == 0, 0, unit_0_lo)
+    axis_0 = where(half_of_n == 0, 1, unit_0)
+    axis_0_lo = where(half_of_n == 0, 0, unit_0_lo)
     angle_total = angle + angle_lo
     angle_rounded = where(angle_total == angle_total, angle_total, angle)
     axis_0_total = axis_0 + axis_0_lo

@@ -33,7 +33,7 @@ def quaternion_norm(q):
     """|q| = sqrt(w^2 + v·v).
 
     (4)->().  q: quaternion (w; x, y, z), the scalar first; norm: number.
-    12 mul, 19 add, 5 product error, 3 sum error, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
+    12 mul, 18 add, 5 product error, 5 sum error, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
     select.
     """
     q_0, q_1, q_2, q_3 = q
@@ -62,16 +62,18 @@ def quaternion_norm(q):
     n_g = n_e + n_f
     n_g_lo1 = sum_error(n_e, n_f, n_g) + n_e_lo
     n_g_lo = n_g_lo1 + product_error(y_3, y_3, n_f)
-    n = sqrt(n_g)
+    n_of_n_g = n_g + n_g_lo
+    n = sqrt(n_of_n_g)
     n_product = n * n
-    n_residual = n_g - n_product - product_error(n, n, n_product) + n_g_lo
+    n_exact = n_of_n_g - n_product - product_error(n, n, n_product)
+    n_residual = n_exact + sum_error(n_g, n_g_lo, n_of_n_g)
     n_lo = n_residual / where(n == 0, 1, n + n)
     r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
     r = where(1 < s, 2.409919865102884e-181, r_b)
-    norm_total = n + n_lo
-    norm = norm_total * r
-    norm_lost = norm_total - norm * (1 / r)
-    norm_total = norm + where(norm_lost == 0, 0, (norm_lost + (n_lo - (norm_total - n))) * r)
+    norm_of_n = n + n_lo
+    norm = norm_of_n * r
+    norm_lost = norm_of_n - norm * (1 / r)
+    norm_total = norm + where(norm_lost == 0, 0, (norm_lost + sum_error(n, n_lo, norm_of_n)) * r)
     norm_rounded = where(norm_total == norm_total, norm_total, norm)
     return norm_rounded
 
@@ -81,7 +83,7 @@ def quaternion_normalize(self):
     """self = self / |self|; zero stays zero.
 
     (4)->(4).  self: quaternion (w; x, y, z), the scalar first.
-    33 mul, 49 add, 9 product error, 3 sum error, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+    33 mul, 43 add, 9 product error, 9 sum error, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
     select.
     """
     self_0, self_1, self_2, self_3 = self
@@ -110,9 +112,11 @@ def quaternion_normalize(self):
     n_g = n_e + n_f
     n_g_lo1 = sum_error(n_e, n_f, n_g) + n_e_lo
     n_g_lo = n_g_lo1 + product_error(y_3, y_3, n_f)
-    n = sqrt(n_g)
+    n_of_n_g = n_g + n_g_lo
+    n = sqrt(n_of_n_g)
     n_product = n * n
-    n_residual = n_g - n_product - product_error(n, n, n_product) + n_g_lo
+    n_exact = n_of_n_g - n_product - product_error(n, n, n_product)
+    n_residual = n_exact + sum_error(n_g, n_g_lo, n_of_n_g)
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor = where(n == 0, 1, n)
     divisor_lo = where(n == 0, 0, n_lo)
@@ -122,50 +126,60 @@ def quaternion_normalize(self):
     enlarged_1 = self_1 * up
     enlarged_2 = self_2 * up
     enlarged_3 = self_3 * up
-    quotient_0 = enlarged_0 / divisor
-    quotient_0_product = quotient_0 * divisor
-    quotient_0_product_error = product_error(quotient_0, divisor, quotient_0_product)
+    quotient_0_of_divisor = divisor + divisor_lo
+    quotient_0_of_divisor_lo = sum_error(divisor, divisor_lo, quotient_0_of_divisor)
+    quotient_0 = enlarged_0 / quotient_0_of_divisor
+    quotient_0_product = quotient_0 * quotient_0_of_divisor
+    quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
     quotient_0_exact = enlarged_0 - quotient_0_product - quotient_0_product_error
-    quotient_0_residual = quotient_0_exact - quotient_0 * divisor_lo
-    quotient_0_lo = quotient_0_residual / divisor
-    quotient_1 = enlarged_1 / divisor
-    quotient_1_product = quotient_1 * divisor
-    quotient_1_product_error = product_error(quotient_1, divisor, quotient_1_product)
+    quotient_0_residual = quotient_0_exact - quotient_0 * quotient_0_of_divisor_lo
+    quotient_0_lo = quotient_0_residual / quotient_0_of_divisor
+    quotient_1 = enlarged_1 / quotient_0_of_divisor
+    quotient_1_product = quotient_1 * quotient_0_of_divisor
+    quotient_1_product_error = product_error(quotient_1, quotient_0_of_divisor, quotient_1_product)
     quotient_1_exact = enlarged_1 - quotient_1_product - quotient_1_product_error
-    quotient_1_residual = quotient_1_exact - quotient_1 * divisor_lo
-    quotient_1_lo = quotient_1_residual / divisor
-    quotient_2 = enlarged_2 / divisor
-    quotient_2_product = quotient_2 * divisor
-    quotient_2_product_error = product_error(quotient_2, divisor, quotient_2_product)
+    quotient_1_residual = quotient_1_exact - quotient_1 * quotient_0_of_divisor_lo
+    quotient_1_lo = quotient_1_residual / quotient_0_of_divisor
+    quotient_2 = enlarged_2 / quotient_0_of_divisor
+    quotient_2_product = quotient_2 * quotient_0_of_divisor
+    quotient_2_product_error = product_error(quotient_2, quotient_0_of_divisor, quotient_2_product)
     quotient_2_exact = enlarged_2 - quotient_2_product - quotient_2_product_error
-    quotient_2_residual = quotient_2_exact - quotient_2 * divisor_lo
-    quotient_2_lo = quotient_2_residual / divisor
-    quotient_3 = enlarged_3 / divisor
-    quotient_3_product = quotient_3 * divisor
-    quotient_3_product_error = product_error(quotient_3, divisor, quotient_3_product)
+    quotient_2_residual = quotient_2_exact - quotient_2 * quotient_0_of_divisor_lo
+    quotient_2_lo = quotient_2_residual / quotient_0_of_divisor
+    quotient_3 = enlarged_3 / quotient_0_of_divisor
+    quotient_3_product = quotient_3 * quotient_0_of_divisor
+    quotient_3_product_error = product_error(quotient_3, quotient_0_of_divisor, quotient_3_product)
     quotient_3_exact = enlarged_3 - quotient_3_product - quotient_3_product_error
-    quotient_3_residual = quotient_3_exact - quotient_3 * divisor_lo
-    quotient_3_lo = quotient_3_residual / divisor
-    self_0_new_total = quotient_0 + quotient_0_lo
-    self_0_new = self_0_new_total * down
+    quotient_3_residual = quotient_3_exact - quotient_3 * quotient_0_of_divisor_lo
+    quotient_3_lo = quotient_3_residual / quotient_0_of_divisor
+    self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo
+    self_0_new_of_quotient_0_lo = sum_error(quotient_0, quotient_0_lo, self_0_new_of_quotient_0)
+    self_0_new = self_0_new_of_quotient_0 * down
     self_0_new_inverse = 1 / down
-    self_0_new_lost = self_0_new_total - self_0_new * self_0_new_inverse
-    self_0_new_small = (self_0_new_lost + (quotient_0_lo - (self_0_new_total - quotient_0))) * down
+    self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * self_0_new_inverse
+    self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo
+    self_0_new_small = self_0_new_rest * down
     self_0_new_lo = where(self_0_new_lost == 0, 0, self_0_new_small)
-    self_1_new_total = quotient_1 + quotient_1_lo
-    self_1_new = self_1_new_total * down
-    self_1_new_lost = self_1_new_total - self_1_new * self_0_new_inverse
-    self_1_new_small = (self_1_new_lost + (quotient_1_lo - (self_1_new_total - quotient_1))) * down
+    self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo
+    self_1_new_of_quotient_1_lo = sum_error(quotient_1, quotient_1_lo, self_1_new_of_quotient_1)
+    self_1_new = self_1_new_of_quotient_1 * down
+    self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * self_0_new_inverse
+    self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo
+    self_1_new_small = self_1_new_rest * down
     self_1_new_lo = where(self_1_new_lost == 0, 0, self_1_new_small)
-    self_2_new_total = quotient_2 + quotient_2_lo
-    self_2_new = self_2_new_total * down
-    self_2_new_lost = self_2_new_total - self_2_new * self_0_new_inverse
-    self_2_new_small = (self_2_new_lost + (quotient_2_lo - (self_2_new_total - quotient_2))) * down
+    self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo
+    self_2_new_of_quotient_2_lo = sum_error(quotient_2, quotient_2_lo, self_2_new_of_quotient_2)
+    self_2_new = self_2_new_of_quotient_2 * down
+    self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * self_0_new_inverse
+    self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo
+    self_2_new_small = self_2_new_rest * down
     self_2_new_lo = where(self_2_new_lost == 0, 0, self_2_new_small)
-    self_3_new_total = quotient_3 + quotient_3_lo
-    self_3_new = self_3_new_total * down
-    self_3_new_lost = self_3_new_total - self_3_new * self_0_new_inverse
-    self_3_new_small = (self_3_new_lost + (quotient_3_lo - (self_3_new_total - quotient_3))) * down
+    self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo
+    self_3_new_of_quotient_3_lo = sum_error(quotient_3, quotient_3_lo, self_3_new_of_quotient_3)
+    self_3_new = self_3_new_of_quotient_3 * down
+    self_3_new_lost = self_3_new_of_quotient_3 - self_3_new * self_0_new_inverse
+    self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo
+    self_3_new_small = self_3_new_rest * down
     self_3_new_lo = where(self_3_new_lost == 0, 0, self_3_new_small)
     self_0_new_total = self_0_new + self_0_new_lo
     self_0_new_rounded = where(self_0_new_total == self_0_new_total, self_0_new_total, self_0_new)
@@ -183,7 +197,7 @@ def quaternion_normalized(q):
     """qo = q / |q|; zero stays zero.
 
     (4)->(4).  q, qo: quaternion (w; x, y, z), the scalar first.
-    33 mul, 49 add, 9 product error, 3 sum error, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+    33 mul, 43 add, 9 product error, 9 sum error, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
     select.
     """
     q_0, q_1, q_2, q_3 = q
@@ -212,9 +226,11 @@ def quaternion_normalized(q):
     n_g = n_e + n_f
     n_g_lo1 = sum_error(n_e, n_f, n_g) + n_e_lo
     n_g_lo = n_g_lo1 + product_error(y_3, y_3, n_f)
-    n = sqrt(n_g)
+    n_of_n_g = n_g + n_g_lo
+    n = sqrt(n_of_n_g)
     n_product = n * n
-    n_residual = n_g - n_product - product_error(n, n, n_product) + n_g_lo
+    n_exact = n_of_n_g - n_product - product_error(n, n, n_product)
+    n_residual = n_exact + sum_error(n_g, n_g_lo, n_of_n_g)
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor = where(n == 0, 1, n)
     divisor_lo = where(n == 0, 0, n_lo)
@@ -224,50 +240,52 @@ def quaternion_normalized(q):
     enlarged_1 = q_1 * up
     enlarged_2 = q_2 * up
     enlarged_3 = q_3 * up
-    quotient_0 = enlarged_0 / divisor
-    quotient_0_product = quotient_0 * divisor
-    quotient_0_product_error = product_error(quotient_0, divisor, quotient_0_product)
+    quotient_0_of_divisor = divisor + divisor_lo
+    quotient_0_of_divisor_lo = sum_error(divisor, divisor_lo, quotient_0_of_divisor)
+    quotient_0 = enlarged_0 / quotient_0_of_divisor
+    quotient_0_product = quotient_0 * quotient_0_of_divisor
+    quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
     quotient_0_exact = enlarged_0 - quotient_0_product - quotient_0_product_error
-    quotient_0_residual = quotient_0_exact - quotient_0 * divisor_lo
-    quotient_0_lo = quotient_0_residual / divisor
-    quotient_1 = enlarged_1 / divisor
-    quotient_1_product = quotient_1 * divisor
-    quotient_1_product_error = product_error(quotient_1, divisor, quotient_1_product)
+    quotient_0_residual = quotient_0_exact - quotient_0 * quotient_0_of_divisor_lo
+    quotient_0_lo = quotient_0_residual / quotient_0_of_divisor
+    quotient_1 = enlarged_1 / quotient_0_of_divisor
+    quotient_1_product = quotient_1 * quotient_0_of_divisor
+    quotient_1_product_error = product_error(quotient_1, quotient_0_of_divisor, quotient_1_product)
     quotient_1_exact = enlarged_1 - quotient_1_product - quotient_1_product_error
-    quotient_1_residual = quotient_1_exact - quotient_1 * divisor_lo
-    quotient_1_lo = quotient_1_residual / divisor
-    quotient_2 = enlarged_2 / divisor
-    quotient_2_product = quotient_2 * divisor
-    quotient_2_product_error = product_error(quotient_2, divisor, quotient_2_product)
+    quotient_1_residual = quotient_1_exact - quotient_1 * quotient_0_of_divisor_lo
+    quotient_1_lo = quotient_1_residual / quotient_0_of_divisor
+    quotient_2 = enlarged_2 / quotient_0_of_divisor
+    quotient_2_product = quotient_2 * quotient_0_of_divisor
+    quotient_2_product_error = product_error(quotient_2, quotient_0_of_divisor, quotient_2_product)
     quotient_2_exact = enlarged_2 - quotient_2_product - quotient_2_product_error
-    quotient_2_residual = quotient_2_exact - quotient_2 * divisor_lo
-    quotient_2_lo = quotient_2_residual / divisor
-    quotient_3 = enlarged_3 / divisor
-    quotient_3_product = quotient_3 * divisor
-    quotient_3_product_error = product_error(quotient_3, divisor, quotient_3_product)
+    quotient_2_residual = quotient_2_exact - quotient_2 * quotient_0_of_divisor_lo
+    quotient_2_lo = quotient_2_residual / quotient_0_of_divisor
+    quotient_3 = enlarged_3 / quotient_0_of_divisor
+    quotient_3_product = quotient_3 * quotient_0_of_divisor
+    quotient_3_product_error = product_error(quotient_3, quotient_0_of_divisor, quotient_3_product)
     quotient_3_exact = enlarged_3 - quotient_3_product - quotient_3_product_error
-    quotient_3_residual = quotient_3_exact - quotient_3 * divisor_lo
-    quotient_3_lo = quotient_3_residual / divisor
-    qo_0_total = quotient_0 + quotient_0_lo
-    qo_0 = qo_0_total * down
+    quotient_3_residual = quotient_3_exact - quotient_3 * quotient_0_of_divisor_lo
+    quotient_3_lo = quotient_3_residual / quotient_0_of_divisor
+    qo_0_of_quotient_0 = quotient_0 + quotient_0_lo
+    qo_0 = qo_0_of_quotient_0 * down
     qo_0_inverse = 1 / down
-    qo_0_lost = qo_0_total - qo_0 * qo_0_inverse
-    qo_0_small = (qo_0_lost + (quotient_0_lo - (qo_0_total - quotient_0))) * down
+    qo_0_lost = qo_0_of_quotient_0 - qo_0 * qo_0_inverse
+    qo_0_small = (qo_0_lost + sum_error(quotient_0, quotient_0_lo, qo_0_of_quotient_0)) * down
     qo_0_lo = where(qo_0_lost == 0, 0, qo_0_small)
-    qo_1_total = quotient_1 + quotient_1_lo
-    qo_1 = qo_1_total * down
-    qo_1_lost = qo_1_total - qo_1 * qo_0_inverse
-    qo_1_small = (qo_1_lost + (quotient_1_lo - (qo_1_total - quotient_1))) * down
+    qo_1_of_quotient_1 = quotient_1 + quotient_1_lo
+    qo_1 = qo_1_of_quotient_1 * down
+    qo_1_lost = qo_1_of_quotient_1 - qo_1 * qo_0_inverse
+    qo_1_small = (qo_1_lost + sum_error(quotient_1, quotient_1_lo, qo_1_of_quotient_1)) * down
     qo_1_lo = where(qo_1_lost == 0, 0, qo_1_small)
-    qo_2_total = quotient_2 + quotient_2_lo
-    qo_2 = qo_2_total * down
-    qo_2_lost = qo_2_total - qo_2 * qo_0_inverse
-    qo_2_small = (qo_2_lost + (quotient_2_lo - (qo_2_total - quotient_2))) * down
+    qo_2_of_quotient_2 = quotient_2 + quotient_2_lo
+    qo_2 = qo_2_of_quotient_2 * down
+    qo_2_lost = qo_2_of_quotient_2 - qo_2 * qo_0_inverse
+    qo_2_small = (qo_2_lost + sum_error(quotient_2, quotient_2_lo, qo_2_of_quotient_2)) * down
     qo_2_lo = where(qo_2_lost == 0, 0, qo_2_small)
-    qo_3_total = quotient_3 + quotient_3_lo
-    qo_3 = qo_3_total * down
-    qo_3_lost = qo_3_total - qo_3 * qo_0_inverse
-    qo_3_small = (qo_3_lost + (quotient_3_lo - (qo_3_total - quotient_3))) * down
+    qo_3_of_quotient_3 = quotient_3 + quotient_3_lo
+    qo_3 = qo_3_of_quotient_3 * down
+    qo_3_lost = qo_3_of_quotient_3 - qo_3 * qo_0_inverse
+    qo_3_small = (qo_3_lost + sum_error(quotient_3, quotient_3_lo, qo_3_of_quotient_3)) * down
     qo_3_lo = where(qo_3_lost == 0, 0, qo_3_small)
     qo_0_total = qo_0 + qo_0_lo
     qo_0_rounded = where(qo_0_total == qo_0_total, qo_0_total, qo_0)
@@ -650,7 +668,7 @@ def mat3x3_from_quaternion(q):
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-    32 mul, 67 add, 18 product error, 15 sum error, 2 div, 9 equal, 9 select.
+    32 mul, 68 add, 18 product error, 16 sum error, 2 div, 9 equal, 9 select.
     """
     q_0, q_1, q_2, q_3 = q
     square_a = q_0 * q_0
@@ -666,12 +684,12 @@ def mat3x3_from_quaternion(q):
     square = square_e + square_f
     square_lo1 = sum_error(square_e, square_f, square) + square_e_lo
     square_lo = square_lo1 + product_error(q_3, q_3, square_f)
-    scale = 2 / square
-    scale_cross = scale * square_lo
-    scale_product = scale * square
-    scale_exact = 2 - scale_product - product_error(scale, square, scale_product)
-    scale_residual = scale_exact - scale_cross
-    scale_lo = scale_residual / square
+    scale_of_square = square + square_lo
+    scale = 2 / scale_of_square
+    scale_product = scale * scale_of_square
+    scale_exact = 2 - scale_product - product_error(scale, scale_of_square, scale_product)
+    scale_residual = scale_exact - scale * sum_error(square, square_lo, scale_of_square)
+    scale_lo = scale_residual / scale_of_square
     scale_w = q_0 * scale
     scale_w_lo = product_error(q_0, scale, scale_w) + q_0 * scale_lo
     beta_v_0 = q_1 * scale
@@ -743,7 +761,7 @@ def quaternion_from_mat3x3(R):
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-    21 mul, 67 add, 9 product error, 21 sum error, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
+    21 mul, 73 add, 9 product error, 27 sum error, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
     select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
@@ -827,31 +845,43 @@ def quaternion_from_mat3x3(R):
     length_g = length_e + length_f
     length_g_lo1 = sum_error(length_e, length_f, length_g) + length_e_lo
     length_g_lo = length_g_lo1 + length_f_lo
-    length = sqrt(length_g)
+    length_of_length_g = length_g + length_g_lo
+    length = sqrt(length_of_length_g)
     length_product = length * length
-    length_exact = length_g - length_product - product_error(length, length, length_product)
-    length_residual = length_exact + length_g_lo
+    length_product_error = product_error(length, length, length_product)
+    length_exact = length_of_length_g - length_product - length_product_error
+    length_residual = length_exact + sum_error(length_g, length_g_lo, length_of_length_g)
     length_lo = length_residual / where(length == 0, 1, length + length)
-    qo_0 = upper_0 / length
-    qo_0_product = qo_0 * length
-    qo_0_lo1 = upper_0 - qo_0_product - product_error(qo_0, length, qo_0_product) + upper_0_lo
-    qo_0_residual = qo_0_lo1 - qo_0 * length_lo
-    qo_0_lo = qo_0_residual / length
-    qo_1 = upper_1 / length
-    qo_1_product = qo_1 * length
-    qo_1_lo1 = upper_1 - qo_1_product - product_error(qo_1, length, qo_1_product) + upper_1_lo
-    qo_1_residual = qo_1_lo1 - qo_1 * length_lo
-    qo_1_lo = qo_1_residual / length
-    qo_2 = upper_2 / length
-    qo_2_product = qo_2 * length
-    qo_2_lo1 = upper_2 - qo_2_product - product_error(qo_2, length, qo_2_product) + upper_2_lo
-    qo_2_residual = qo_2_lo1 - qo_2 * length_lo
-    qo_2_lo = qo_2_residual / length
-    qo_3 = upper_3 / length
-    qo_3_product = qo_3 * length
-    qo_3_lo1 = upper_3 - qo_3_product - product_error(qo_3, length, qo_3_product) + upper_3_lo
-    qo_3_residual = qo_3_lo1 - qo_3 * length_lo
-    qo_3_lo = qo_3_residual / length
+    qo_0_of_upper_0 = upper_0 + upper_0_lo
+    qo_0_of_length = length + length_lo
+    qo_0_of_length_lo = sum_error(length, length_lo, qo_0_of_length)
+    qo_0 = qo_0_of_upper_0 / qo_0_of_length
+    qo_0_product = qo_0 * qo_0_of_length
+    qo_0_exact = qo_0_of_upper_0 - qo_0_product - product_error(qo_0, qo_0_of_length, qo_0_product)
+    qo_0_lo1 = qo_0_exact + sum_error(upper_0, upper_0_lo, qo_0_of_upper_0)
+    qo_0_residual = qo_0_lo1 - qo_0 * qo_0_of_length_lo
+    qo_0_lo = qo_0_residual / qo_0_of_length
+    qo_1_of_upper_1 = upper_1 + upper_1_lo
+    qo_1 = qo_1_of_upper_1 / qo_0_of_length
+    qo_1_product = qo_1 * qo_0_of_length
+    qo_1_exact = qo_1_of_upper_1 - qo_1_product - product_error(qo_1, qo_0_of_length, qo_1_product)
+    qo_1_lo1 = qo_1_exact + sum_error(upper_1, upper_1_lo, qo_1_of_upper_1)
+    qo_1_residual = qo_1_lo1 - qo_1 * qo_0_of_length_lo
+    qo_1_lo = qo_1_residual / qo_0_of_length
+    qo_2_of_upper_2 = upper_2 + upper_2_lo
+    qo_2 = qo_2_of_upper_2 / qo_0_of_length
+    qo_2_product = qo_2 * qo_0_of_length
+    qo_2_exact = qo_2_of_upper_2 - qo_2_product - product_error(qo_2, qo_0_of_length, qo_2_product)
+    qo_2_lo1 = qo_2_exact + sum_error(upper_2, upper_2_lo, qo_2_of_upper_2)
+    qo_2_residual = qo_2_lo1 - qo_2 * qo_0_of_length_lo
+    qo_2_lo = qo_2_residual / qo_0_of_length
+    qo_3_of_upper_3 = upper_3 + upper_3_lo
+    qo_3 = qo_3_of_upper_3 / qo_0_of_length
+    qo_3_product = qo_3 * qo_0_of_length
+    qo_3_exact = qo_3_of_upper_3 - qo_3_product - product_error(qo_3, qo_0_of_length, qo_3_product)
+    qo_3_lo1 = qo_3_exact + sum_error(upper_3, upper_3_lo, qo_3_of_upper_3)
+    qo_3_residual = qo_3_lo1 - qo_3 * qo_0_of_length_lo
+    qo_3_lo = qo_3_residual / qo_0_of_length
     qo_0_total = qo_0 + qo_0_lo
     qo_0_rounded = where(qo_0_total == qo_0_total, qo_0_total, qo_0)
     qo_1_total = qo_1 + qo_1_lo
@@ -869,7 +899,7 @@ def axis_angle_from_quaternion(q):
     angle = 0; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.
-    21 mul, 30 add, 8 product error, 2 sum error, 9 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less,
+    21 mul, 31 add, 8 product error, 6 sum error, 9 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less,
     7 equal, 20 select.
     """
     q_0, q_1, q_2, q_3 = q
@@ -896,39 +926,48 @@ def axis_angle_from_quaternion(q):
     v_n_e = v_n_c + v_n_d
     v_n_e_lo1 = sum_error(v_n_c, v_n_d, v_n_e) + v_n_c_lo
     v_n_e_lo = v_n_e_lo1 + product_error(v_y_2, v_y_2, v_n_d)
-    v_n = sqrt(v_n_e)
+    v_n_of_v_n_e = v_n_e + v_n_e_lo
+    v_n = sqrt(v_n_of_v_n_e)
     v_n_product = v_n * v_n
-    v_n_exact = v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
-    v_n_residual = v_n_exact + v_n_e_lo
+    v_n_exact = v_n_of_v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
+    v_n_residual = v_n_exact + sum_error(v_n_e, v_n_e_lo, v_n_of_v_n_e)
     v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
     v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
     v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
-    n_total = v_n + v_n_lo
-    n = n_total * v_r
-    n_lost = n_total - n * (1 / v_r)
-    n_lo = where(n_lost == 0, 0, (n_lost + (v_n_lo - (n_total - v_n))) * v_r)
-    half = arctan2(n, upper_0)
-    divisor = where(n == 0, 1, n)
-    divisor_lo = where(n == 0, 0, n_lo)
-    unit_0 = upper_1 / divisor
-    unit_0_product = unit_0 * divisor
-    unit_0_exact = upper_1 - unit_0_product - product_error(unit_0, divisor, unit_0_product)
-    unit_0_residual = unit_0_exact - unit_0 * divisor_lo
-    unit_0_lo = unit_0_residual / divisor
-    unit_1 = upper_2 / divisor
-    unit_1_product = unit_1 * divisor
-    unit_1_exact = upper_2 - unit_1_product - product_error(unit_1, divisor, unit_1_product)
-    unit_1_residual = unit_1_exact - unit_1 * divisor_lo
-    unit_1_lo = unit_1_residual / divisor
-    unit_2 = upper_3 / divisor
-    unit_2_product = unit_2 * divisor
-    unit_2_exact = upper_3 - unit_2_product - product_error(unit_2, divisor, unit_2_product)
-    unit_2_residual = unit_2_exact - unit_2 * divisor_lo
-    unit_2_lo = unit_2_residual / divisor
+    n_of_v_n = v_n + v_n_lo
+    n = n_of_v_n * v_r
+    n_lost = n_of_v_n - n * (1 / v_r)
+    n_lo = where(n_lost == 0, 0, (n_lost + sum_error(v_n, v_n_lo, n_of_v_n)) * v_r)
+    half_of_n = n + n_lo
+    half_of_n_lo = sum_error(n, n_lo, half_of_n)
+    half = arctan2(half_of_n, upper_0)
+    divisor = where(half_of_n == 0, 1, half_of_n)
+    divisor_lo = where(half_of_n == 0, 0, half_of_n_lo)
+    unit_0_of_divisor = divisor + divisor_lo
+    unit_0_of_divisor_lo = sum_error(divisor, divisor_lo, unit_0_of_divisor)
+    unit_0 = upper_1 / unit_0_of_divisor
+    unit_0_product = unit_0 * unit_0_of_divisor
+    unit_0_product_error = product_error(unit_0, unit_0_of_divisor, unit_0_product)
+    unit_0_exact = upper_1 - unit_0_product - unit_0_product_error
+    unit_0_residual = unit_0_exact - unit_0 * unit_0_of_divisor_lo
+    unit_0_lo = unit_0_residual / unit_0_of_divisor
+    unit_1 = upper_2 / unit_0_of_divisor
+    unit_1_product = unit_1 * unit_0_of_divisor
+    unit_1_product_error = product_error(unit_1, unit_0_of_divisor, unit_1_product)
+    unit_1_exact = upper_2 - unit_1_product - unit_1_product_error
+    unit_1_residual = unit_1_exact - unit_1 * unit_0_of_divisor_lo
+    unit_1_lo = unit_1_residual / unit_0_of_divisor
+    unit_2 = upper_3 / unit_0_of_divisor
+    unit_2_product = unit_2 * unit_0_of_divisor
+    unit_2_product_error = product_error(unit_2, unit_0_of_divisor, unit_2_product)
+    unit_2_exact = upper_3 - unit_2_product - unit_2_product_error
+    unit_2_residual = unit_2_exact - unit_2 * unit_0_of_divisor_lo
+    unit_2_lo = unit_2_residual / unit_0_of_divisor
     angle = 2 * half
-    angle_lo = product_error(2, half, angle) + 2 * (upper_0 * n_lo / (upper_0 * upper_0 + n * n))
-    axis_0 = where(n == 0, 1, unit_0)
-    axis_0_lo = where(n == 0, 0, unit_0_lo)
+    angle_cross1 = 2 * (upper_0 * half_of_n_lo / (upper_0 * upper_0 + half_of_n * half_of_n))
+    angle_lo = product_error(2, half, angle) + angle_cross1
+    axis_0 = where(half_of_n == 0, 1, unit_0)
+    axis_0_lo = where(half_of_n == 0, 0, unit_0_lo)
     angle_total = angle + angle_lo
     angle_rounded = where(angle_total == angle_total, angle_total, angle)
     axis_0_total = axis_0 + axis_0_lo
@@ -946,7 +985,7 @@ def quaternion_log(q):
     it.
 
     (4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.
-    23 mul, 27 add, 9 product error, 2 sum error, 5 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less,
+    23 mul, 29 add, 9 product error, 7 sum error, 5 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less,
     6 equal, 17 select.
     """
     q_0, q_1, q_2, q_3 = q
@@ -973,27 +1012,34 @@ def quaternion_log(q):
     v_n_e = v_n_c + v_n_d
     v_n_e_lo1 = sum_error(v_n_c, v_n_d, v_n_e) + v_n_c_lo
     v_n_e_lo = v_n_e_lo1 + product_error(v_y_2, v_y_2, v_n_d)
-    v_n = sqrt(v_n_e)
+    v_n_of_v_n_e = v_n_e + v_n_e_lo
+    v_n = sqrt(v_n_of_v_n_e)
     v_n_product = v_n * v_n
-    v_n_exact = v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
-    v_n_residual = v_n_exact + v_n_e_lo
+    v_n_exact = v_n_of_v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
+    v_n_residual = v_n_exact + sum_error(v_n_e, v_n_e_lo, v_n_of_v_n_e)
     v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
     v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
     v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
-    n_total = v_n + v_n_lo
-    n = n_total * v_r
-    n_lost = n_total - n * (1 / v_r)
-    n_lo = where(n_lost == 0, 0, (n_lost + (v_n_lo - (n_total - v_n))) * v_r)
-    half = arctan2(n, upper_0)
-    divisor = where(n == 0, 1, n)
+    n_of_v_n = v_n + v_n_lo
+    n = n_of_v_n * v_r
+    n_lost = n_of_v_n - n * (1 / v_r)
+    n_lo = where(n_lost == 0, 0, (n_lost + sum_error(v_n, v_n_lo, n_of_v_n)) * v_r)
+    half_of_n = n + n_lo
+    half_of_n_lo = sum_error(n, n_lo, half_of_n)
+    half = arctan2(half_of_n, upper_0)
+    divisor = where(half_of_n == 0, 1, half_of_n)
+    divisor_lo = where(half_of_n == 0, 0, half_of_n_lo)
     theta = 2 * half
-    theta_lo = product_error(2, half, theta) + 2 * (upper_0 * n_lo / (upper_0 * upper_0 + n * n))
-    k = theta / divisor
-    k_product = k * divisor
-    k_exact = theta - k_product - product_error(k, divisor, k_product)
-    k_lo1 = k_exact + theta_lo
-    k_residual = k_lo1 - k * where(n == 0, 0, n_lo)
-    k_lo = k_residual / divisor
+    theta_cross1 = 2 * (upper_0 * half_of_n_lo / (upper_0 * upper_0 + half_of_n * half_of_n))
+    theta_lo = product_error(2, half, theta) + theta_cross1
+    k_of_theta = theta + theta_lo
+    k_of_divisor = divisor + divisor_lo
+    k = k_of_theta / k_of_divisor
+    k_product = k * k_of_divisor
+    k_exact = k_of_theta - k_product - product_error(k, k_of_divisor, k_product)
+    k_lo1 = k_exact + sum_error(theta, theta_lo, k_of_theta)
+    k_residual = k_lo1 - k * sum_error(divisor, divisor_lo, k_of_divisor)
+    k_lo = k_residual / k_of_divisor
     vector_0 = upper_1 * k
     vector_1 = upper_2 * k
     vector_2 = upper_3 * k

@@ -197,7 +197,7 @@ def screw_norm(si):
     """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  si: screw (v in m/s; ω in rad/s); norm: number.
-    10 mul, 16 add, 4 product error, 2 sum error, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
+    10 mul, 15 add, 4 product error, 4 sum error, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
     select.
     """
     si_0, si_1, si_2, si_3, si_4, si_5 = si
@@ -225,16 +225,18 @@ def screw_norm(si):
     n_e = n_c + n_d
     n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
     n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
-    n = sqrt(n_e)
+    n_of_n_e = n_e + n_e_lo
+    n = sqrt(n_of_n_e)
     n_product = n * n
-    n_residual = n_e - n_product - product_error(n, n, n_product) + n_e_lo
+    n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
+    n_residual = n_exact + sum_error(n_e, n_e_lo, n_of_n_e)
     n_lo = n_residual / where(n == 0, 1, n + n)
     r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
     r = where(1 < s, 2.409919865102884e-181, r_b)
-    norm_total = n + n_lo
-    norm = norm_total * r
-    norm_lost = norm_total - norm * (1 / r)
-    norm_total = norm + where(norm_lost == 0, 0, (norm_lost + (n_lo - (norm_total - n))) * r)
+    norm_of_n = n + n_lo
+    norm = norm_of_n * r
+    norm_lost = norm_of_n - norm * (1 / r)
+    norm_total = norm + where(norm_lost == 0, 0, (norm_lost + sum_error(n, n_lo, norm_of_n)) * r)
     norm_rounded = where(norm_total == norm_total, norm_total, norm)
     return norm_rounded
 
@@ -244,7 +246,7 @@ def screw_normalize(self):
     """self = self / |self|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
-    43 mul, 64 add, 10 product error, 2 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+    43 mul, 54 add, 10 product error, 10 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
     select.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
@@ -272,9 +274,11 @@ def screw_normalize(self):
     n_e = n_c + n_d
     n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
     n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
-    n = sqrt(n_e)
+    n_of_n_e = n_e + n_e_lo
+    n = sqrt(n_of_n_e)
     n_product = n * n
-    n_residual = n_e - n_product - product_error(n, n, n_product) + n_e_lo
+    n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
+    n_residual = n_exact + sum_error(n_e, n_e_lo, n_of_n_e)
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor = where(n == 0, 1, n)
     divisor_lo = where(n == 0, 0, n_lo)
@@ -286,72 +290,86 @@ def screw_normalize(self):
     enlarged_3 = self_3 * up
     enlarged_4 = self_4 * up
     enlarged_5 = self_5 * up
-    quotient_0 = enlarged_0 / divisor
-    quotient_0_product = quotient_0 * divisor
-    quotient_0_product_error = product_error(quotient_0, divisor, quotient_0_product)
+    quotient_0_of_divisor = divisor + divisor_lo
+    quotient_0_of_divisor_lo = sum_error(divisor, divisor_lo, quotient_0_of_divisor)
+    quotient_0 = enlarged_0 / quotient_0_of_divisor
+    quotient_0_product = quotient_0 * quotient_0_of_divisor
+    quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
     quotient_0_exact = enlarged_0 - quotient_0_product - quotient_0_product_error
-    quotient_0_residual = quotient_0_exact - quotient_0 * divisor_lo
-    quotient_0_lo = quotient_0_residual / divisor
-    quotient_1 = enlarged_1 / divisor
-    quotient_1_product = quotient_1 * divisor
-    quotient_1_product_error = product_error(quotient_1, divisor, quotient_1_product)
+    quotient_0_residual = quotient_0_exact - quotient_0 * quotient_0_of_divisor_lo
+    quotient_0_lo = quotient_0_residual / quotient_0_of_divisor
+    quotient_1 = enlarged_1 / quotient_0_of_divisor
+    quotient_1_product = quotient_1 * quotient_0_of_divisor
+    quotient_1_product_error = product_error(quotient_1, quotient_0_of_divisor, quotient_1_product)
     quotient_1_exact = enlarged_1 - quotient_1_product - quotient_1_product_error
-    quotient_1_residual = quotient_1_exact - quotient_1 * divisor_lo
-    quotient_1_lo = quotient_1_residual / divisor
-    quotient_2 = enlarged_2 / divisor
-    quotient_2_product = quotient_2 * divisor
-    quotient_2_product_error = product_error(quotient_2, divisor, quotient_2_product)
+    quotient_1_residual = quotient_1_exact - quotient_1 * quotient_0_of_divisor_lo
+    quotient_1_lo = quotient_1_residual / quotient_0_of_divisor
+    quotient_2 = enlarged_2 / quotient_0_of_divisor
+    quotient_2_product = quotient_2 * quotient_0_of_divisor
+    quotient_2_product_error = product_error(quotient_2, quotient_0_of_divisor, quotient_2_product)
     quotient_2_exact = enlarged_2 - quotient_2_product - quotient_2_product_error
-    quotient_2_residual = quotient_2_exact - quotient_2 * divisor_lo
-    quotient_2_lo = quotient_2_residual / divisor
-    quotient_3 = enlarged_3 / divisor
-    quotient_3_product = quotient_3 * divisor
-    quotient_3_product_error = product_error(quotient_3, divisor, quotient_3_product)
+    quotient_2_residual = quotient_2_exact - quotient_2 * quotient_0_of_divisor_lo
+    quotient_2_lo = quotient_2_residual / quotient_0_of_divisor
+    quotient_3 = enlarged_3 / quotient_0_of_divisor
+    quotient_3_product = quotient_3 * quotient_0_of_divisor
+    quotient_3_product_error = product_error(quotient_3, quotient_0_of_divisor, quotient_3_product)
     quotient_3_exact = enlarged_3 - quotient_3_product - quotient_3_product_error
-    quotient_3_residual = quotient_3_exact - quotient_3 * divisor_lo
-    quotient_3_lo = quotient_3_residual / divisor
-    quotient_4 = enlarged_4 / divisor
-    quotient_4_product = quotient_4 * divisor
-    quotient_4_product_error = product_error(quotient_4, divisor, quotient_4_product)
+    quotient_3_residual = quotient_3_exact - quotient_3 * quotient_0_of_divisor_lo
+    quotient_3_lo = quotient_3_residual / quotient_0_of_divisor
+    quotient_4 = enlarged_4 / quotient_0_of_divisor
+    quotient_4_product = quotient_4 * quotient_0_of_divisor
+    quotient_4_product_error = product_error(quotient_4, quotient_0_of_divisor, quotient_4_product)
     quotient_4_exact = enlarged_4 - quotient_4_product - quotient_4_product_error
-    quotient_4_residual = quotient_4_exact - quotient_4 * divisor_lo
-    quotient_4_lo = quotient_4_residual / divisor
-    quotient_5 = enlarged_5 / divisor
-    quotient_5_product = quotient_5 * divisor
-    quotient_5_product_error = product_error(quotient_5, divisor, quotient_5_product)
+    quotient_4_residual = quotient_4_exact - quotient_4 * quotient_0_of_divisor_lo
+    quotient_4_lo = quotient_4_residual / quotient_0_of_divisor
+    quotient_5 = enlarged_5 / quotient_0_of_divisor
+    quotient_5_product = quotient_5 * quotient_0_of_divisor
+    quotient_5_product_error = product_error(quotient_5, quotient_0_of_divisor, quotient_5_product)
     quotient_5_exact = enlarged_5 - quotient_5_product - quotient_5_product_error
-    quotient_5_residual = quotient_5_exact - quotient_5 * divisor_lo
-    quotient_5_lo = quotient_5_residual / divisor
-    self_0_new_total = quotient_0 + quotient_0_lo
-    self_0_new = self_0_new_total * down
+    quotient_5_residual = quotient_5_exact - quotient_5 * quotient_0_of_divisor_lo
+    quotient_5_lo = quotient_5_residual / quotient_0_of_divisor
+    self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo
+    self_0_new_of_quotient_0_lo = sum_error(quotient_0, quotient_0_lo, self_0_new_of_quotient_0)
+    self_0_new = self_0_new_of_quotient_0 * down
     self_0_new_inverse = 1 / down
-    self_0_new_lost = self_0_new_total - self_0_new * self_0_new_inverse
-    self_0_new_small = (self_0_new_lost + (quotient_0_lo - (self_0_new_total - quotient_0))) * down
+    self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * self_0_new_inverse
+    self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo
+    self_0_new_small = self_0_new_rest * down
     self_0_new_lo = where(self_0_new_lost == 0, 0, self_0_new_small)
-    self_1_new_total = quotient_1 + quotient_1_lo
-    self_1_new = self_1_new_total * down
-    self_1_new_lost = self_1_new_total - self_1_new * self_0_new_inverse
-    self_1_new_small = (self_1_new_lost + (quotient_1_lo - (self_1_new_total - quotient_1))) * down
+    self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo
+    self_1_new_of_quotient_1_lo = sum_error(quotient_1, quotient_1_lo, self_1_new_of_quotient_1)
+    self_1_new = self_1_new_of_quotient_1 * down
+    self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * self_0_new_inverse
+    self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo
+    self_1_new_small = self_1_new_rest * down
     self_1_new_lo = where(self_1_new_lost == 0, 0, self_1_new_small)
-    self_2_new_total = quotient_2 + quotient_2_lo
-    self_2_new = self_2_new_total * down
-    self_2_new_lost = self_2_new_total - self_2_new * self_0_new_inverse
-    self_2_new_small = (self_2_new_lost + (quotient_2_lo - (self_2_new_total - quotient_2))) * down
+    self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo
+    self_2_new_of_quotient_2_lo = sum_error(quotient_2, quotient_2_lo, self_2_new_of_quotient_2)
+    self_2_new = self_2_new_of_quotient_2 * down
+    self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * self_0_new_inverse
+    self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo
+    self_2_new_small = self_2_new_rest * down
     self_2_new_lo = where(self_2_new_lost == 0, 0, self_2_new_small)
-    self_3_new_total = quotient_3 + quotient_3_lo
-    self_3_new = self_3_new_total * down
-    self_3_new_lost = self_3_new_total - self_3_new * self_0_new_inverse
-    self_3_new_small = (self_3_new_lost + (quotient_3_lo - (self_3_new_total - quotient_3))) * down
+    self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo
+    self_3_new_of_quotient_3_lo = sum_error(quotient_3, quotient_3_lo, self_3_new_of_quotient_3)
+    self_3_new = self_3_new_of_quotient_3 * down
+    self_3_new_lost = self_3_new_of_quotient_3 - self_3_new * self_0_new_inverse
+    self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo
+    self_3_new_small = self_3_new_rest * down
     self_3_new_lo = where(self_3_new_lost == 0, 0, self_3_new_small)
-    self_4_new_total = quotient_4 + quotient_4_lo
-    self_4_new = self_4_new_total * down
-    self_4_new_lost = self_4_new_total - self_4_new * self_0_new_inverse
-    self_4_new_small = (self_4_new_lost + (quotient_4_lo - (self_4_new_total - quotient_4))) * down
+    self_4_new_of_quotient_4 = quotient_4 + quotient_4_lo
+    self_4_new_of_quotient_4_lo = sum_error(quotient_4, quotient_4_lo, self_4_new_of_quotient_4)
+    self_4_new = self_4_new_of_quotient_4 * down
+    self_4_new_lost = self_4_new_of_quotient_4 - self_4_new * self_0_new_inverse
+    self_4_new_rest = self_4_new_lost + self_4_new_of_quotient_4_lo
+    self_4_new_small = self_4_new_rest * down
     self_4_new_lo = where(self_4_new_lost == 0, 0, self_4_new_small)
-    self_5_new_total = quotient_5 + quotient_5_lo
-    self_5_new = self_5_new_total * down
-    self_5_new_lost = self_5_new_total - self_5_new * self_0_new_inverse
-    self_5_new_small = (self_5_new_lost + (quotient_5_lo - (self_5_new_total - quotient_5))) * down
+    self_5_new_of_quotient_5 = quotient_5 + quotient_5_lo
+    self_5_new_of_quotient_5_lo = sum_error(quotient_5, quotient_5_lo, self_5_new_of_quotient_5)
+    self_5_new = self_5_new_of_quotient_5 * down
+    self_5_new_lost = self_5_new_of_quotient_5 - self_5_new * self_0_new_inverse
+    self_5_new_rest = self_5_new_lost + self_5_new_of_quotient_5_lo
+    self_5_new_small = self_5_new_rest * down
     self_5_new_lo = where(self_5_new_lost == 0, 0, self_5_new_small)
     self_0_new_total = self_0_new + self_0_new_lo
     self_0_new_rounded = where(self_0_new_total == self_0_new_total, self_0_new_total, self_0_new)
@@ -374,7 +392,7 @@ def screw_normalized(si):
     """so = si / |si|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
-    43 mul, 64 add, 10 product error, 2 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+    43 mul, 54 add, 10 product error, 10 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
     select.
     """
     si_0, si_1, si_2, si_3, si_4, si_5 = si
@@ -402,9 +420,11 @@ def screw_normalized(si):
     n_e = n_c + n_d
     n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
     n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
-    n = sqrt(n_e)
+    n_of_n_e = n_e + n_e_lo
+    n = sqrt(n_of_n_e)
     n_product = n * n
-    n_residual = n_e - n_product - product_error(n, n, n_product) + n_e_lo
+    n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
+    n_residual = n_exact + sum_error(n_e, n_e_lo, n_of_n_e)
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor = where(n == 0, 1, n)
     divisor_lo = where(n == 0, 0, n_lo)
@@ -416,72 +436,74 @@ def screw_normalized(si):
     enlarged_3 = si_3 * up
     enlarged_4 = si_4 * up
     enlarged_5 = si_5 * up
-    quotient_0 = enlarged_0 / divisor
-    quotient_0_product = quotient_0 * divisor
-    quotient_0_product_error = product_error(quotient_0, divisor, quotient_0_product)
+    quotient_0_of_divisor = divisor + divisor_lo
+    quotient_0_of_divisor_lo = sum_error(divisor, divisor_lo, quotient_0_of_divisor)
+    quotient_0 = enlarged_0 / quotient_0_of_divisor
+    quotient_0_product = quotient_0 * quotient_0_of_divisor
+    quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
     quotient_0_exact = enlarged_0 - quotient_0_product - quotient_0_product_error
-    quotient_0_residual = quotient_0_exact - quotient_0 * divisor_lo
-    quotient_0_lo = quotient_0_residual / divisor
-    quotient_1 = enlarged_1 / divisor
-    quotient_1_product = quotient_1 * divisor
-    quotient_1_product_error = product_error(quotient_1, divisor, quotient_1_product)
+    quotient_0_residual = quotient_0_exact - quotient_0 * quotient_0_of_divisor_lo
+    quotient_0_lo = quotient_0_residual / quotient_0_of_divisor
+    quotient_1 = enlarged_1 / quotient_0_of_divisor
+    quotient_1_product = quotient_1 * quotient_0_of_divisor
+    quotient_1_product_error = product_error(quotient_1, quotient_0_of_divisor, quotient_1_product)
     quotient_1_exact = enlarged_1 - quotient_1_product - quotient_1_product_error
-    quotient_1_residual = quotient_1_exact - quotient_1 * divisor_lo
-    quotient_1_lo = quotient_1_residual / divisor
-    quotient_2 = enlarged_2 / divisor
-    quotient_2_product = quotient_2 * divisor
-    quotient_2_product_error = product_error(quotient_2, divisor, quotient_2_product)
+    quotient_1_residual = quotient_1_exact - quotient_1 * quotient_0_of_divisor_lo
+    quotient_1_lo = quotient_1_residual / quotient_0_of_divisor
+    quotient_2 = enlarged_2 / quotient_0_of_divisor
+    quotient_2_product = quotient_2 * quotient_0_of_divisor
+    quotient_2_product_error = product_error(quotient_2, quotient_0_of_divisor, quotient_2_product)
     quotient_2_exact = enlarged_2 - quotient_2_product - quotient_2_product_error
-    quotient_2_residual = quotient_2_exact - quotient_2 * divisor_lo
-    quotient_2_lo = quotient_2_residual / divisor
-    quotient_3 = enlarged_3 / divisor
-    quotient_3_product = quotient_3 * divisor
-    quotient_3_product_error = product_error(quotient_3, divisor, quotient_3_product)
+    quotient_2_residual = quotient_2_exact - quotient_2 * quotient_0_of_divisor_lo
+    quotient_2_lo = quotient_2_residual / quotient_0_of_divisor
+    quotient_3 = enlarged_3 / quotient_0_of_divisor
+    quotient_3_product = quotient_3 * quotient_0_of_divisor
+    quotient_3_product_error = product_error(quotient_3, quotient_0_of_divisor, quotient_3_product)
     quotient_3_exact = enlarged_3 - quotient_3_product - quotient_3_product_error
-    quotient_3_residual = quotient_3_exact - quotient_3 * divisor_lo
-    quotient_3_lo = quotient_3_residual / divisor
-    quotient_4 = enlarged_4 / divisor
-    quotient_4_product = quotient_4 * divisor
-    quotient_4_product_error = product_error(quotient_4, divisor, quotient_4_product)
+    quotient_3_residual = quotient_3_exact - quotient_3 * quotient_0_of_divisor_lo
+    quotient_3_lo = quotient_3_residual / quotient_0_of_divisor
+    quotient_4 = enlarged_4 / quotient_0_of_divisor
+    quotient_4_product = quotient_4 * quotient_0_of_divisor
+    quotient_4_product_error = product_error(quotient_4, quotient_0_of_divisor, quotient_4_product)
     quotient_4_exact = enlarged_4 - quotient_4_product - quotient_4_product_error
-    quotient_4_residual = quotient_4_exact - quotient_4 * divisor_lo
-    quotient_4_lo = quotient_4_residual / divisor
-    quotient_5 = enlarged_5 / divisor
-    quotient_5_product = quotient_5 * divisor
-    quotient_5_product_error = product_error(quotient_5, divisor, quotient_5_product)
+    quotient_4_residual = quotient_4_exact - quotient_4 * quotient_0_of_divisor_lo
+    quotient_4_lo = quotient_4_residual / quotient_0_of_divisor
+    quotient_5 = enlarged_5 / quotient_0_of_divisor
+    quotient_5_product = quotient_5 * quotient_0_of_divisor
+    quotient_5_product_error = product_error(quotient_5, quotient_0_of_divisor, quotient_5_product)
     quotient_5_exact = enlarged_5 - quotient_5_product - quotient_5_product_error
-    quotient_5_residual = quotient_5_exact - quotient_5 * divisor_lo
-    quotient_5_lo = quotient_5_residual / divisor
-    so_0_total = quotient_0 + quotient_0_lo
-    so_0 = so_0_total * down
+    quotient_5_residual = quotient_5_exact - quotient_5 * quotient_0_of_divisor_lo
+    quotient_5_lo = quotient_5_residual / quotient_0_of_divisor
+    so_0_of_quotient_0 = quotient_0 + quotient_0_lo
+    so_0 = so_0_of_quotient_0 * down
     so_0_inverse = 1 / down
-    so_0_lost = so_0_total - so_0 * so_0_inverse
-    so_0_small = (so_0_lost + (quotient_0_lo - (so_0_total - quotient_0))) * down
+    so_0_lost = so_0_of_quotient_0 - so_0 * so_0_inverse
+    so_0_small = (so_0_lost + sum_error(quotient_0, quotient_0_lo, so_0_of_quotient_0)) * down
     so_0_lo = where(so_0_lost == 0, 0, so_0_small)
-    so_1_total = quotient_1 + quotient_1_lo
-    so_1 = so_1_total * down
-    so_1_lost = so_1_total - so_1 * so_0_inverse
-    so_1_small = (so_1_lost + (quotient_1_lo - (so_1_total - quotient_1))) * down
+    so_1_of_quotient_1 = quotient_1 + quotient_1_lo
+    so_1 = so_1_of_quotient_1 * down
+    so_1_lost = so_1_of_quotient_1 - so_1 * so_0_inverse
+    so_1_small = (so_1_lost + sum_error(quotient_1, quotient_1_lo, so_1_of_quotient_1)) * down
     so_1_lo = where(so_1_lost == 0, 0, so_1_small)
-    so_2_total = quotient_2 + quotient_2_lo
-    so_2 = so_2_total * down
-    so_2_lost = so_2_total - so_2 * so_0_inverse
-    so_2_small = (so_2_lost + (quotient_2_lo - (so_2_total - quotient_2))) * down
+    so_2_of_quotient_2 = quotient_2 + quotient_2_lo
+    so_2 = so_2_of_quotient_2 * down
+    so_2_lost = so_2_of_quotient_2 - so_2 * so_0_inverse
+    so_2_small = (so_2_lost + sum_error(quotient_2, quotient_2_lo, so_2_of_quotient_2)) * down
     so_2_lo = where(so_2_lost == 0, 0, so_2_small)
-    so_3_total = quotient_3 + quotient_3_lo
-    so_3 = so_3_total * down
-    so_3_lost = so_3_total - so_3 * so_0_inverse
-    so_3_small = (so_3_lost + (quotient_3_lo - (so_3_total - quotient_3))) * down
+    so_3_of_quotient_3 = quotient_3 + quotient_3_lo
+    so_3 = so_3_of_quotient_3 * down
+    so_3_lost = so_3_of_quotient_3 - so_3 * so_0_inverse
+    so_3_small = (so_3_lost + sum_error(quotient_3, quotient_3_lo, so_3_of_quotient_3)) * down
     so_3_lo = where(so_3_lost == 0, 0, so_3_small)
-    so_4_total = quotient_4 + quotient_4_lo
-    so_4 = so_4_total * down
-    so_4_lost = so_4_total - so_4 * so_0_inverse
-    so_4_small = (so_4_lost + (quotient_4_lo - (so_4_total - quotient_4))) * down
+    so_4_of_quotient_4 = quotient_4 + quotient_4_lo
+    so_4 = so_4_of_quotient_4 * down
+    so_4_lost = so_4_of_quotient_4 - so_4 * so_0_inverse
+    so_4_small = (so_4_lost + sum_error(quotient_4, quotient_4_lo, so_4_of_quotient_4)) * down
     so_4_lo = where(so_4_lost == 0, 0, so_4_small)
-    so_5_total = quotient_5 + quotient_5_lo
-    so_5 = so_5_total * down
-    so_5_lost = so_5_total - so_5 * so_0_inverse
-    so_5_small = (so_5_lost + (quotient_5_lo - (so_5_total - quotient_5))) * down
+    so_5_of_quotient_5 = quotient_5 + quotient_5_lo
+    so_5 = so_5_of_quotient_5 * down
+    so_5_lost = so_5_of_quotient_5 - so_5 * so_0_inverse
+    so_5_small = (so_5_lost + sum_error(quotient_5, quotient_5_lo, so_5_of_quotient_5)) * down
     so_5_lo = where(so_5_lost == 0, 0, so_5_small)
     so_0_total = so_0 + so_0_lo
     so_0_rounded = where(so_0_total == so_0_total, so_0_total, so_0)

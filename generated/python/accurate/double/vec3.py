@@ -4,7 +4,7 @@
 In double precision, accurate tier.
 """
 
-from numpy import absolute, float64, sqrt, where
+from numpy import absolute, arctan2, float64, sqrt, where
 from coscrew._exact import difference_error, product_error, sum_error
 from coscrew._kernel import double_kernel as kernel
 
@@ -162,7 +162,7 @@ def vec3_l2norm(v):
     """|v| = sqrt(v·v).
 
     (3)->().  v: vector; norm: number.
-    10 mul, 16 add, 4 product error, 2 sum error, 2 div, 1 sqrt, 3 abs, 6 less, 3 equal, 9
+    10 mul, 15 add, 4 product error, 4 sum error, 2 div, 1 sqrt, 3 abs, 6 less, 3 equal, 9
     select.
     """
     v_0, v_1, v_2 = v
@@ -184,16 +184,18 @@ def vec3_l2norm(v):
     n_e = n_c + n_d
     n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
     n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
-    n = sqrt(n_e)
+    n_of_n_e = n_e + n_e_lo
+    n = sqrt(n_of_n_e)
     n_product = n * n
-    n_residual = n_e - n_product - product_error(n, n, n_product) + n_e_lo
+    n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
+    n_residual = n_exact + sum_error(n_e, n_e_lo, n_of_n_e)
     n_lo = n_residual / where(n == 0, 1, n + n)
     r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
     r = where(1 < s, 2.409919865102884e-181, r_b)
-    norm_total = n + n_lo
-    norm = norm_total * r
-    norm_lost = norm_total - norm * (1 / r)
-    norm_total = norm + where(norm_lost == 0, 0, (norm_lost + (n_lo - (norm_total - n))) * r)
+    norm_of_n = n + n_lo
+    norm = norm_of_n * r
+    norm_lost = norm_of_n - norm * (1 / r)
+    norm_total = norm + where(norm_lost == 0, 0, (norm_lost + sum_error(n, n_lo, norm_of_n)) * r)
     norm_rounded = where(norm_total == norm_total, norm_total, norm)
     return norm_rounded
 
@@ -203,7 +205,7 @@ def vec3_normalize(self):
     """self = self / |self|; the zero vector stays zero.
 
     (3)->(3).  self: vector.
-    25 mul, 37 add, 7 product error, 2 sum error, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+    25 mul, 33 add, 7 product error, 7 sum error, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
     select.
     """
     self_0, self_1, self_2 = self
@@ -225,9 +227,11 @@ def vec3_normalize(self):
     n_e = n_c + n_d
     n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
     n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
-    n = sqrt(n_e)
+    n_of_n_e = n_e + n_e_lo
+    n = sqrt(n_of_n_e)
     n_product = n * n
-    n_residual = n_e - n_product - product_error(n, n, n_product) + n_e_lo
+    n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
+    n_residual = n_exact + sum_error(n_e, n_e_lo, n_of_n_e)
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor = where(n == 0, 1, n)
     divisor_lo = where(n == 0, 0, n_lo)
@@ -236,39 +240,47 @@ def vec3_normalize(self):
     enlarged_0 = self_0 * up
     enlarged_1 = self_1 * up
     enlarged_2 = self_2 * up
-    quotient_0 = enlarged_0 / divisor
-    quotient_0_product = quotient_0 * divisor
-    quotient_0_product_error = product_error(quotient_0, divisor, quotient_0_product)
+    quotient_0_of_divisor = divisor + divisor_lo
+    quotient_0_of_divisor_lo = sum_error(divisor, divisor_lo, quotient_0_of_divisor)
+    quotient_0 = enlarged_0 / quotient_0_of_divisor
+    quotient_0_product = quotient_0 * quotient_0_of_divisor
+    quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
     quotient_0_exact = enlarged_0 - quotient_0_product - quotient_0_product_error
-    quotient_0_residual = quotient_0_exact - quotient_0 * divisor_lo
-    quotient_0_lo = quotient_0_residual / divisor
-    quotient_1 = enlarged_1 / divisor
-    quotient_1_product = quotient_1 * divisor
-    quotient_1_product_error = product_error(quotient_1, divisor, quotient_1_product)
+    quotient_0_residual = quotient_0_exact - quotient_0 * quotient_0_of_divisor_lo
+    quotient_0_lo = quotient_0_residual / quotient_0_of_divisor
+    quotient_1 = enlarged_1 / quotient_0_of_divisor
+    quotient_1_product = quotient_1 * quotient_0_of_divisor
+    quotient_1_product_error = product_error(quotient_1, quotient_0_of_divisor, quotient_1_product)
     quotient_1_exact = enlarged_1 - quotient_1_product - quotient_1_product_error
-    quotient_1_residual = quotient_1_exact - quotient_1 * divisor_lo
-    quotient_1_lo = quotient_1_residual / divisor
-    quotient_2 = enlarged_2 / divisor
-    quotient_2_product = quotient_2 * divisor
-    quotient_2_product_error = product_error(quotient_2, divisor, quotient_2_product)
+    quotient_1_residual = quotient_1_exact - quotient_1 * quotient_0_of_divisor_lo
+    quotient_1_lo = quotient_1_residual / quotient_0_of_divisor
+    quotient_2 = enlarged_2 / quotient_0_of_divisor
+    quotient_2_product = quotient_2 * quotient_0_of_divisor
+    quotient_2_product_error = product_error(quotient_2, quotient_0_of_divisor, quotient_2_product)
     quotient_2_exact = enlarged_2 - quotient_2_product - quotient_2_product_error
-    quotient_2_residual = quotient_2_exact - quotient_2 * divisor_lo
-    quotient_2_lo = quotient_2_residual / divisor
-    self_0_new_total = quotient_0 + quotient_0_lo
-    self_0_new = self_0_new_total * down
+    quotient_2_residual = quotient_2_exact - quotient_2 * quotient_0_of_divisor_lo
+    quotient_2_lo = quotient_2_residual / quotient_0_of_divisor
+    self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo
+    self_0_new_of_quotient_0_lo = sum_error(quotient_0, quotient_0_lo, self_0_new_of_quotient_0)
+    self_0_new = self_0_new_of_quotient_0 * down
     self_0_new_inverse = 1 / down
-    self_0_new_lost = self_0_new_total - self_0_new * self_0_new_inverse
-    self_0_new_small = (self_0_new_lost + (quotient_0_lo - (self_0_new_total - quotient_0))) * down
+    self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * self_0_new_inverse
+    self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo
+    self_0_new_small = self_0_new_rest * down
     self_0_new_lo = where(self_0_new_lost == 0, 0, self_0_new_small)
-    self_1_new_total = quotient_1 + quotient_1_lo
-    self_1_new = self_1_new_total * down
-    self_1_new_lost = self_1_new_total - self_1_new * self_0_new_inverse
-    self_1_new_small = (self_1_new_lost + (quotient_1_lo - (self_1_new_total - quotient_1))) * down
+    self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo
+    self_1_new_of_quotient_1_lo = sum_error(quotient_1, quotient_1_lo, self_1_new_of_quotient_1)
+    self_1_new = self_1_new_of_quotient_1 * down
+    self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * self_0_new_inverse
+    self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo
+    self_1_new_small = self_1_new_rest * down
     self_1_new_lo = where(self_1_new_lost == 0, 0, self_1_new_small)
-    self_2_new_total = quotient_2 + quotient_2_lo
-    self_2_new = self_2_new_total * down
-    self_2_new_lost = self_2_new_total - self_2_new * self_0_new_inverse
-    self_2_new_small = (self_2_new_lost + (quotient_2_lo - (self_2_new_total - quotient_2))) * down
+    self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo
+    self_2_new_of_quotient_2_lo = sum_error(quotient_2, quotient_2_lo, self_2_new_of_quotient_2)
+    self_2_new = self_2_new_of_quotient_2 * down
+    self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * self_0_new_inverse
+    self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo
+    self_2_new_small = self_2_new_rest * down
     self_2_new_lo = where(self_2_new_lost == 0, 0, self_2_new_small)
     self_0_new_total = self_0_new + self_0_new_lo
     self_0_new_rounded = where(self_0_new_total == self_0_new_total, self_0_new_total, self_0_new)
@@ -284,7 +296,7 @@ def vec3_normalized(v):
     """vo = v / |v|; the zero vector stays zero.
 
     (3)->(3).  v, vo: vector.
-    25 mul, 37 add, 7 product error, 2 sum error, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+    25 mul, 33 add, 7 product error, 7 sum error, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
     select.
     """
     v_0, v_1, v_2 = v
@@ -306,9 +318,11 @@ def vec3_normalized(v):
     n_e = n_c + n_d
     n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
     n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
-    n = sqrt(n_e)
+    n_of_n_e = n_e + n_e_lo
+    n = sqrt(n_of_n_e)
     n_product = n * n
-    n_residual = n_e - n_product - product_error(n, n, n_product) + n_e_lo
+    n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
+    n_residual = n_exact + sum_error(n_e, n_e_lo, n_of_n_e)
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor = where(n == 0, 1, n)
     divisor_lo = where(n == 0, 0, n_lo)
@@ -317,39 +331,41 @@ def vec3_normalized(v):
     enlarged_0 = v_0 * up
     enlarged_1 = v_1 * up
     enlarged_2 = v_2 * up
-    quotient_0 = enlarged_0 / divisor
-    quotient_0_product = quotient_0 * divisor
-    quotient_0_product_error = product_error(quotient_0, divisor, quotient_0_product)
+    quotient_0_of_divisor = divisor + divisor_lo
+    quotient_0_of_divisor_lo = sum_error(divisor, divisor_lo, quotient_0_of_divisor)
+    quotient_0 = enlarged_0 / quotient_0_of_divisor
+    quotient_0_product = quotient_0 * quotient_0_of_divisor
+    quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
     quotient_0_exact = enlarged_0 - quotient_0_product - quotient_0_product_error
-    quotient_0_residual = quotient_0_exact - quotient_0 * divisor_lo
-    quotient_0_lo = quotient_0_residual / divisor
-    quotient_1 = enlarged_1 / divisor
-    quotient_1_product = quotient_1 * divisor
-    quotient_1_product_error = product_error(quotient_1, divisor, quotient_1_product)
+    quotient_0_residual = quotient_0_exact - quotient_0 * quotient_0_of_divisor_lo
+    quotient_0_lo = quotient_0_residual / quotient_0_of_divisor
+    quotient_1 = enlarged_1 / quotient_0_of_divisor
+    quotient_1_product = quotient_1 * quotient_0_of_divisor
+    quotient_1_product_error = product_error(quotient_1, quotient_0_of_divisor, quotient_1_product)
     quotient_1_exact = enlarged_1 - quotient_1_product - quotient_1_product_error
-    quotient_1_residual = quotient_1_exact - quotient_1 * divisor_lo
-    quotient_1_lo = quotient_1_residual / divisor
-    quotient_2 = enlarged_2 / divisor
-    quotient_2_product = quotient_2 * divisor
-    quotient_2_product_error = product_error(quotient_2, divisor, quotient_2_product)
+    quotient_1_residual = quotient_1_exact - quotient_1 * quotient_0_of_divisor_lo
+    quotient_1_lo = quotient_1_residual / quotient_0_of_divisor
+    quotient_2 = enlarged_2 / quotient_0_of_divisor
+    quotient_2_product = quotient_2 * quotient_0_of_divisor
+    quotient_2_product_error = product_error(quotient_2, quotient_0_of_divisor, quotient_2_product)
     quotient_2_exact = enlarged_2 - quotient_2_product - quotient_2_product_error
-    quotient_2_residual = quotient_2_exact - quotient_2 * divisor_lo
-    quotient_2_lo = quotient_2_residual / divisor
-    vo_0_total = quotient_0 + quotient_0_lo
-    vo_0 = vo_0_total * down
+    quotient_2_residual = quotient_2_exact - quotient_2 * quotient_0_of_divisor_lo
+    quotient_2_lo = quotient_2_residual / quotient_0_of_divisor
+    vo_0_of_quotient_0 = quotient_0 + quotient_0_lo
+    vo_0 = vo_0_of_quotient_0 * down
     vo_0_inverse = 1 / down
-    vo_0_lost = vo_0_total - vo_0 * vo_0_inverse
-    vo_0_small = (vo_0_lost + (quotient_0_lo - (vo_0_total - quotient_0))) * down
+    vo_0_lost = vo_0_of_quotient_0 - vo_0 * vo_0_inverse
+    vo_0_small = (vo_0_lost + sum_error(quotient_0, quotient_0_lo, vo_0_of_quotient_0)) * down
     vo_0_lo = where(vo_0_lost == 0, 0, vo_0_small)
-    vo_1_total = quotient_1 + quotient_1_lo
-    vo_1 = vo_1_total * down
-    vo_1_lost = vo_1_total - vo_1 * vo_0_inverse
-    vo_1_small = (vo_1_lost + (quotient_1_lo - (vo_1_total - quotient_1))) * down
+    vo_1_of_quotient_1 = quotient_1 + quotient_1_lo
+    vo_1 = vo_1_of_quotient_1 * down
+    vo_1_lost = vo_1_of_quotient_1 - vo_1 * vo_0_inverse
+    vo_1_small = (vo_1_lost + sum_error(quotient_1, quotient_1_lo, vo_1_of_quotient_1)) * down
     vo_1_lo = where(vo_1_lost == 0, 0, vo_1_small)
-    vo_2_total = quotient_2 + quotient_2_lo
-    vo_2 = vo_2_total * down
-    vo_2_lost = vo_2_total - vo_2 * vo_0_inverse
-    vo_2_small = (vo_2_lost + (quotient_2_lo - (vo_2_total - quotient_2))) * down
+    vo_2_of_quotient_2 = quotient_2 + quotient_2_lo
+    vo_2 = vo_2_of_quotient_2 * down
+    vo_2_lost = vo_2_of_quotient_2 - vo_2 * vo_0_inverse
+    vo_2_small = (vo_2_lost + sum_error(quotient_2, quotient_2_lo, vo_2_of_quotient_2)) * down
     vo_2_lo = where(vo_2_lost == 0, 0, vo_2_small)
     vo_0_total = vo_0 + vo_0_lo
     vo_0_rounded = where(vo_0_total == vo_0_total, vo_0_total, vo_0)
@@ -358,6 +374,116 @@ def vec3_normalized(v):
     vo_2_total = vo_2 + vo_2_lo
     vo_2_rounded = where(vo_2_total == vo_2_total, vo_2_total, vo_2)
     return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
+
+
+@kernel("(3),(3)->()")
+def angle_vv(v1, v2):
+    """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
+
+    (3),(3)->().  v1, v2: vector; angle: number.
+    41 mul, 49 add, 13 product error, 14 sum error, 4 div, 1 sqrt, 1 atan2, 3 neg, 9 abs, 17
+    less, 6 equal, 25 select.
+    """
+    v1_0, v1_1, v1_2 = v1
+    v2_0, v2_1, v2_2 = v2
+    s1_size_0 = absolute(v1_0)
+    s1_size_1 = absolute(v1_1)
+    s1_size_2 = absolute(v1_2)
+    s1_largest1 = where(s1_size_0 < s1_size_1, s1_size_1, s1_size_0)
+    s1_largest2 = where(s1_largest1 < s1_size_2, s1_size_2, s1_largest1)
+    s1b = where(6.703903964971299e+153 < s1_largest2, float64(3.7291703656001034e-155), float64(1))
+    s1 = where(s1_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s1b)
+    scaled_s1_0 = v1_0 * s1
+    scaled_s1_1 = v1_1 * s1
+    scaled_s1_2 = v1_2 * s1
+    s2_size_0 = absolute(v2_0)
+    s2_size_1 = absolute(v2_1)
+    s2_size_2 = absolute(v2_2)
+    s2_largest1 = where(s2_size_0 < s2_size_1, s2_size_1, s2_size_0)
+    s2_largest2 = where(s2_largest1 < s2_size_2, s2_size_2, s2_largest1)
+    s2b = where(6.703903964971299e+153 < s2_largest2, float64(3.7291703656001034e-155), float64(1))
+    s2 = where(s2_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s2b)
+    scaled_s2_0 = v2_0 * s2
+    scaled_s2_1 = v2_1 * s2
+    scaled_s2_2 = v2_2 * s2
+    c_0a = scaled_s1_1 * scaled_s2_2
+    c_0b = scaled_s1_2 * scaled_s2_1
+    c_0 = c_0a - c_0b
+    c_0_lo1 = difference_error(c_0a, c_0b, c_0) + product_error(scaled_s1_1, scaled_s2_2, c_0a)
+    c_0_lo = c_0_lo1 - product_error(scaled_s1_2, scaled_s2_1, c_0b)
+    c_1a = scaled_s1_2 * scaled_s2_0
+    c_1b = scaled_s1_0 * scaled_s2_2
+    c_1 = c_1a - c_1b
+    c_1_lo1 = difference_error(c_1a, c_1b, c_1) + product_error(scaled_s1_2, scaled_s2_0, c_1a)
+    c_1_lo = c_1_lo1 - product_error(scaled_s1_0, scaled_s2_2, c_1b)
+    c_2a = scaled_s1_0 * scaled_s2_1
+    c_2b = scaled_s1_1 * scaled_s2_0
+    c_2 = c_2a - c_2b
+    c_2_lo1 = difference_error(c_2a, c_2b, c_2) + product_error(scaled_s1_0, scaled_s2_1, c_2a)
+    c_2_lo = c_2_lo1 - product_error(scaled_s1_1, scaled_s2_0, c_2b)
+    s_size_0 = absolute(c_0)
+    s_size_1 = absolute(c_1)
+    s_size_1_lo = where(c_1 < 0, -c_1_lo, c_1_lo)
+    s_size_2 = absolute(c_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest1_lo = where(s_size_0 < s_size_1, s_size_1_lo, where(c_0 < 0, -c_0_lo, c_0_lo))
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_largest2_lo = where(s_largest1 < s_size_2, where(c_2 < 0, -c_2_lo, c_2_lo), s_largest1_lo)
+    s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
+    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    y_0_of_c_0 = c_0 + c_0_lo
+    y_0 = y_0_of_c_0 * s
+    y_0_inverse = 1 / s
+    y_0_lost = y_0_of_c_0 - y_0 * y_0_inverse
+    y_0_lo = where(y_0_lost == 0, 0, (y_0_lost + sum_error(c_0, c_0_lo, y_0_of_c_0)) * s)
+    y_1_of_c_1 = c_1 + c_1_lo
+    y_1 = y_1_of_c_1 * s
+    y_1_lost = y_1_of_c_1 - y_1 * y_0_inverse
+    y_1_lo = where(y_1_lost == 0, 0, (y_1_lost + sum_error(c_1, c_1_lo, y_1_of_c_1)) * s)
+    y_2_of_c_2 = c_2 + c_2_lo
+    y_2 = y_2_of_c_2 * s
+    y_2_lost = y_2_of_c_2 - y_2 * y_0_inverse
+    y_2_lo = where(y_2_lost == 0, 0, (y_2_lost + sum_error(c_2, c_2_lo, y_2_of_c_2)) * s)
+    n_a = y_0 * y_0
+    n_a_lo = product_error(y_0, y_0, n_a) + y_0_lo * y_0 + y_0 * y_0_lo
+    n_b = y_1 * y_1
+    n_c = n_a + n_b
+    n_c_lo1 = sum_error(n_a, n_b, n_c) + n_a_lo
+    n_c_lo = n_c_lo1 + (product_error(y_1, y_1, n_b) + y_1_lo * y_1 + y_1 * y_1_lo)
+    n_d = y_2 * y_2
+    n_e = n_c + n_d
+    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
+    n_e_lo = n_e_lo1 + (product_error(y_2, y_2, n_d) + y_2_lo * y_2 + y_2 * y_2_lo)
+    n_of_n_e = n_e + n_e_lo
+    n = sqrt(n_of_n_e)
+    n_product = n * n
+    n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
+    n_residual = n_exact + sum_error(n_e, n_e_lo, n_of_n_e)
+    n_lo = n_residual / where(n == 0, 1, n + n)
+    r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
+    r = where(1 < s, 2.409919865102884e-181, r_b)
+    cross_of_n = n + n_lo
+    cross = cross_of_n * r
+    cross_lost = cross_of_n - cross * (1 / r)
+    cross_lo = where(cross_lost == 0, 0, (cross_lost + sum_error(n, n_lo, cross_of_n)) * r)
+    dot__a = scaled_s1_0 * scaled_s2_0
+    dot__b = scaled_s1_1 * scaled_s2_1
+    dot__c = dot__a + dot__b
+    dot__c_lo1 = sum_error(dot__a, dot__b, dot__c) + product_error(scaled_s1_0, scaled_s2_0, dot__a)
+    dot__c_lo = dot__c_lo1 + product_error(scaled_s1_1, scaled_s2_1, dot__b)
+    dot__d = scaled_s1_2 * scaled_s2_2
+    dot_ = dot__c + dot__d
+    dot__lo1 = sum_error(dot__c, dot__d, dot_) + dot__c_lo
+    dot__lo = dot__lo1 + product_error(scaled_s1_2, scaled_s2_2, dot__d)
+    angle_of_cross = cross + cross_lo
+    angle_of_dot_ = dot_ + dot__lo
+    angle = arctan2(angle_of_cross, angle_of_dot_)
+    angle_cross0 = angle_of_dot_ * sum_error(cross, cross_lo, angle_of_cross)
+    angle_cross = angle_cross0 - angle_of_cross * sum_error(dot_, dot__lo, angle_of_dot_)
+    angle_lo = angle_cross / (angle_of_dot_ * angle_of_dot_ + angle_of_cross * angle_of_cross)
+    angle_total = angle + angle_lo
+    angle_rounded = where(angle_total == angle_total, angle_total, angle)
+    return angle_rounded
 
 
 @kernel("(3),(3)->()")

@@ -4,7 +4,7 @@
 In single precision, accurate tier.
 """
 
-from numpy import absolute, float64, sqrt, where
+from numpy import absolute, arctan2, float64, sqrt, where
 from coscrew._kernel import wide_kernel as kernel
 
 
@@ -224,6 +224,57 @@ def vec3_normalized(v):
     vo_1 = quotient_1 * down
     vo_2 = quotient_2 * down
     return (vo_0, vo_1, vo_2)
+
+
+@kernel("(3),(3)->()")
+def angle_vv(v1, v2):
+    """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
+
+    (3),(3)->().  v1, v2: vector; angle: number.
+    22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 14 less, 14 select.
+    """
+    v1_0, v1_1, v1_2 = v1
+    v2_0, v2_1, v2_2 = v2
+    s1_size_0 = absolute(v1_0)
+    s1_size_1 = absolute(v1_1)
+    s1_size_2 = absolute(v1_2)
+    s1_largest1 = where(s1_size_0 < s1_size_1, s1_size_1, s1_size_0)
+    s1_largest2 = where(s1_largest1 < s1_size_2, s1_size_2, s1_largest1)
+    s1b = where(4.611686018427388e+18 < s1_largest2, float64(2.710505431213761e-20), float64(1))
+    s1 = where(s1_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, s1b)
+    scaled_s1_0 = v1_0 * s1
+    scaled_s1_1 = v1_1 * s1
+    scaled_s1_2 = v1_2 * s1
+    s2_size_0 = absolute(v2_0)
+    s2_size_1 = absolute(v2_1)
+    s2_size_2 = absolute(v2_2)
+    s2_largest1 = where(s2_size_0 < s2_size_1, s2_size_1, s2_size_0)
+    s2_largest2 = where(s2_largest1 < s2_size_2, s2_size_2, s2_largest1)
+    s2b = where(4.611686018427388e+18 < s2_largest2, float64(2.710505431213761e-20), float64(1))
+    s2 = where(s2_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, s2b)
+    scaled_s2_0 = v2_0 * s2
+    scaled_s2_1 = v2_1 * s2
+    scaled_s2_2 = v2_2 * s2
+    c_0 = scaled_s1_1 * scaled_s2_2 - scaled_s1_2 * scaled_s2_1
+    c_1 = scaled_s1_2 * scaled_s2_0 - scaled_s1_0 * scaled_s2_2
+    c_2 = scaled_s1_0 * scaled_s2_1 - scaled_s1_1 * scaled_s2_0
+    s_size_0 = absolute(c_0)
+    s_size_1 = absolute(c_1)
+    s_size_2 = absolute(c_2)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_b = where(4.611686018427388e+18 < s_largest2, float64(2.710505431213761e-20), float64(1))
+    s = where(s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    y_0 = c_0 * s
+    y_1 = c_1 * s
+    y_2 = c_2 * s
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
+    r_b = where(s < 1, float64(3.6893488147419103e+19), float64(1))
+    r = where(1 < s, 7.888609052210118e-31, r_b)
+    cross = n * r
+    dot_ = scaled_s1_0 * scaled_s2_0 + scaled_s1_1 * scaled_s2_1 + scaled_s1_2 * scaled_s2_2
+    angle = arctan2(cross, dot_)
+    return angle
 
 
 @kernel("(3),(3)->()")

@@ -1,0 +1,131 @@
+"""Symmetric positive definite 3×3 and 6×6 matrices: A = L D L^T, solutions of A x = b.
+
+Of A the lower triangle is read.  A pivot is given as a part of its diagonal entry: 1 in a diagonal
+matrix, small in a nearly singular one, zero or negative if A is not positive definite.
+"""
+
+from functools import partial
+
+import sympy as sp
+
+from coscrew_codegen.operations.norm import Let, prefixed, unnamed
+from coscrew_codegen.operations.operation import PIVOT_THRESHOLD, Operation
+from coscrew_codegen.quantity import (COSCREW, MAT3X3, MAT6X6, SCALAR, SCREW, VEC3, Argument,
+                                      Quantity)
+
+FAMILY = "symmetric"
+
+
+class smallest_pivot(sp.Function):
+    """smallest_pivot(a00, a10, a11, a20, …): of the lower triangle's L D L^T, min d_i / a_ii."""
+
+
+class factor(sp.Function):
+    """factor(i, j, a00, a10, a11, …): entry of L, on the diagonal of D."""
+
+
+class solution(sp.Function):
+    """solution(i, b0, b1, …, a00, a10, a11, …): component i of A^-1 b."""
+
+
+def lower_triangle(A: sp.Matrix) -> list[sp.Expr]:
+    """a00, a10, a11, a20, …."""
+    return [A[i, j] for i in range(A.rows) for j in range(i + 1)]
+
+
+def factored(let: Let, A: sp.Matrix) -> tuple[sp.Matrix, list[sp.Expr]]:
+    """Unit lower triangular L and the diagonal of D.  Where a pivot is not positive, 1 divides in its
+    place: what follows from it means nothing."""
+    n, D = A.rows, []
+    L, U = sp.eye(n), sp.zeros(n, n)  # U = L D
+    for j in range(n):
+        column = let(f"u{j}", sp.Matrix([A[i, j] - sum(U[i, k] * L[j, k] for k in range(j))
+                                         for i in range(j, n)]))
+        below = sp.Matrix([column]) if n - j == 1 else column
+        U[j:, j] = below
+        D.append(below[0])
+        divisor = let(f"divisor{j}", sp.Piecewise((below[0], 0 < below[0]), (1, True)))
+        if j < n - 1:
+            L[j + 1:, j] = let(f"l{j}", below[1:, :] / divisor)
+    return L, D
+
+
+def bound_smallest_pivot(let: Let, A: sp.Matrix, D: list[sp.Expr]) -> sp.Expr:
+    """min d_i / a_ii; a diagonal entry that is not positive stands for itself."""
+    smallest = None
+    for i, d in enumerate(D):
+        positive = 0 < A[i, i]
+        own = let(f"own{i}", sp.Piecewise((A[i, i], positive), (1, True)))
+        part = let(f"part{i}", sp.Piecewise((d / own, positive), (A[i, i], True)))
+        smallest = part if smallest is None else \
+            let(f"smallest{i}", sp.Piecewise((smallest, smallest < part), (part, True)))
+    return smallest
+
+
+def substituted(let: Let, L: sp.Matrix, D: list[sp.Expr], b: sp.Matrix) -> sp.Matrix:
+    """L^-T D^-1 L^-1 b."""
+    n = L.rows
+    y: list[sp.Expr] = []
+    for i in range(n):
+        y.append(let(f"y{i}", b[i] - sum(L[i, k] * y[k] for k in range(i))))
+    x = [let(f"z{i}", y[i] / D[i]) for i in range(n)]
+    for i in reversed(range(n)):
+        x[i] = let(f"x{i}", x[i] - sum(L[k, i] * x[k] for k in range(i + 1, n)))
+    return sp.Matrix(x)
+
+
+def _solve(let: Let, A: sp.Matrix, b: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
+    """x and one step of refinement: x + A^-1 (b - A x)."""
+    n = A.rows
+    L, D = factored(let, A)
+    pivot = let("pivot_part", bound_smallest_pivot(let, A, D))
+    safe = [let(f"safe{i}", sp.Piecewise((d, 0 < d), (1, True))) for i, d in enumerate(D)]
+    x = substituted(let, L, safe, b)
+    residual = let("residual", sp.Matrix([
+        b[i] - sum(A[max(i, j), min(i, j)] * x[j] for j in range(n)) for i in range(n)]))
+    step = substituted(prefixed(let, "refined"), L, safe, residual)
+    found, regular = let("found", x + step), PIVOT_THRESHOLD < pivot
+    return pivot, found.applyfunc(lambda c: sp.Piecewise((c, regular), (sp.nan, True)))
+
+
+def _operations(matrix: Quantity, right: Quantity, left: Quantity) -> tuple[Operation, ...]:
+    n = matrix.shape[0]
+    A, L, b, x = (Argument("A", matrix), Argument("L", matrix), Argument("b", right),
+                  Argument("x", left))
+    pivot = Argument("pivot", SCALAR)
+
+    def entry(i, j, triangle):
+        return factor(i, j, *triangle) if j <= i else sp.Integer(0)
+
+    def ldl(A):
+        triangle = lower_triangle(A)
+        return smallest_pivot(*triangle), sp.Matrix(n, n, lambda i, j: entry(i, j, triangle))
+
+    def bound_ldl(let, A):
+        L, D = factored(let, A)
+        return bound_smallest_pivot(let, A, D), L - sp.eye(n) + sp.diag(*D)
+
+    def solved(A, b):
+        triangle = lower_triangle(A)
+        return smallest_pivot(*triangle), sp.Matrix([solution(i, *b, *triangle) for i in range(n)])
+
+    def by_factor(let, L, b):
+        unit = sp.Matrix(n, n, lambda i, j: 1 if i == j else L[i, j] if j < i else 0)
+        return substituted(let, unit, [L[i, i] for i in range(n)], b)
+
+    op = partial(Operation, family=FAMILY)
+    return (
+        op(name=f"{matrix.name}_ldl", statement="L, D with L D L^T = A: unit lower triangular L, D on "
+           "its diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not "
+           "positive definite, and L means nothing", inputs=(A,), outputs=(pivot, L), formula=ldl,
+           derivation=bound_ldl),
+        op(name=f"{matrix.name}_ldl_solve", statement=f"x = A^-1 b, L of {matrix.name}_ldl with a "
+           "positive pivot", inputs=(L, b), outputs=(x,), formula=partial(by_factor, unnamed),
+           derivation=by_factor),
+        op(name=f"{matrix.name}_solve", statement="x = A^-1 b with one step of refinement; returns the "
+           f"smallest pivot d_i / a_ii: where it is not above 8 u, A is singular or indefinite, and x "
+           "not a number", inputs=(A, b), outputs=(pivot, x), formula=solved, derivation=_solve),
+    )
+
+
+OPERATIONS = (*_operations(MAT3X3, VEC3, VEC3), *_operations(MAT6X6, COSCREW, SCREW))

@@ -1,0 +1,1405 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* Spatial inertias of rigid bodies: mass, first moment, second moments about the origin.
+   Accurate tier: double compensated, single computed in double. */
+#ifndef KSL_INERTIA_ACCURATE_H
+#define KSL_INERTIA_ACCURATE_H
+
+#include "ksl_exact.h"
+
+/* self = a self.
+   self: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in
+     kg m^2); a: number.
+   10 mul, 10 add, 10 product error.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_inertia_scale_accurate(ksl_inertia_t *self, const double a) {
+  const double self_0_new = self->m * a, self_0_new_lo = ksl_product_error(self->m, a, self_0_new);
+  const double self_1_new = self->h.x * a,
+      self_1_new_lo = ksl_product_error(self->h.x, a, self_1_new);
+  const double self_2_new = self->h.y * a,
+      self_2_new_lo = ksl_product_error(self->h.y, a, self_2_new);
+  const double self_3_new = self->h.z * a,
+      self_3_new_lo = ksl_product_error(self->h.z, a, self_3_new);
+  const double self_4_new = self->xx * a,
+      self_4_new_lo = ksl_product_error(self->xx, a, self_4_new);
+  const double self_5_new = self->yy * a,
+      self_5_new_lo = ksl_product_error(self->yy, a, self_5_new);
+  const double self_6_new = self->zz * a,
+      self_6_new_lo = ksl_product_error(self->zz, a, self_6_new);
+  const double self_7_new = self->xy * a,
+      self_7_new_lo = ksl_product_error(self->xy, a, self_7_new);
+  const double self_8_new = self->xz * a,
+      self_8_new_lo = ksl_product_error(self->xz, a, self_8_new);
+  const double self_9_new = self->yz * a,
+      self_9_new_lo = ksl_product_error(self->yz, a, self_9_new);
+  const double self_0_new_rounded = self_0_new + self_0_new_lo;
+  const double self_1_new_rounded = self_1_new + self_1_new_lo;
+  const double self_2_new_rounded = self_2_new + self_2_new_lo;
+  const double self_3_new_rounded = self_3_new + self_3_new_lo;
+  const double self_4_new_rounded = self_4_new + self_4_new_lo;
+  const double self_5_new_rounded = self_5_new + self_5_new_lo;
+  const double self_6_new_rounded = self_6_new + self_6_new_lo;
+  const double self_7_new_rounded = self_7_new + self_7_new_lo;
+  const double self_8_new_rounded = self_8_new + self_8_new_lo;
+  const double self_9_new_rounded = self_9_new + self_9_new_lo;
+  self->m = self_0_new_rounded;
+  self->h.x = self_1_new_rounded;
+  self->h.y = self_2_new_rounded;
+  self->h.z = self_3_new_rounded;
+  self->xx = self_4_new_rounded;
+  self->yy = self_5_new_rounded;
+  self->zz = self_6_new_rounded;
+  self->xy = self_7_new_rounded;
+  self->xz = self_8_new_rounded;
+  self->yz = self_9_new_rounded;
+}
+
+/* Bo = B1 + B2.
+   B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz,
+     yz in kg m^2).
+   20 add, 10 sum error.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_BB_accurate(const ksl_inertia_t *B1, const ksl_inertia_t *B2,
+    ksl_inertia_t *Bo) {
+  const double Bo_0 = B1->m + B2->m, Bo_0_lo = ksl_sum_error(B1->m, B2->m, Bo_0);
+  const double Bo_1 = B1->h.x + B2->h.x, Bo_1_lo = ksl_sum_error(B1->h.x, B2->h.x, Bo_1);
+  const double Bo_2 = B1->h.y + B2->h.y, Bo_2_lo = ksl_sum_error(B1->h.y, B2->h.y, Bo_2);
+  const double Bo_3 = B1->h.z + B2->h.z, Bo_3_lo = ksl_sum_error(B1->h.z, B2->h.z, Bo_3);
+  const double Bo_4 = B1->xx + B2->xx, Bo_4_lo = ksl_sum_error(B1->xx, B2->xx, Bo_4);
+  const double Bo_5 = B1->yy + B2->yy, Bo_5_lo = ksl_sum_error(B1->yy, B2->yy, Bo_5);
+  const double Bo_6 = B1->zz + B2->zz, Bo_6_lo = ksl_sum_error(B1->zz, B2->zz, Bo_6);
+  const double Bo_7 = B1->xy + B2->xy, Bo_7_lo = ksl_sum_error(B1->xy, B2->xy, Bo_7);
+  const double Bo_8 = B1->xz + B2->xz, Bo_8_lo = ksl_sum_error(B1->xz, B2->xz, Bo_8);
+  const double Bo_9 = B1->yz + B2->yz, Bo_9_lo = ksl_sum_error(B1->yz, B2->yz, Bo_9);
+  const double Bo_0_rounded = Bo_0 + Bo_0_lo;
+  const double Bo_1_rounded = Bo_1 + Bo_1_lo;
+  const double Bo_2_rounded = Bo_2 + Bo_2_lo;
+  const double Bo_3_rounded = Bo_3 + Bo_3_lo;
+  const double Bo_4_rounded = Bo_4 + Bo_4_lo;
+  const double Bo_5_rounded = Bo_5 + Bo_5_lo;
+  const double Bo_6_rounded = Bo_6 + Bo_6_lo;
+  const double Bo_7_rounded = Bo_7 + Bo_7_lo;
+  const double Bo_8_rounded = Bo_8 + Bo_8_lo;
+  const double Bo_9_rounded = Bo_9 + Bo_9_lo;
+  Bo->m = Bo_0_rounded;
+  Bo->h.x = Bo_1_rounded;
+  Bo->h.y = Bo_2_rounded;
+  Bo->h.z = Bo_3_rounded;
+  Bo->xx = Bo_4_rounded;
+  Bo->yy = Bo_5_rounded;
+  Bo->zz = Bo_6_rounded;
+  Bo->xy = Bo_7_rounded;
+  Bo->xz = Bo_8_rounded;
+  Bo->yz = Bo_9_rounded;
+}
+
+/* Bo = B1 - B2.
+   B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz,
+     yz in kg m^2).
+   20 add, 10 sum error.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_subtract_BB_accurate(const ksl_inertia_t *B1, const ksl_inertia_t *B2,
+    ksl_inertia_t *Bo) {
+  const double Bo_0 = B1->m - B2->m, Bo_0_lo = ksl_difference_error(B1->m, B2->m, Bo_0);
+  const double Bo_1 = B1->h.x - B2->h.x, Bo_1_lo = ksl_difference_error(B1->h.x, B2->h.x, Bo_1);
+  const double Bo_2 = B1->h.y - B2->h.y, Bo_2_lo = ksl_difference_error(B1->h.y, B2->h.y, Bo_2);
+  const double Bo_3 = B1->h.z - B2->h.z, Bo_3_lo = ksl_difference_error(B1->h.z, B2->h.z, Bo_3);
+  const double Bo_4 = B1->xx - B2->xx, Bo_4_lo = ksl_difference_error(B1->xx, B2->xx, Bo_4);
+  const double Bo_5 = B1->yy - B2->yy, Bo_5_lo = ksl_difference_error(B1->yy, B2->yy, Bo_5);
+  const double Bo_6 = B1->zz - B2->zz, Bo_6_lo = ksl_difference_error(B1->zz, B2->zz, Bo_6);
+  const double Bo_7 = B1->xy - B2->xy, Bo_7_lo = ksl_difference_error(B1->xy, B2->xy, Bo_7);
+  const double Bo_8 = B1->xz - B2->xz, Bo_8_lo = ksl_difference_error(B1->xz, B2->xz, Bo_8);
+  const double Bo_9 = B1->yz - B2->yz, Bo_9_lo = ksl_difference_error(B1->yz, B2->yz, Bo_9);
+  const double Bo_0_rounded = Bo_0 + Bo_0_lo;
+  const double Bo_1_rounded = Bo_1 + Bo_1_lo;
+  const double Bo_2_rounded = Bo_2 + Bo_2_lo;
+  const double Bo_3_rounded = Bo_3 + Bo_3_lo;
+  const double Bo_4_rounded = Bo_4 + Bo_4_lo;
+  const double Bo_5_rounded = Bo_5 + Bo_5_lo;
+  const double Bo_6_rounded = Bo_6 + Bo_6_lo;
+  const double Bo_7_rounded = Bo_7 + Bo_7_lo;
+  const double Bo_8_rounded = Bo_8 + Bo_8_lo;
+  const double Bo_9_rounded = Bo_9 + Bo_9_lo;
+  Bo->m = Bo_0_rounded;
+  Bo->h.x = Bo_1_rounded;
+  Bo->h.y = Bo_2_rounded;
+  Bo->h.z = Bo_3_rounded;
+  Bo->xx = Bo_4_rounded;
+  Bo->yy = Bo_5_rounded;
+  Bo->zz = Bo_6_rounded;
+  Bo->xy = Bo_7_rounded;
+  Bo->xz = Bo_8_rounded;
+  Bo->yz = Bo_9_rounded;
+}
+
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
+     the upper triangle): h = m com, I = Ic - m com~ com~.
+   m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial inertia (m in kg; h = m
+     c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+   15 mul, 36 add, 9 product error, 9 sum error.
+   Error <= u |result| + (m: 0, h: 0, I: 13) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertia_from_com_accurate(const double m, const ksl_vec3_t *com,
+    const ksl_mat3x3_t *Ic, ksl_inertia_t *Bo) {
+  const double h_0 = m * com->x, h_0_lo = ksl_product_error(m, com->x, h_0);
+  const double h_1 = m * com->y, h_1_lo = ksl_product_error(m, com->y, h_1);
+  const double h_2 = m * com->z, h_2_lo = ksl_product_error(m, com->z, h_2);
+  const double squares_0 = com->x * h_0, squares_0_cross1 = com->x * h_0_lo,
+      squares_0_error = ksl_product_error(com->x, h_0, squares_0),
+      squares_0_lo = squares_0_error + squares_0_cross1;
+  const double squares_1 = com->y * h_1, squares_1_cross1 = com->y * h_1_lo,
+      squares_1_error = ksl_product_error(com->y, h_1, squares_1),
+      squares_1_lo = squares_1_error + squares_1_cross1;
+  const double squares_2 = com->z * h_2, squares_2_cross1 = com->z * h_2_lo,
+      squares_2_error = ksl_product_error(com->z, h_2, squares_2),
+      squares_2_lo = squares_2_error + squares_2_cross1;
+  const double Bo_4a = squares_1 + squares_2,
+      Bo_4a_error = ksl_sum_error(squares_1, squares_2, Bo_4a),
+      Bo_4a_lo1 = Bo_4a_error + squares_1_lo, Bo_4a_lo = Bo_4a_lo1 + squares_2_lo,
+      Bo_4 = Ic->m00 + Bo_4a, Bo_4_error = ksl_sum_error(Ic->m00, Bo_4a, Bo_4),
+      Bo_4_lo = Bo_4_error + Bo_4a_lo;
+  const double Bo_5a = squares_0 + squares_2,
+      Bo_5a_error = ksl_sum_error(squares_0, squares_2, Bo_5a),
+      Bo_5a_lo1 = Bo_5a_error + squares_0_lo, Bo_5a_lo = Bo_5a_lo1 + squares_2_lo,
+      Bo_5 = Ic->m11 + Bo_5a, Bo_5_error = ksl_sum_error(Ic->m11, Bo_5a, Bo_5),
+      Bo_5_lo = Bo_5_error + Bo_5a_lo;
+  const double Bo_6a = squares_0 + squares_1,
+      Bo_6a_error = ksl_sum_error(squares_0, squares_1, Bo_6a),
+      Bo_6a_lo1 = Bo_6a_error + squares_0_lo, Bo_6a_lo = Bo_6a_lo1 + squares_1_lo,
+      Bo_6 = Ic->m22 + Bo_6a, Bo_6_error = ksl_sum_error(Ic->m22, Bo_6a, Bo_6),
+      Bo_6_lo = Bo_6_error + Bo_6a_lo;
+  const double Bo_7a = com->y * h_0, Bo_7a_cross1 = com->y * h_0_lo,
+      Bo_7a_error = ksl_product_error(com->y, h_0, Bo_7a), Bo_7a_lo = Bo_7a_error + Bo_7a_cross1,
+      Bo_7 = Ic->m01 - Bo_7a, Bo_7_error = ksl_difference_error(Ic->m01, Bo_7a, Bo_7),
+      Bo_7_lo = Bo_7_error - Bo_7a_lo;
+  const double Bo_8a = com->z * h_0, Bo_8a_cross1 = com->z * h_0_lo,
+      Bo_8a_error = ksl_product_error(com->z, h_0, Bo_8a), Bo_8a_lo = Bo_8a_error + Bo_8a_cross1,
+      Bo_8 = Ic->m02 - Bo_8a, Bo_8_error = ksl_difference_error(Ic->m02, Bo_8a, Bo_8),
+      Bo_8_lo = Bo_8_error - Bo_8a_lo;
+  const double Bo_9a = com->z * h_1, Bo_9a_cross1 = com->z * h_1_lo,
+      Bo_9a_error = ksl_product_error(com->z, h_1, Bo_9a), Bo_9a_lo = Bo_9a_error + Bo_9a_cross1,
+      Bo_9 = Ic->m12 - Bo_9a, Bo_9_error = ksl_difference_error(Ic->m12, Bo_9a, Bo_9),
+      Bo_9_lo = Bo_9_error - Bo_9a_lo;
+  const double h_0_rounded = h_0 + h_0_lo;
+  const double h_1_rounded = h_1 + h_1_lo;
+  const double h_2_rounded = h_2 + h_2_lo;
+  const double Bo_4_rounded = Bo_4 + Bo_4_lo;
+  const double Bo_5_rounded = Bo_5 + Bo_5_lo;
+  const double Bo_6_rounded = Bo_6 + Bo_6_lo;
+  const double Bo_7_rounded = Bo_7 + Bo_7_lo;
+  const double Bo_8_rounded = Bo_8 + Bo_8_lo;
+  const double Bo_9_rounded = Bo_9 + Bo_9_lo;
+  Bo->m = m;
+  Bo->h.x = h_0_rounded;
+  Bo->h.y = h_1_rounded;
+  Bo->h.z = h_2_rounded;
+  Bo->xx = Bo_4_rounded;
+  Bo->yy = Bo_5_rounded;
+  Bo->zz = Bo_6_rounded;
+  Bo->xy = Bo_7_rounded;
+  Bo->xz = Bo_8_rounded;
+  Bo->yz = Bo_9_rounded;
+}
+
+/* vo = h / m, the centre of mass in m.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); vo: vector.
+   3 mul, 9 add, 3 product error, 6 div, 3 equal, 3 select. */
+static inline void ksl_inertia_com_accurate(const ksl_inertia_t *B, ksl_vec3_t *vo) {
+  const double vo_0 = B->h.x / B->m, vo_0_product = vo_0 * B->m,
+      vo_0_product_error = ksl_product_error(vo_0, B->m, vo_0_product),
+      vo_0_rest = B->h.x - vo_0_product, vo_0_exact = vo_0_rest - vo_0_product_error,
+      vo_0_lo = vo_0_exact / B->m;
+  const double vo_1 = B->h.y / B->m, vo_1_product = vo_1 * B->m,
+      vo_1_product_error = ksl_product_error(vo_1, B->m, vo_1_product),
+      vo_1_rest = B->h.y - vo_1_product, vo_1_exact = vo_1_rest - vo_1_product_error,
+      vo_1_lo = vo_1_exact / B->m;
+  const double vo_2 = B->h.z / B->m, vo_2_product = vo_2 * B->m,
+      vo_2_product_error = ksl_product_error(vo_2, B->m, vo_2_product),
+      vo_2_rest = B->h.z - vo_2_product, vo_2_exact = vo_2_rest - vo_2_product_error,
+      vo_2_lo = vo_2_exact / B->m;
+  const double vo_0_total = vo_0 + vo_0_lo,
+      vo_0_rounded = vo_0_total == vo_0_total ? vo_0_total : vo_0;
+  const double vo_1_total = vo_1 + vo_1_lo,
+      vo_1_rounded = vo_1_total == vo_1_total ? vo_1_total : vo_1;
+  const double vo_2_total = vo_2 + vo_2_lo,
+      vo_2_rounded = vo_2_total == vo_2_total ? vo_2_total : vo_2;
+  vo->x = vo_0_rounded;
+  vo->y = vo_1_rounded;
+  vo->z = vo_2_rounded;
+}
+
+/* Ro = I + h~ h~ / m, the second moments about the centre of mass.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); Ro: rotation or other 3×3 matrix.
+   15 mul, 39 add, 9 product error, 9 sum error, 6 div, 6 equal, 6 select. */
+static inline void ksl_inertia_about_com_accurate(const ksl_inertia_t *B, ksl_mat3x3_t *Ro) {
+  const double c_0 = B->h.x / B->m, c_0_product = c_0 * B->m,
+      c_0_product_error = ksl_product_error(c_0, B->m, c_0_product),
+      c_0_rest = B->h.x - c_0_product, c_0_exact = c_0_rest - c_0_product_error,
+      c_0_lo = c_0_exact / B->m;
+  const double c_1 = B->h.y / B->m, c_1_product = c_1 * B->m,
+      c_1_product_error = ksl_product_error(c_1, B->m, c_1_product),
+      c_1_rest = B->h.y - c_1_product, c_1_exact = c_1_rest - c_1_product_error,
+      c_1_lo = c_1_exact / B->m;
+  const double c_2 = B->h.z / B->m, c_2_product = c_2 * B->m,
+      c_2_product_error = ksl_product_error(c_2, B->m, c_2_product),
+      c_2_rest = B->h.z - c_2_product, c_2_exact = c_2_rest - c_2_product_error,
+      c_2_lo = c_2_exact / B->m;
+  const double squares_0 = B->h.x * c_0, squares_0_cross1 = B->h.x * c_0_lo,
+      squares_0_error = ksl_product_error(B->h.x, c_0, squares_0),
+      squares_0_lo = squares_0_error + squares_0_cross1;
+  const double squares_1 = B->h.y * c_1, squares_1_cross1 = B->h.y * c_1_lo,
+      squares_1_error = ksl_product_error(B->h.y, c_1, squares_1),
+      squares_1_lo = squares_1_error + squares_1_cross1;
+  const double squares_2 = B->h.z * c_2, squares_2_cross1 = B->h.z * c_2_lo,
+      squares_2_error = ksl_product_error(B->h.z, c_2, squares_2),
+      squares_2_lo = squares_2_error + squares_2_cross1;
+  const double about_0a = squares_1 + squares_2,
+      about_0a_error = ksl_sum_error(squares_1, squares_2, about_0a),
+      about_0a_lo1 = about_0a_error + squares_1_lo, about_0a_lo = about_0a_lo1 + squares_2_lo,
+      about_0 = B->xx - about_0a, about_0_error = ksl_difference_error(B->xx, about_0a, about_0),
+      about_0_lo = about_0_error - about_0a_lo;
+  const double about_1a = squares_0 + squares_2,
+      about_1a_error = ksl_sum_error(squares_0, squares_2, about_1a),
+      about_1a_lo1 = about_1a_error + squares_0_lo, about_1a_lo = about_1a_lo1 + squares_2_lo,
+      about_1 = B->yy - about_1a, about_1_error = ksl_difference_error(B->yy, about_1a, about_1),
+      about_1_lo = about_1_error - about_1a_lo;
+  const double about_2a = squares_0 + squares_1,
+      about_2a_error = ksl_sum_error(squares_0, squares_1, about_2a),
+      about_2a_lo1 = about_2a_error + squares_0_lo, about_2a_lo = about_2a_lo1 + squares_1_lo,
+      about_2 = B->zz - about_2a, about_2_error = ksl_difference_error(B->zz, about_2a, about_2),
+      about_2_lo = about_2_error - about_2a_lo;
+  const double about_3a = B->h.x * c_1, about_3a_cross1 = B->h.x * c_1_lo,
+      about_3a_error = ksl_product_error(B->h.x, c_1, about_3a),
+      about_3a_lo = about_3a_error + about_3a_cross1, about_3 = about_3a + B->xy,
+      about_3_error = ksl_sum_error(about_3a, B->xy, about_3),
+      about_3_lo = about_3_error + about_3a_lo;
+  const double about_4a = B->h.x * c_2, about_4a_cross1 = B->h.x * c_2_lo,
+      about_4a_error = ksl_product_error(B->h.x, c_2, about_4a),
+      about_4a_lo = about_4a_error + about_4a_cross1, about_4 = about_4a + B->xz,
+      about_4_error = ksl_sum_error(about_4a, B->xz, about_4),
+      about_4_lo = about_4_error + about_4a_lo;
+  const double about_5a = B->h.y * c_2, about_5a_cross1 = B->h.y * c_2_lo,
+      about_5a_error = ksl_product_error(B->h.y, c_2, about_5a),
+      about_5a_lo = about_5a_error + about_5a_cross1, about_5 = about_5a + B->yz,
+      about_5_error = ksl_sum_error(about_5a, B->yz, about_5),
+      about_5_lo = about_5_error + about_5a_lo;
+  const double about_0_total = about_0 + about_0_lo,
+      about_0_rounded = about_0_total == about_0_total ? about_0_total : about_0;
+  const double about_3_total = about_3 + about_3_lo,
+      about_3_rounded = about_3_total == about_3_total ? about_3_total : about_3;
+  const double about_4_total = about_4 + about_4_lo,
+      about_4_rounded = about_4_total == about_4_total ? about_4_total : about_4;
+  const double about_1_total = about_1 + about_1_lo,
+      about_1_rounded = about_1_total == about_1_total ? about_1_total : about_1;
+  const double about_5_total = about_5 + about_5_lo,
+      about_5_rounded = about_5_total == about_5_total ? about_5_total : about_5;
+  const double about_2_total = about_2 + about_2_lo,
+      about_2_rounded = about_2_total == about_2_total ? about_2_total : about_2;
+  Ro->m00 = about_0_rounded;
+  Ro->m01 = about_3_rounded;
+  Ro->m02 = about_4_rounded;
+  Ro->m10 = about_3_rounded;
+  Ro->m11 = about_1_rounded;
+  Ro->m12 = about_5_rounded;
+  Ro->m20 = about_4_rounded;
+  Ro->m21 = about_5_rounded;
+  Ro->m22 = about_2_rounded;
+}
+
+/* co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); s: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
+   24 mul, 60 add, 24 product error, 18 sum error.
+   Error <= u |result| + (lin: 8, ang: 15) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_Bs_accurate(const ksl_inertia_t *B, const ksl_screw_t *s,
+    ksl_coscrew_t *co) {
+  const double co_0a = B->m * s->m0, co_0a_lo = ksl_product_error(B->m, s->m0, co_0a),
+      co_0b = B->h.z * s->m4, co_0b_lo = ksl_product_error(B->h.z, s->m4, co_0b),
+      co_0c = B->h.y * s->m5, co_0c_lo = ksl_product_error(B->h.y, s->m5, co_0c),
+      co_0d = co_0b - co_0c, co_0d_error = ksl_difference_error(co_0b, co_0c, co_0d),
+      co_0d_lo1 = co_0d_error + co_0b_lo, co_0d_lo = co_0d_lo1 - co_0c_lo, co_0 = co_0a + co_0d,
+      co_0_error = ksl_sum_error(co_0a, co_0d, co_0), co_0_lo1 = co_0_error + co_0a_lo,
+      co_0_lo = co_0_lo1 + co_0d_lo;
+  const double co_1a = B->m * s->m1, co_1a_lo = ksl_product_error(B->m, s->m1, co_1a),
+      co_1b = B->h.x * s->m5, co_1b_lo = ksl_product_error(B->h.x, s->m5, co_1b),
+      co_1c = B->h.z * s->m3, co_1c_lo = ksl_product_error(B->h.z, s->m3, co_1c),
+      co_1d = co_1b - co_1c, co_1d_error = ksl_difference_error(co_1b, co_1c, co_1d),
+      co_1d_lo1 = co_1d_error + co_1b_lo, co_1d_lo = co_1d_lo1 - co_1c_lo, co_1 = co_1a + co_1d,
+      co_1_error = ksl_sum_error(co_1a, co_1d, co_1), co_1_lo1 = co_1_error + co_1a_lo,
+      co_1_lo = co_1_lo1 + co_1d_lo;
+  const double co_2a = B->m * s->m2, co_2a_lo = ksl_product_error(B->m, s->m2, co_2a),
+      co_2b = B->h.y * s->m3, co_2b_lo = ksl_product_error(B->h.y, s->m3, co_2b),
+      co_2c = B->h.x * s->m4, co_2c_lo = ksl_product_error(B->h.x, s->m4, co_2c),
+      co_2d = co_2b - co_2c, co_2d_error = ksl_difference_error(co_2b, co_2c, co_2d),
+      co_2d_lo1 = co_2d_error + co_2b_lo, co_2d_lo = co_2d_lo1 - co_2c_lo, co_2 = co_2a + co_2d,
+      co_2_error = ksl_sum_error(co_2a, co_2d, co_2), co_2_lo1 = co_2_error + co_2a_lo,
+      co_2_lo = co_2_lo1 + co_2d_lo;
+  const double co_3a = B->h.y * s->m2, co_3a_lo = ksl_product_error(B->h.y, s->m2, co_3a),
+      co_3b = B->h.z * s->m1, co_3b_lo = ksl_product_error(B->h.z, s->m1, co_3b),
+      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
+      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3d = B->xx * s->m3,
+      co_3d_lo = ksl_product_error(B->xx, s->m3, co_3d), co_3e = B->xy * s->m4,
+      co_3e_lo = ksl_product_error(B->xy, s->m4, co_3e), co_3f = co_3d + co_3e,
+      co_3f_error = ksl_sum_error(co_3d, co_3e, co_3f), co_3f_lo1 = co_3f_error + co_3d_lo,
+      co_3f_lo = co_3f_lo1 + co_3e_lo, co_3g = B->xz * s->m5,
+      co_3g_lo = ksl_product_error(B->xz, s->m5, co_3g), co_3h = co_3f + co_3g,
+      co_3h_error = ksl_sum_error(co_3f, co_3g, co_3h), co_3h_lo1 = co_3h_error + co_3f_lo,
+      co_3h_lo = co_3h_lo1 + co_3g_lo, co_3 = co_3c + co_3h,
+      co_3_error = ksl_sum_error(co_3c, co_3h, co_3), co_3_lo1 = co_3_error + co_3c_lo,
+      co_3_lo = co_3_lo1 + co_3h_lo;
+  const double co_4a = B->h.z * s->m0, co_4a_lo = ksl_product_error(B->h.z, s->m0, co_4a),
+      co_4b = B->h.x * s->m2, co_4b_lo = ksl_product_error(B->h.x, s->m2, co_4b),
+      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
+      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4d = B->yy * s->m4,
+      co_4d_lo = ksl_product_error(B->yy, s->m4, co_4d), co_4e = B->xy * s->m3,
+      co_4e_lo = ksl_product_error(B->xy, s->m3, co_4e), co_4f = co_4d + co_4e,
+      co_4f_error = ksl_sum_error(co_4d, co_4e, co_4f), co_4f_lo1 = co_4f_error + co_4d_lo,
+      co_4f_lo = co_4f_lo1 + co_4e_lo, co_4g = B->yz * s->m5,
+      co_4g_lo = ksl_product_error(B->yz, s->m5, co_4g), co_4h = co_4f + co_4g,
+      co_4h_error = ksl_sum_error(co_4f, co_4g, co_4h), co_4h_lo1 = co_4h_error + co_4f_lo,
+      co_4h_lo = co_4h_lo1 + co_4g_lo, co_4 = co_4c + co_4h,
+      co_4_error = ksl_sum_error(co_4c, co_4h, co_4), co_4_lo1 = co_4_error + co_4c_lo,
+      co_4_lo = co_4_lo1 + co_4h_lo;
+  const double co_5a = B->h.x * s->m1, co_5a_lo = ksl_product_error(B->h.x, s->m1, co_5a),
+      co_5b = B->h.y * s->m0, co_5b_lo = ksl_product_error(B->h.y, s->m0, co_5b),
+      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
+      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5d = B->zz * s->m5,
+      co_5d_lo = ksl_product_error(B->zz, s->m5, co_5d), co_5e = B->xz * s->m3,
+      co_5e_lo = ksl_product_error(B->xz, s->m3, co_5e), co_5f = co_5d + co_5e,
+      co_5f_error = ksl_sum_error(co_5d, co_5e, co_5f), co_5f_lo1 = co_5f_error + co_5d_lo,
+      co_5f_lo = co_5f_lo1 + co_5e_lo, co_5g = B->yz * s->m4,
+      co_5g_lo = ksl_product_error(B->yz, s->m4, co_5g), co_5h = co_5f + co_5g,
+      co_5h_error = ksl_sum_error(co_5f, co_5g, co_5h), co_5h_lo1 = co_5h_error + co_5f_lo,
+      co_5h_lo = co_5h_lo1 + co_5g_lo, co_5 = co_5c + co_5h,
+      co_5_error = ksl_sum_error(co_5c, co_5h, co_5), co_5_lo1 = co_5_error + co_5c_lo,
+      co_5_lo = co_5_lo1 + co_5h_lo;
+  const double co_0_rounded = co_0 + co_0_lo;
+  const double co_1_rounded = co_1 + co_1_lo;
+  const double co_2_rounded = co_2 + co_2_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = co_0_rounded;
+  co->m1 = co_1_rounded;
+  co->m2 = co_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* s·B s / 2, the kinetic energy in J of a body that moves with s.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); s: screw (v in m/s; ω in rad/s).
+   38 mul, 77 add, 31 product error, 23 sum error.
+   Error <= u |result| + 76 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline double ksl_inertia_energy_accurate(const ksl_inertia_t *B, const ksl_screw_t *s) {
+  const double p_0a = B->m * s->m0, p_0a_lo = ksl_product_error(B->m, s->m0, p_0a),
+      p_0b = B->h.z * s->m4, p_0b_lo = ksl_product_error(B->h.z, s->m4, p_0b),
+      p_0c = B->h.y * s->m5, p_0c_lo = ksl_product_error(B->h.y, s->m5, p_0c), p_0d = p_0b - p_0c,
+      p_0d_error = ksl_difference_error(p_0b, p_0c, p_0d), p_0d_lo1 = p_0d_error + p_0b_lo,
+      p_0d_lo = p_0d_lo1 - p_0c_lo, p_0 = p_0a + p_0d, p_0_error = ksl_sum_error(p_0a, p_0d, p_0),
+      p_0_lo1 = p_0_error + p_0a_lo, p_0_lo = p_0_lo1 + p_0d_lo;
+  const double p_1a = B->m * s->m1, p_1a_lo = ksl_product_error(B->m, s->m1, p_1a),
+      p_1b = B->h.x * s->m5, p_1b_lo = ksl_product_error(B->h.x, s->m5, p_1b),
+      p_1c = B->h.z * s->m3, p_1c_lo = ksl_product_error(B->h.z, s->m3, p_1c), p_1d = p_1b - p_1c,
+      p_1d_error = ksl_difference_error(p_1b, p_1c, p_1d), p_1d_lo1 = p_1d_error + p_1b_lo,
+      p_1d_lo = p_1d_lo1 - p_1c_lo, p_1 = p_1a + p_1d, p_1_error = ksl_sum_error(p_1a, p_1d, p_1),
+      p_1_lo1 = p_1_error + p_1a_lo, p_1_lo = p_1_lo1 + p_1d_lo;
+  const double p_2a = B->m * s->m2, p_2a_lo = ksl_product_error(B->m, s->m2, p_2a),
+      p_2b = B->h.y * s->m3, p_2b_lo = ksl_product_error(B->h.y, s->m3, p_2b),
+      p_2c = B->h.x * s->m4, p_2c_lo = ksl_product_error(B->h.x, s->m4, p_2c), p_2d = p_2b - p_2c,
+      p_2d_error = ksl_difference_error(p_2b, p_2c, p_2d), p_2d_lo1 = p_2d_error + p_2b_lo,
+      p_2d_lo = p_2d_lo1 - p_2c_lo, p_2 = p_2a + p_2d, p_2_error = ksl_sum_error(p_2a, p_2d, p_2),
+      p_2_lo1 = p_2_error + p_2a_lo, p_2_lo = p_2_lo1 + p_2d_lo;
+  const double p_3a = B->h.y * s->m2, p_3a_lo = ksl_product_error(B->h.y, s->m2, p_3a),
+      p_3b = B->h.z * s->m1, p_3b_lo = ksl_product_error(B->h.z, s->m1, p_3b), p_3c = p_3a - p_3b,
+      p_3c_error = ksl_difference_error(p_3a, p_3b, p_3c), p_3c_lo1 = p_3c_error + p_3a_lo,
+      p_3c_lo = p_3c_lo1 - p_3b_lo, p_3d = B->xx * s->m3,
+      p_3d_lo = ksl_product_error(B->xx, s->m3, p_3d), p_3e = B->xy * s->m4,
+      p_3e_lo = ksl_product_error(B->xy, s->m4, p_3e), p_3f = p_3d + p_3e,
+      p_3f_error = ksl_sum_error(p_3d, p_3e, p_3f), p_3f_lo1 = p_3f_error + p_3d_lo,
+      p_3f_lo = p_3f_lo1 + p_3e_lo, p_3g = B->xz * s->m5,
+      p_3g_lo = ksl_product_error(B->xz, s->m5, p_3g), p_3h = p_3f + p_3g,
+      p_3h_error = ksl_sum_error(p_3f, p_3g, p_3h), p_3h_lo1 = p_3h_error + p_3f_lo,
+      p_3h_lo = p_3h_lo1 + p_3g_lo, p_3 = p_3c + p_3h, p_3_error = ksl_sum_error(p_3c, p_3h, p_3),
+      p_3_lo1 = p_3_error + p_3c_lo, p_3_lo = p_3_lo1 + p_3h_lo;
+  const double p_4a = B->h.z * s->m0, p_4a_lo = ksl_product_error(B->h.z, s->m0, p_4a),
+      p_4b = B->h.x * s->m2, p_4b_lo = ksl_product_error(B->h.x, s->m2, p_4b), p_4c = p_4a - p_4b,
+      p_4c_error = ksl_difference_error(p_4a, p_4b, p_4c), p_4c_lo1 = p_4c_error + p_4a_lo,
+      p_4c_lo = p_4c_lo1 - p_4b_lo, p_4d = B->yy * s->m4,
+      p_4d_lo = ksl_product_error(B->yy, s->m4, p_4d), p_4e = B->xy * s->m3,
+      p_4e_lo = ksl_product_error(B->xy, s->m3, p_4e), p_4f = p_4d + p_4e,
+      p_4f_error = ksl_sum_error(p_4d, p_4e, p_4f), p_4f_lo1 = p_4f_error + p_4d_lo,
+      p_4f_lo = p_4f_lo1 + p_4e_lo, p_4g = B->yz * s->m5,
+      p_4g_lo = ksl_product_error(B->yz, s->m5, p_4g), p_4h = p_4f + p_4g,
+      p_4h_error = ksl_sum_error(p_4f, p_4g, p_4h), p_4h_lo1 = p_4h_error + p_4f_lo,
+      p_4h_lo = p_4h_lo1 + p_4g_lo, p_4 = p_4c + p_4h, p_4_error = ksl_sum_error(p_4c, p_4h, p_4),
+      p_4_lo1 = p_4_error + p_4c_lo, p_4_lo = p_4_lo1 + p_4h_lo;
+  const double p_5a = B->h.x * s->m1, p_5a_lo = ksl_product_error(B->h.x, s->m1, p_5a),
+      p_5b = B->h.y * s->m0, p_5b_lo = ksl_product_error(B->h.y, s->m0, p_5b), p_5c = p_5a - p_5b,
+      p_5c_error = ksl_difference_error(p_5a, p_5b, p_5c), p_5c_lo1 = p_5c_error + p_5a_lo,
+      p_5c_lo = p_5c_lo1 - p_5b_lo, p_5d = B->zz * s->m5,
+      p_5d_lo = ksl_product_error(B->zz, s->m5, p_5d), p_5e = B->xz * s->m3,
+      p_5e_lo = ksl_product_error(B->xz, s->m3, p_5e), p_5f = p_5d + p_5e,
+      p_5f_error = ksl_sum_error(p_5d, p_5e, p_5f), p_5f_lo1 = p_5f_error + p_5d_lo,
+      p_5f_lo = p_5f_lo1 + p_5e_lo, p_5g = B->yz * s->m4,
+      p_5g_lo = ksl_product_error(B->yz, s->m4, p_5g), p_5h = p_5f + p_5g,
+      p_5h_error = ksl_sum_error(p_5f, p_5g, p_5h), p_5h_lo1 = p_5h_error + p_5f_lo,
+      p_5h_lo = p_5h_lo1 + p_5g_lo, p_5 = p_5c + p_5h, p_5_error = ksl_sum_error(p_5c, p_5h, p_5),
+      p_5_lo1 = p_5_error + p_5c_lo, p_5_lo = p_5_lo1 + p_5h_lo;
+  const double twice_a = s->m0 * p_0, twice_a_cross1 = s->m0 * p_0_lo,
+      twice_a_error = ksl_product_error(s->m0, p_0, twice_a),
+      twice_a_lo = twice_a_error + twice_a_cross1, twice_b = s->m1 * p_1,
+      twice_b_cross1 = s->m1 * p_1_lo, twice_b_error = ksl_product_error(s->m1, p_1, twice_b),
+      twice_b_lo = twice_b_error + twice_b_cross1, twice_c = twice_a + twice_b,
+      twice_c_error = ksl_sum_error(twice_a, twice_b, twice_c),
+      twice_c_lo1 = twice_c_error + twice_a_lo, twice_c_lo = twice_c_lo1 + twice_b_lo,
+      twice_d = s->m2 * p_2, twice_d_cross1 = s->m2 * p_2_lo,
+      twice_d_error = ksl_product_error(s->m2, p_2, twice_d),
+      twice_d_lo = twice_d_error + twice_d_cross1, twice_e = twice_c + twice_d,
+      twice_e_error = ksl_sum_error(twice_c, twice_d, twice_e),
+      twice_e_lo1 = twice_e_error + twice_c_lo, twice_e_lo = twice_e_lo1 + twice_d_lo,
+      twice_f = s->m3 * p_3, twice_f_cross1 = s->m3 * p_3_lo,
+      twice_f_error = ksl_product_error(s->m3, p_3, twice_f),
+      twice_f_lo = twice_f_error + twice_f_cross1, twice_g = s->m4 * p_4,
+      twice_g_cross1 = s->m4 * p_4_lo, twice_g_error = ksl_product_error(s->m4, p_4, twice_g),
+      twice_g_lo = twice_g_error + twice_g_cross1, twice_h = twice_f + twice_g,
+      twice_h_error = ksl_sum_error(twice_f, twice_g, twice_h),
+      twice_h_lo1 = twice_h_error + twice_f_lo, twice_h_lo = twice_h_lo1 + twice_g_lo,
+      twice_i = s->m5 * p_5, twice_i_cross1 = s->m5 * p_5_lo,
+      twice_i_error = ksl_product_error(s->m5, p_5, twice_i),
+      twice_i_lo = twice_i_error + twice_i_cross1, twice_j = twice_h + twice_i,
+      twice_j_error = ksl_sum_error(twice_h, twice_i, twice_j),
+      twice_j_lo1 = twice_j_error + twice_h_lo, twice_j_lo = twice_j_lo1 + twice_i_lo,
+      twice = twice_e + twice_j, twice_error = ksl_sum_error(twice_e, twice_j, twice),
+      twice_lo1 = twice_error + twice_e_lo, twice_lo = twice_lo1 + twice_j_lo;
+  const double energy = 0.5 * twice, energy_cross1 = 0.5 * twice_lo,
+      energy_error = ksl_product_error(0.5, twice, energy),
+      energy_lo = energy_error + energy_cross1;
+  const double energy_rounded = energy + energy_lo;
+  return energy_rounded;
+}
+
+/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+   t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
+     xy, xz, yz in kg m^2).
+   21 mul, 60 add, 15 product error, 18 sum error.
+   Error <= u |result| + (m: 0, h: 2, I: 28) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertia_shifted_accurate(const ksl_vec3_t *t, const ksl_inertia_t *B,
+    ksl_inertia_t *Bo) {
+  const double moved_0a = t->x * B->m, moved_0a_lo = ksl_product_error(t->x, B->m, moved_0a),
+      moved_0 = moved_0a + B->h.x, moved_0_error = ksl_sum_error(moved_0a, B->h.x, moved_0),
+      moved_0_lo = moved_0_error + moved_0a_lo;
+  const double moved_1a = t->y * B->m, moved_1a_lo = ksl_product_error(t->y, B->m, moved_1a),
+      moved_1 = moved_1a + B->h.y, moved_1_error = ksl_sum_error(moved_1a, B->h.y, moved_1),
+      moved_1_lo = moved_1_error + moved_1a_lo;
+  const double moved_2a = t->z * B->m, moved_2a_lo = ksl_product_error(t->z, B->m, moved_2a),
+      moved_2 = moved_2a + B->h.z, moved_2_error = ksl_sum_error(moved_2a, B->h.z, moved_2),
+      moved_2_lo = moved_2_error + moved_2a_lo;
+  const double own_0a = t->x * B->h.x, own_0a_lo = ksl_product_error(t->x, B->h.x, own_0a),
+      own_0b = t->x * moved_0, own_0b_cross1 = t->x * moved_0_lo,
+      own_0b_error = ksl_product_error(t->x, moved_0, own_0b),
+      own_0b_lo = own_0b_error + own_0b_cross1, own_0 = own_0a + own_0b,
+      own_0_error = ksl_sum_error(own_0a, own_0b, own_0), own_0_lo1 = own_0_error + own_0a_lo,
+      own_0_lo = own_0_lo1 + own_0b_lo;
+  const double own_1a = t->y * B->h.y, own_1a_lo = ksl_product_error(t->y, B->h.y, own_1a),
+      own_1b = t->y * moved_1, own_1b_cross1 = t->y * moved_1_lo,
+      own_1b_error = ksl_product_error(t->y, moved_1, own_1b),
+      own_1b_lo = own_1b_error + own_1b_cross1, own_1 = own_1a + own_1b,
+      own_1_error = ksl_sum_error(own_1a, own_1b, own_1), own_1_lo1 = own_1_error + own_1a_lo,
+      own_1_lo = own_1_lo1 + own_1b_lo;
+  const double own_2a = t->z * B->h.z, own_2a_lo = ksl_product_error(t->z, B->h.z, own_2a),
+      own_2b = t->z * moved_2, own_2b_cross1 = t->z * moved_2_lo,
+      own_2b_error = ksl_product_error(t->z, moved_2, own_2b),
+      own_2b_lo = own_2b_error + own_2b_cross1, own_2 = own_2a + own_2b,
+      own_2_error = ksl_sum_error(own_2a, own_2b, own_2), own_2_lo1 = own_2_error + own_2a_lo,
+      own_2_lo = own_2_lo1 + own_2b_lo;
+  const double Bo_4a = own_1 + own_2, Bo_4a_error = ksl_sum_error(own_1, own_2, Bo_4a),
+      Bo_4a_lo1 = Bo_4a_error + own_1_lo, Bo_4a_lo = Bo_4a_lo1 + own_2_lo, Bo_4 = B->xx + Bo_4a,
+      Bo_4_error = ksl_sum_error(B->xx, Bo_4a, Bo_4), Bo_4_lo = Bo_4_error + Bo_4a_lo;
+  const double Bo_5a = own_0 + own_2, Bo_5a_error = ksl_sum_error(own_0, own_2, Bo_5a),
+      Bo_5a_lo1 = Bo_5a_error + own_0_lo, Bo_5a_lo = Bo_5a_lo1 + own_2_lo, Bo_5 = B->yy + Bo_5a,
+      Bo_5_error = ksl_sum_error(B->yy, Bo_5a, Bo_5), Bo_5_lo = Bo_5_error + Bo_5a_lo;
+  const double Bo_6a = own_0 + own_1, Bo_6a_error = ksl_sum_error(own_0, own_1, Bo_6a),
+      Bo_6a_lo1 = Bo_6a_error + own_0_lo, Bo_6a_lo = Bo_6a_lo1 + own_1_lo, Bo_6 = B->zz + Bo_6a,
+      Bo_6_error = ksl_sum_error(B->zz, Bo_6a, Bo_6), Bo_6_lo = Bo_6_error + Bo_6a_lo;
+  const double Bo_7a = t->x * moved_1, Bo_7a_cross1 = t->x * moved_1_lo,
+      Bo_7a_error = ksl_product_error(t->x, moved_1, Bo_7a), Bo_7a_lo = Bo_7a_error + Bo_7a_cross1,
+      Bo_7b = B->xy - Bo_7a, Bo_7b_error = ksl_difference_error(B->xy, Bo_7a, Bo_7b),
+      Bo_7b_lo = Bo_7b_error - Bo_7a_lo, Bo_7c = t->y * B->h.x,
+      Bo_7c_lo = ksl_product_error(t->y, B->h.x, Bo_7c), Bo_7 = Bo_7b - Bo_7c,
+      Bo_7_error = ksl_difference_error(Bo_7b, Bo_7c, Bo_7), Bo_7_lo1 = Bo_7_error + Bo_7b_lo,
+      Bo_7_lo = Bo_7_lo1 - Bo_7c_lo;
+  const double Bo_8a = t->x * moved_2, Bo_8a_cross1 = t->x * moved_2_lo,
+      Bo_8a_error = ksl_product_error(t->x, moved_2, Bo_8a), Bo_8a_lo = Bo_8a_error + Bo_8a_cross1,
+      Bo_8b = B->xz - Bo_8a, Bo_8b_error = ksl_difference_error(B->xz, Bo_8a, Bo_8b),
+      Bo_8b_lo = Bo_8b_error - Bo_8a_lo, Bo_8c = t->z * B->h.x,
+      Bo_8c_lo = ksl_product_error(t->z, B->h.x, Bo_8c), Bo_8 = Bo_8b - Bo_8c,
+      Bo_8_error = ksl_difference_error(Bo_8b, Bo_8c, Bo_8), Bo_8_lo1 = Bo_8_error + Bo_8b_lo,
+      Bo_8_lo = Bo_8_lo1 - Bo_8c_lo;
+  const double Bo_9a = t->y * moved_2, Bo_9a_cross1 = t->y * moved_2_lo,
+      Bo_9a_error = ksl_product_error(t->y, moved_2, Bo_9a), Bo_9a_lo = Bo_9a_error + Bo_9a_cross1,
+      Bo_9b = B->yz - Bo_9a, Bo_9b_error = ksl_difference_error(B->yz, Bo_9a, Bo_9b),
+      Bo_9b_lo = Bo_9b_error - Bo_9a_lo, Bo_9c = t->z * B->h.y,
+      Bo_9c_lo = ksl_product_error(t->z, B->h.y, Bo_9c), Bo_9 = Bo_9b - Bo_9c,
+      Bo_9_error = ksl_difference_error(Bo_9b, Bo_9c, Bo_9), Bo_9_lo1 = Bo_9_error + Bo_9b_lo,
+      Bo_9_lo = Bo_9_lo1 - Bo_9c_lo;
+  const double moved_0_rounded = moved_0 + moved_0_lo;
+  const double moved_1_rounded = moved_1 + moved_1_lo;
+  const double moved_2_rounded = moved_2 + moved_2_lo;
+  const double Bo_4_rounded = Bo_4 + Bo_4_lo;
+  const double Bo_5_rounded = Bo_5 + Bo_5_lo;
+  const double Bo_6_rounded = Bo_6 + Bo_6_lo;
+  const double Bo_7_rounded = Bo_7 + Bo_7_lo;
+  const double Bo_8_rounded = Bo_8 + Bo_8_lo;
+  const double Bo_9_rounded = Bo_9 + Bo_9_lo;
+  const double B_m = B->m;
+  Bo->m = B_m;
+  Bo->h.x = moved_0_rounded;
+  Bo->h.y = moved_1_rounded;
+  Bo->h.z = moved_2_rounded;
+  Bo->xx = Bo_4_rounded;
+  Bo->yy = Bo_5_rounded;
+  Bo->zz = Bo_6_rounded;
+  Bo->xy = Bo_7_rounded;
+  Bo->xz = Bo_8_rounded;
+  Bo->yz = Bo_9_rounded;
+}
+
+/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+   D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
+     I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+   99 mul, 201 add, 69 product error, 54 sum error.
+   Error <= u |result| + (m: 0, h: 15, I: 69) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertia_transformed_accurate(const ksl_SE3_t *D, const ksl_inertia_t *B,
+    ksl_inertia_t *Bo) {
+  const double RI_0a = D->m00 * B->xx, RI_0a_lo = ksl_product_error(D->m00, B->xx, RI_0a),
+      RI_0b = D->m01 * B->xy, RI_0b_lo = ksl_product_error(D->m01, B->xy, RI_0b),
+      RI_0c = RI_0a + RI_0b, RI_0c_error = ksl_sum_error(RI_0a, RI_0b, RI_0c),
+      RI_0c_lo1 = RI_0c_error + RI_0a_lo, RI_0c_lo = RI_0c_lo1 + RI_0b_lo, RI_0d = D->m02 * B->xz,
+      RI_0d_lo = ksl_product_error(D->m02, B->xz, RI_0d), RI_0 = RI_0c + RI_0d,
+      RI_0_error = ksl_sum_error(RI_0c, RI_0d, RI_0), RI_0_lo1 = RI_0_error + RI_0c_lo,
+      RI_0_lo = RI_0_lo1 + RI_0d_lo;
+  const double RI_1a = D->m00 * B->xy, RI_1a_lo = ksl_product_error(D->m00, B->xy, RI_1a),
+      RI_1b = D->m01 * B->yy, RI_1b_lo = ksl_product_error(D->m01, B->yy, RI_1b),
+      RI_1c = RI_1a + RI_1b, RI_1c_error = ksl_sum_error(RI_1a, RI_1b, RI_1c),
+      RI_1c_lo1 = RI_1c_error + RI_1a_lo, RI_1c_lo = RI_1c_lo1 + RI_1b_lo, RI_1d = D->m02 * B->yz,
+      RI_1d_lo = ksl_product_error(D->m02, B->yz, RI_1d), RI_1 = RI_1c + RI_1d,
+      RI_1_error = ksl_sum_error(RI_1c, RI_1d, RI_1), RI_1_lo1 = RI_1_error + RI_1c_lo,
+      RI_1_lo = RI_1_lo1 + RI_1d_lo;
+  const double RI_2a = D->m00 * B->xz, RI_2a_lo = ksl_product_error(D->m00, B->xz, RI_2a),
+      RI_2b = D->m01 * B->yz, RI_2b_lo = ksl_product_error(D->m01, B->yz, RI_2b),
+      RI_2c = RI_2a + RI_2b, RI_2c_error = ksl_sum_error(RI_2a, RI_2b, RI_2c),
+      RI_2c_lo1 = RI_2c_error + RI_2a_lo, RI_2c_lo = RI_2c_lo1 + RI_2b_lo, RI_2d = D->m02 * B->zz,
+      RI_2d_lo = ksl_product_error(D->m02, B->zz, RI_2d), RI_2 = RI_2c + RI_2d,
+      RI_2_error = ksl_sum_error(RI_2c, RI_2d, RI_2), RI_2_lo1 = RI_2_error + RI_2c_lo,
+      RI_2_lo = RI_2_lo1 + RI_2d_lo;
+  const double RI_3a = D->m10 * B->xx, RI_3a_lo = ksl_product_error(D->m10, B->xx, RI_3a),
+      RI_3b = D->m11 * B->xy, RI_3b_lo = ksl_product_error(D->m11, B->xy, RI_3b),
+      RI_3c = RI_3a + RI_3b, RI_3c_error = ksl_sum_error(RI_3a, RI_3b, RI_3c),
+      RI_3c_lo1 = RI_3c_error + RI_3a_lo, RI_3c_lo = RI_3c_lo1 + RI_3b_lo, RI_3d = D->m12 * B->xz,
+      RI_3d_lo = ksl_product_error(D->m12, B->xz, RI_3d), RI_3 = RI_3c + RI_3d,
+      RI_3_error = ksl_sum_error(RI_3c, RI_3d, RI_3), RI_3_lo1 = RI_3_error + RI_3c_lo,
+      RI_3_lo = RI_3_lo1 + RI_3d_lo;
+  const double RI_4a = D->m10 * B->xy, RI_4a_lo = ksl_product_error(D->m10, B->xy, RI_4a),
+      RI_4b = D->m11 * B->yy, RI_4b_lo = ksl_product_error(D->m11, B->yy, RI_4b),
+      RI_4c = RI_4a + RI_4b, RI_4c_error = ksl_sum_error(RI_4a, RI_4b, RI_4c),
+      RI_4c_lo1 = RI_4c_error + RI_4a_lo, RI_4c_lo = RI_4c_lo1 + RI_4b_lo, RI_4d = D->m12 * B->yz,
+      RI_4d_lo = ksl_product_error(D->m12, B->yz, RI_4d), RI_4 = RI_4c + RI_4d,
+      RI_4_error = ksl_sum_error(RI_4c, RI_4d, RI_4), RI_4_lo1 = RI_4_error + RI_4c_lo,
+      RI_4_lo = RI_4_lo1 + RI_4d_lo;
+  const double RI_5a = D->m10 * B->xz, RI_5a_lo = ksl_product_error(D->m10, B->xz, RI_5a),
+      RI_5b = D->m11 * B->yz, RI_5b_lo = ksl_product_error(D->m11, B->yz, RI_5b),
+      RI_5c = RI_5a + RI_5b, RI_5c_error = ksl_sum_error(RI_5a, RI_5b, RI_5c),
+      RI_5c_lo1 = RI_5c_error + RI_5a_lo, RI_5c_lo = RI_5c_lo1 + RI_5b_lo, RI_5d = D->m12 * B->zz,
+      RI_5d_lo = ksl_product_error(D->m12, B->zz, RI_5d), RI_5 = RI_5c + RI_5d,
+      RI_5_error = ksl_sum_error(RI_5c, RI_5d, RI_5), RI_5_lo1 = RI_5_error + RI_5c_lo,
+      RI_5_lo = RI_5_lo1 + RI_5d_lo;
+  const double RI_6a = D->m20 * B->xx, RI_6a_lo = ksl_product_error(D->m20, B->xx, RI_6a),
+      RI_6b = D->m21 * B->xy, RI_6b_lo = ksl_product_error(D->m21, B->xy, RI_6b),
+      RI_6c = RI_6a + RI_6b, RI_6c_error = ksl_sum_error(RI_6a, RI_6b, RI_6c),
+      RI_6c_lo1 = RI_6c_error + RI_6a_lo, RI_6c_lo = RI_6c_lo1 + RI_6b_lo, RI_6d = D->m22 * B->xz,
+      RI_6d_lo = ksl_product_error(D->m22, B->xz, RI_6d), RI_6 = RI_6c + RI_6d,
+      RI_6_error = ksl_sum_error(RI_6c, RI_6d, RI_6), RI_6_lo1 = RI_6_error + RI_6c_lo,
+      RI_6_lo = RI_6_lo1 + RI_6d_lo;
+  const double RI_7a = D->m20 * B->xy, RI_7a_lo = ksl_product_error(D->m20, B->xy, RI_7a),
+      RI_7b = D->m21 * B->yy, RI_7b_lo = ksl_product_error(D->m21, B->yy, RI_7b),
+      RI_7c = RI_7a + RI_7b, RI_7c_error = ksl_sum_error(RI_7a, RI_7b, RI_7c),
+      RI_7c_lo1 = RI_7c_error + RI_7a_lo, RI_7c_lo = RI_7c_lo1 + RI_7b_lo, RI_7d = D->m22 * B->yz,
+      RI_7d_lo = ksl_product_error(D->m22, B->yz, RI_7d), RI_7 = RI_7c + RI_7d,
+      RI_7_error = ksl_sum_error(RI_7c, RI_7d, RI_7), RI_7_lo1 = RI_7_error + RI_7c_lo,
+      RI_7_lo = RI_7_lo1 + RI_7d_lo;
+  const double RI_8a = D->m20 * B->xz, RI_8a_lo = ksl_product_error(D->m20, B->xz, RI_8a),
+      RI_8b = D->m21 * B->yz, RI_8b_lo = ksl_product_error(D->m21, B->yz, RI_8b),
+      RI_8c = RI_8a + RI_8b, RI_8c_error = ksl_sum_error(RI_8a, RI_8b, RI_8c),
+      RI_8c_lo1 = RI_8c_error + RI_8a_lo, RI_8c_lo = RI_8c_lo1 + RI_8b_lo, RI_8d = D->m22 * B->zz,
+      RI_8d_lo = ksl_product_error(D->m22, B->zz, RI_8d), RI_8 = RI_8c + RI_8d,
+      RI_8_error = ksl_sum_error(RI_8c, RI_8d, RI_8), RI_8_lo1 = RI_8_error + RI_8c_lo,
+      RI_8_lo = RI_8_lo1 + RI_8d_lo;
+  const double turned_1a = D->m00 * B->h.x,
+      turned_1a_lo = ksl_product_error(D->m00, B->h.x, turned_1a), turned_1b = D->m01 * B->h.y,
+      turned_1b_lo = ksl_product_error(D->m01, B->h.y, turned_1b),
+      turned_1c = turned_1a + turned_1b,
+      turned_1c_error = ksl_sum_error(turned_1a, turned_1b, turned_1c),
+      turned_1c_lo1 = turned_1c_error + turned_1a_lo, turned_1c_lo = turned_1c_lo1 + turned_1b_lo,
+      turned_1d = D->m02 * B->h.z, turned_1d_lo = ksl_product_error(D->m02, B->h.z, turned_1d),
+      turned_1 = turned_1c + turned_1d,
+      turned_1_error = ksl_sum_error(turned_1c, turned_1d, turned_1),
+      turned_1_lo1 = turned_1_error + turned_1c_lo, turned_1_lo = turned_1_lo1 + turned_1d_lo;
+  const double turned_2a = D->m10 * B->h.x,
+      turned_2a_lo = ksl_product_error(D->m10, B->h.x, turned_2a), turned_2b = D->m11 * B->h.y,
+      turned_2b_lo = ksl_product_error(D->m11, B->h.y, turned_2b),
+      turned_2c = turned_2a + turned_2b,
+      turned_2c_error = ksl_sum_error(turned_2a, turned_2b, turned_2c),
+      turned_2c_lo1 = turned_2c_error + turned_2a_lo, turned_2c_lo = turned_2c_lo1 + turned_2b_lo,
+      turned_2d = D->m12 * B->h.z, turned_2d_lo = ksl_product_error(D->m12, B->h.z, turned_2d),
+      turned_2 = turned_2c + turned_2d,
+      turned_2_error = ksl_sum_error(turned_2c, turned_2d, turned_2),
+      turned_2_lo1 = turned_2_error + turned_2c_lo, turned_2_lo = turned_2_lo1 + turned_2d_lo;
+  const double turned_3a = D->m20 * B->h.x,
+      turned_3a_lo = ksl_product_error(D->m20, B->h.x, turned_3a), turned_3b = D->m21 * B->h.y,
+      turned_3b_lo = ksl_product_error(D->m21, B->h.y, turned_3b),
+      turned_3c = turned_3a + turned_3b,
+      turned_3c_error = ksl_sum_error(turned_3a, turned_3b, turned_3c),
+      turned_3c_lo1 = turned_3c_error + turned_3a_lo, turned_3c_lo = turned_3c_lo1 + turned_3b_lo,
+      turned_3d = D->m22 * B->h.z, turned_3d_lo = ksl_product_error(D->m22, B->h.z, turned_3d),
+      turned_3 = turned_3c + turned_3d,
+      turned_3_error = ksl_sum_error(turned_3c, turned_3d, turned_3),
+      turned_3_lo1 = turned_3_error + turned_3c_lo, turned_3_lo = turned_3_lo1 + turned_3d_lo;
+  const double turned_4a = D->m00 * RI_0, turned_4a_cross1 = D->m00 * RI_0_lo,
+      turned_4a_error = ksl_product_error(D->m00, RI_0, turned_4a),
+      turned_4a_lo = turned_4a_error + turned_4a_cross1, turned_4b = D->m01 * RI_1,
+      turned_4b_cross1 = D->m01 * RI_1_lo,
+      turned_4b_error = ksl_product_error(D->m01, RI_1, turned_4b),
+      turned_4b_lo = turned_4b_error + turned_4b_cross1, turned_4c = turned_4a + turned_4b,
+      turned_4c_error = ksl_sum_error(turned_4a, turned_4b, turned_4c),
+      turned_4c_lo1 = turned_4c_error + turned_4a_lo, turned_4c_lo = turned_4c_lo1 + turned_4b_lo,
+      turned_4d = D->m02 * RI_2, turned_4d_cross1 = D->m02 * RI_2_lo,
+      turned_4d_error = ksl_product_error(D->m02, RI_2, turned_4d),
+      turned_4d_lo = turned_4d_error + turned_4d_cross1, turned_4 = turned_4c + turned_4d,
+      turned_4_error = ksl_sum_error(turned_4c, turned_4d, turned_4),
+      turned_4_lo1 = turned_4_error + turned_4c_lo, turned_4_lo = turned_4_lo1 + turned_4d_lo;
+  const double turned_5a = D->m10 * RI_3, turned_5a_cross1 = D->m10 * RI_3_lo,
+      turned_5a_error = ksl_product_error(D->m10, RI_3, turned_5a),
+      turned_5a_lo = turned_5a_error + turned_5a_cross1, turned_5b = D->m11 * RI_4,
+      turned_5b_cross1 = D->m11 * RI_4_lo,
+      turned_5b_error = ksl_product_error(D->m11, RI_4, turned_5b),
+      turned_5b_lo = turned_5b_error + turned_5b_cross1, turned_5c = turned_5a + turned_5b,
+      turned_5c_error = ksl_sum_error(turned_5a, turned_5b, turned_5c),
+      turned_5c_lo1 = turned_5c_error + turned_5a_lo, turned_5c_lo = turned_5c_lo1 + turned_5b_lo,
+      turned_5d = D->m12 * RI_5, turned_5d_cross1 = D->m12 * RI_5_lo,
+      turned_5d_error = ksl_product_error(D->m12, RI_5, turned_5d),
+      turned_5d_lo = turned_5d_error + turned_5d_cross1, turned_5 = turned_5c + turned_5d,
+      turned_5_error = ksl_sum_error(turned_5c, turned_5d, turned_5),
+      turned_5_lo1 = turned_5_error + turned_5c_lo, turned_5_lo = turned_5_lo1 + turned_5d_lo;
+  const double turned_6a = D->m20 * RI_6, turned_6a_cross1 = D->m20 * RI_6_lo,
+      turned_6a_error = ksl_product_error(D->m20, RI_6, turned_6a),
+      turned_6a_lo = turned_6a_error + turned_6a_cross1, turned_6b = D->m21 * RI_7,
+      turned_6b_cross1 = D->m21 * RI_7_lo,
+      turned_6b_error = ksl_product_error(D->m21, RI_7, turned_6b),
+      turned_6b_lo = turned_6b_error + turned_6b_cross1, turned_6c = turned_6a + turned_6b,
+      turned_6c_error = ksl_sum_error(turned_6a, turned_6b, turned_6c),
+      turned_6c_lo1 = turned_6c_error + turned_6a_lo, turned_6c_lo = turned_6c_lo1 + turned_6b_lo,
+      turned_6d = D->m22 * RI_8, turned_6d_cross1 = D->m22 * RI_8_lo,
+      turned_6d_error = ksl_product_error(D->m22, RI_8, turned_6d),
+      turned_6d_lo = turned_6d_error + turned_6d_cross1, turned_6 = turned_6c + turned_6d,
+      turned_6_error = ksl_sum_error(turned_6c, turned_6d, turned_6),
+      turned_6_lo1 = turned_6_error + turned_6c_lo, turned_6_lo = turned_6_lo1 + turned_6d_lo;
+  const double turned_7a = D->m10 * RI_0, turned_7a_cross1 = D->m10 * RI_0_lo,
+      turned_7a_error = ksl_product_error(D->m10, RI_0, turned_7a),
+      turned_7a_lo = turned_7a_error + turned_7a_cross1, turned_7b = D->m11 * RI_1,
+      turned_7b_cross1 = D->m11 * RI_1_lo,
+      turned_7b_error = ksl_product_error(D->m11, RI_1, turned_7b),
+      turned_7b_lo = turned_7b_error + turned_7b_cross1, turned_7c = turned_7a + turned_7b,
+      turned_7c_error = ksl_sum_error(turned_7a, turned_7b, turned_7c),
+      turned_7c_lo1 = turned_7c_error + turned_7a_lo, turned_7c_lo = turned_7c_lo1 + turned_7b_lo,
+      turned_7d = D->m12 * RI_2, turned_7d_cross1 = D->m12 * RI_2_lo,
+      turned_7d_error = ksl_product_error(D->m12, RI_2, turned_7d),
+      turned_7d_lo = turned_7d_error + turned_7d_cross1, turned_7 = turned_7c + turned_7d,
+      turned_7_error = ksl_sum_error(turned_7c, turned_7d, turned_7),
+      turned_7_lo1 = turned_7_error + turned_7c_lo, turned_7_lo = turned_7_lo1 + turned_7d_lo;
+  const double turned_8a = D->m20 * RI_0, turned_8a_cross1 = D->m20 * RI_0_lo,
+      turned_8a_error = ksl_product_error(D->m20, RI_0, turned_8a),
+      turned_8a_lo = turned_8a_error + turned_8a_cross1, turned_8b = D->m21 * RI_1,
+      turned_8b_cross1 = D->m21 * RI_1_lo,
+      turned_8b_error = ksl_product_error(D->m21, RI_1, turned_8b),
+      turned_8b_lo = turned_8b_error + turned_8b_cross1, turned_8c = turned_8a + turned_8b,
+      turned_8c_error = ksl_sum_error(turned_8a, turned_8b, turned_8c),
+      turned_8c_lo1 = turned_8c_error + turned_8a_lo, turned_8c_lo = turned_8c_lo1 + turned_8b_lo,
+      turned_8d = D->m22 * RI_2, turned_8d_cross1 = D->m22 * RI_2_lo,
+      turned_8d_error = ksl_product_error(D->m22, RI_2, turned_8d),
+      turned_8d_lo = turned_8d_error + turned_8d_cross1, turned_8 = turned_8c + turned_8d,
+      turned_8_error = ksl_sum_error(turned_8c, turned_8d, turned_8),
+      turned_8_lo1 = turned_8_error + turned_8c_lo, turned_8_lo = turned_8_lo1 + turned_8d_lo;
+  const double turned_9a = D->m20 * RI_3, turned_9a_cross1 = D->m20 * RI_3_lo,
+      turned_9a_error = ksl_product_error(D->m20, RI_3, turned_9a),
+      turned_9a_lo = turned_9a_error + turned_9a_cross1, turned_9b = D->m21 * RI_4,
+      turned_9b_cross1 = D->m21 * RI_4_lo,
+      turned_9b_error = ksl_product_error(D->m21, RI_4, turned_9b),
+      turned_9b_lo = turned_9b_error + turned_9b_cross1, turned_9c = turned_9a + turned_9b,
+      turned_9c_error = ksl_sum_error(turned_9a, turned_9b, turned_9c),
+      turned_9c_lo1 = turned_9c_error + turned_9a_lo, turned_9c_lo = turned_9c_lo1 + turned_9b_lo,
+      turned_9d = D->m22 * RI_5, turned_9d_cross1 = D->m22 * RI_5_lo,
+      turned_9d_error = ksl_product_error(D->m22, RI_5, turned_9d),
+      turned_9d_lo = turned_9d_error + turned_9d_cross1, turned_9 = turned_9c + turned_9d,
+      turned_9_error = ksl_sum_error(turned_9c, turned_9d, turned_9),
+      turned_9_lo1 = turned_9_error + turned_9c_lo, turned_9_lo = turned_9_lo1 + turned_9d_lo;
+  const double moved_0a = D->m03 * B->m, moved_0a_lo = ksl_product_error(D->m03, B->m, moved_0a),
+      moved_0 = moved_0a + turned_1, moved_0_error = ksl_sum_error(moved_0a, turned_1, moved_0),
+      moved_0_lo1 = moved_0_error + moved_0a_lo, moved_0_lo = moved_0_lo1 + turned_1_lo;
+  const double moved_1a = D->m13 * B->m, moved_1a_lo = ksl_product_error(D->m13, B->m, moved_1a),
+      moved_1 = moved_1a + turned_2, moved_1_error = ksl_sum_error(moved_1a, turned_2, moved_1),
+      moved_1_lo1 = moved_1_error + moved_1a_lo, moved_1_lo = moved_1_lo1 + turned_2_lo;
+  const double moved_2a = D->m23 * B->m, moved_2a_lo = ksl_product_error(D->m23, B->m, moved_2a),
+      moved_2 = moved_2a + turned_3, moved_2_error = ksl_sum_error(moved_2a, turned_3, moved_2),
+      moved_2_lo1 = moved_2_error + moved_2a_lo, moved_2_lo = moved_2_lo1 + turned_3_lo;
+  const double own_0a = D->m03 * turned_1, own_0a_cross1 = D->m03 * turned_1_lo,
+      own_0a_error = ksl_product_error(D->m03, turned_1, own_0a),
+      own_0a_lo = own_0a_error + own_0a_cross1, own_0b = D->m03 * moved_0,
+      own_0b_cross1 = D->m03 * moved_0_lo,
+      own_0b_error = ksl_product_error(D->m03, moved_0, own_0b),
+      own_0b_lo = own_0b_error + own_0b_cross1, own_0 = own_0a + own_0b,
+      own_0_error = ksl_sum_error(own_0a, own_0b, own_0), own_0_lo1 = own_0_error + own_0a_lo,
+      own_0_lo = own_0_lo1 + own_0b_lo;
+  const double own_1a = D->m13 * turned_2, own_1a_cross1 = D->m13 * turned_2_lo,
+      own_1a_error = ksl_product_error(D->m13, turned_2, own_1a),
+      own_1a_lo = own_1a_error + own_1a_cross1, own_1b = D->m13 * moved_1,
+      own_1b_cross1 = D->m13 * moved_1_lo,
+      own_1b_error = ksl_product_error(D->m13, moved_1, own_1b),
+      own_1b_lo = own_1b_error + own_1b_cross1, own_1 = own_1a + own_1b,
+      own_1_error = ksl_sum_error(own_1a, own_1b, own_1), own_1_lo1 = own_1_error + own_1a_lo,
+      own_1_lo = own_1_lo1 + own_1b_lo;
+  const double own_2a = D->m23 * turned_3, own_2a_cross1 = D->m23 * turned_3_lo,
+      own_2a_error = ksl_product_error(D->m23, turned_3, own_2a),
+      own_2a_lo = own_2a_error + own_2a_cross1, own_2b = D->m23 * moved_2,
+      own_2b_cross1 = D->m23 * moved_2_lo,
+      own_2b_error = ksl_product_error(D->m23, moved_2, own_2b),
+      own_2b_lo = own_2b_error + own_2b_cross1, own_2 = own_2a + own_2b,
+      own_2_error = ksl_sum_error(own_2a, own_2b, own_2), own_2_lo1 = own_2_error + own_2a_lo,
+      own_2_lo = own_2_lo1 + own_2b_lo;
+  const double Bo_4a = own_1 + own_2, Bo_4a_error = ksl_sum_error(own_1, own_2, Bo_4a),
+      Bo_4a_lo1 = Bo_4a_error + own_1_lo, Bo_4a_lo = Bo_4a_lo1 + own_2_lo, Bo_4 = turned_4 + Bo_4a,
+      Bo_4_error = ksl_sum_error(turned_4, Bo_4a, Bo_4), Bo_4_lo1 = Bo_4_error + turned_4_lo,
+      Bo_4_lo = Bo_4_lo1 + Bo_4a_lo;
+  const double Bo_5a = own_0 + own_2, Bo_5a_error = ksl_sum_error(own_0, own_2, Bo_5a),
+      Bo_5a_lo1 = Bo_5a_error + own_0_lo, Bo_5a_lo = Bo_5a_lo1 + own_2_lo, Bo_5 = turned_5 + Bo_5a,
+      Bo_5_error = ksl_sum_error(turned_5, Bo_5a, Bo_5), Bo_5_lo1 = Bo_5_error + turned_5_lo,
+      Bo_5_lo = Bo_5_lo1 + Bo_5a_lo;
+  const double Bo_6a = own_0 + own_1, Bo_6a_error = ksl_sum_error(own_0, own_1, Bo_6a),
+      Bo_6a_lo1 = Bo_6a_error + own_0_lo, Bo_6a_lo = Bo_6a_lo1 + own_1_lo, Bo_6 = turned_6 + Bo_6a,
+      Bo_6_error = ksl_sum_error(turned_6, Bo_6a, Bo_6), Bo_6_lo1 = Bo_6_error + turned_6_lo,
+      Bo_6_lo = Bo_6_lo1 + Bo_6a_lo;
+  const double Bo_7a = D->m03 * moved_1, Bo_7a_cross1 = D->m03 * moved_1_lo,
+      Bo_7a_error = ksl_product_error(D->m03, moved_1, Bo_7a),
+      Bo_7a_lo = Bo_7a_error + Bo_7a_cross1, Bo_7b = turned_7 - Bo_7a,
+      Bo_7b_error = ksl_difference_error(turned_7, Bo_7a, Bo_7b),
+      Bo_7b_lo1 = Bo_7b_error + turned_7_lo, Bo_7b_lo = Bo_7b_lo1 - Bo_7a_lo,
+      Bo_7c = D->m13 * turned_1, Bo_7c_cross1 = D->m13 * turned_1_lo,
+      Bo_7c_error = ksl_product_error(D->m13, turned_1, Bo_7c),
+      Bo_7c_lo = Bo_7c_error + Bo_7c_cross1, Bo_7 = Bo_7b - Bo_7c,
+      Bo_7_error = ksl_difference_error(Bo_7b, Bo_7c, Bo_7), Bo_7_lo1 = Bo_7_error + Bo_7b_lo,
+      Bo_7_lo = Bo_7_lo1 - Bo_7c_lo;
+  const double Bo_8a = D->m03 * moved_2, Bo_8a_cross1 = D->m03 * moved_2_lo,
+      Bo_8a_error = ksl_product_error(D->m03, moved_2, Bo_8a),
+      Bo_8a_lo = Bo_8a_error + Bo_8a_cross1, Bo_8b = turned_8 - Bo_8a,
+      Bo_8b_error = ksl_difference_error(turned_8, Bo_8a, Bo_8b),
+      Bo_8b_lo1 = Bo_8b_error + turned_8_lo, Bo_8b_lo = Bo_8b_lo1 - Bo_8a_lo,
+      Bo_8c = D->m23 * turned_1, Bo_8c_cross1 = D->m23 * turned_1_lo,
+      Bo_8c_error = ksl_product_error(D->m23, turned_1, Bo_8c),
+      Bo_8c_lo = Bo_8c_error + Bo_8c_cross1, Bo_8 = Bo_8b - Bo_8c,
+      Bo_8_error = ksl_difference_error(Bo_8b, Bo_8c, Bo_8), Bo_8_lo1 = Bo_8_error + Bo_8b_lo,
+      Bo_8_lo = Bo_8_lo1 - Bo_8c_lo;
+  const double Bo_9a = D->m13 * moved_2, Bo_9a_cross1 = D->m13 * moved_2_lo,
+      Bo_9a_error = ksl_product_error(D->m13, moved_2, Bo_9a),
+      Bo_9a_lo = Bo_9a_error + Bo_9a_cross1, Bo_9b = turned_9 - Bo_9a,
+      Bo_9b_error = ksl_difference_error(turned_9, Bo_9a, Bo_9b),
+      Bo_9b_lo1 = Bo_9b_error + turned_9_lo, Bo_9b_lo = Bo_9b_lo1 - Bo_9a_lo,
+      Bo_9c = D->m23 * turned_2, Bo_9c_cross1 = D->m23 * turned_2_lo,
+      Bo_9c_error = ksl_product_error(D->m23, turned_2, Bo_9c),
+      Bo_9c_lo = Bo_9c_error + Bo_9c_cross1, Bo_9 = Bo_9b - Bo_9c,
+      Bo_9_error = ksl_difference_error(Bo_9b, Bo_9c, Bo_9), Bo_9_lo1 = Bo_9_error + Bo_9b_lo,
+      Bo_9_lo = Bo_9_lo1 - Bo_9c_lo;
+  const double moved_0_rounded = moved_0 + moved_0_lo;
+  const double moved_1_rounded = moved_1 + moved_1_lo;
+  const double moved_2_rounded = moved_2 + moved_2_lo;
+  const double Bo_4_rounded = Bo_4 + Bo_4_lo;
+  const double Bo_5_rounded = Bo_5 + Bo_5_lo;
+  const double Bo_6_rounded = Bo_6 + Bo_6_lo;
+  const double Bo_7_rounded = Bo_7 + Bo_7_lo;
+  const double Bo_8_rounded = Bo_8 + Bo_8_lo;
+  const double Bo_9_rounded = Bo_9 + Bo_9_lo;
+  const double B_m = B->m;
+  Bo->m = B_m;
+  Bo->h.x = moved_0_rounded;
+  Bo->h.y = moved_1_rounded;
+  Bo->h.z = moved_2_rounded;
+  Bo->xx = Bo_4_rounded;
+  Bo->yy = Bo_5_rounded;
+  Bo->zz = Bo_6_rounded;
+  Bo->xy = Bo_7_rounded;
+  Bo->xz = Bo_8_rounded;
+  Bo->yz = Bo_9_rounded;
+}
+
+/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:
+     positive exactly if a body of positive density has this inertia.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2).
+   43 mul, 97 add, 23 product error, 26 sum error, 20 div, 6 neg, 9 less, 1 equal, 26 select. */
+static inline double ksl_inertia_consistency_accurate(const ksl_inertia_t *B) {
+  const double trace_a = 0.5 * B->xx, trace_a_lo = ksl_product_error(0.5, B->xx, trace_a),
+      trace_b = 0.5 * B->yy, trace_b_lo = ksl_product_error(0.5, B->yy, trace_b),
+      trace_c = trace_a + trace_b, trace_c_error = ksl_sum_error(trace_a, trace_b, trace_c),
+      trace_c_lo1 = trace_c_error + trace_a_lo, trace_c_lo = trace_c_lo1 + trace_b_lo,
+      trace_d = 0.5 * B->zz, trace_d_lo = ksl_product_error(0.5, B->zz, trace_d),
+      trace = trace_c + trace_d, trace_error = ksl_sum_error(trace_c, trace_d, trace),
+      trace_lo1 = trace_error + trace_c_lo, trace_lo = trace_lo1 + trace_d_lo;
+  const double sigma_0 = trace - B->xx, sigma_0_error = ksl_difference_error(trace, B->xx, sigma_0),
+      sigma_0_lo = sigma_0_error + trace_lo;
+  const double sigma_1 = trace - B->yy, sigma_1_error = ksl_difference_error(trace, B->yy, sigma_1),
+      sigma_1_lo = sigma_1_error + trace_lo;
+  const double sigma_2 = trace - B->zz, sigma_2_error = ksl_difference_error(trace, B->zz, sigma_2),
+      sigma_2_lo = sigma_2_error + trace_lo;
+  const double divisor0 = 0.0 < B->m ? B->m : 1.0;
+  const double l0_0 = B->h.x / divisor0, l0_0_product = l0_0 * divisor0,
+      l0_0_product_error = ksl_product_error(l0_0, divisor0, l0_0_product),
+      l0_0_rest = B->h.x - l0_0_product, l0_0_exact = l0_0_rest - l0_0_product_error,
+      l0_0_lo = l0_0_exact / divisor0;
+  const double l0_1 = B->h.y / divisor0, l0_1_product = l0_1 * divisor0,
+      l0_1_product_error = ksl_product_error(l0_1, divisor0, l0_1_product),
+      l0_1_rest = B->h.y - l0_1_product, l0_1_exact = l0_1_rest - l0_1_product_error,
+      l0_1_lo = l0_1_exact / divisor0;
+  const double l0_2 = B->h.z / divisor0, l0_2_product = l0_2 * divisor0,
+      l0_2_product_error = ksl_product_error(l0_2, divisor0, l0_2_product),
+      l0_2_rest = B->h.z - l0_2_product, l0_2_exact = l0_2_rest - l0_2_product_error,
+      l0_2_lo = l0_2_exact / divisor0;
+  const double u1_0a = B->h.x * l0_0, u1_0a_cross1 = B->h.x * l0_0_lo,
+      u1_0a_error = ksl_product_error(B->h.x, l0_0, u1_0a), u1_0a_lo = u1_0a_error + u1_0a_cross1,
+      u1_0 = sigma_0 - u1_0a, u1_0_error = ksl_difference_error(sigma_0, u1_0a, u1_0),
+      u1_0_lo1 = u1_0_error + sigma_0_lo, u1_0_lo = u1_0_lo1 - u1_0a_lo;
+  const double u1_1a = B->h.y * l0_0, u1_1a_cross1 = B->h.y * l0_0_lo,
+      u1_1a_error = ksl_product_error(B->h.y, l0_0, u1_1a), u1_1a_lo = u1_1a_error + u1_1a_cross1,
+      u1_1b = u1_1a + B->xy, u1_1b_error = ksl_sum_error(u1_1a, B->xy, u1_1b),
+      u1_1b_lo = u1_1b_error + u1_1a_lo, u1_1 = -u1_1b, u1_1_lo = -u1_1b_lo;
+  const double u1_2a = B->h.z * l0_0, u1_2a_cross1 = B->h.z * l0_0_lo,
+      u1_2a_error = ksl_product_error(B->h.z, l0_0, u1_2a), u1_2a_lo = u1_2a_error + u1_2a_cross1,
+      u1_2b = u1_2a + B->xz, u1_2b_error = ksl_sum_error(u1_2a, B->xz, u1_2b),
+      u1_2b_lo = u1_2b_error + u1_2a_lo, u1_2 = -u1_2b, u1_2_lo = -u1_2b_lo;
+  const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0, divisor1_lo = 0.0 < u1_0 ? u1_0_lo : 0.0;
+  const double l1_0_of_u1_1 = u1_1 + u1_1_lo,
+      l1_0_of_u1_1_lo = ksl_sum_error(u1_1, u1_1_lo, l1_0_of_u1_1),
+      l1_0_of_divisor1 = divisor1 + divisor1_lo,
+      l1_0_of_divisor1_lo = ksl_sum_error(divisor1, divisor1_lo, l1_0_of_divisor1),
+      l1_0 = l1_0_of_u1_1 / l1_0_of_divisor1, l1_0_cross = l1_0 * l1_0_of_divisor1_lo,
+      l1_0_product = l1_0 * l1_0_of_divisor1,
+      l1_0_product_error = ksl_product_error(l1_0, l1_0_of_divisor1, l1_0_product),
+      l1_0_rest = l1_0_of_u1_1 - l1_0_product, l1_0_exact = l1_0_rest - l1_0_product_error,
+      l1_0_lo1 = l1_0_exact + l1_0_of_u1_1_lo, l1_0_residual = l1_0_lo1 - l1_0_cross,
+      l1_0_lo = l1_0_residual / l1_0_of_divisor1;
+  const double l1_1_of_u1_2 = u1_2 + u1_2_lo,
+      l1_1_of_u1_2_lo = ksl_sum_error(u1_2, u1_2_lo, l1_1_of_u1_2),
+      l1_1 = l1_1_of_u1_2 / l1_0_of_divisor1, l1_1_cross = l1_1 * l1_0_of_divisor1_lo,
+      l1_1_product = l1_1 * l1_0_of_divisor1,
+      l1_1_product_error = ksl_product_error(l1_1, l1_0_of_divisor1, l1_1_product),
+      l1_1_rest = l1_1_of_u1_2 - l1_1_product, l1_1_exact = l1_1_rest - l1_1_product_error,
+      l1_1_lo1 = l1_1_exact + l1_1_of_u1_2_lo, l1_1_residual = l1_1_lo1 - l1_1_cross,
+      l1_1_lo = l1_1_residual / l1_0_of_divisor1;
+  const double u2_0a = B->h.y * l0_1, u2_0a_cross1 = B->h.y * l0_1_lo,
+      u2_0a_error = ksl_product_error(B->h.y, l0_1, u2_0a), u2_0a_lo = u2_0a_error + u2_0a_cross1,
+      u2_0b = sigma_1 - u2_0a, u2_0b_error = ksl_difference_error(sigma_1, u2_0a, u2_0b),
+      u2_0b_lo1 = u2_0b_error + sigma_1_lo, u2_0b_lo = u2_0b_lo1 - u2_0a_lo,
+      u2_0c = l1_0_of_u1_1 * l1_0, u2_0c_cross1 = l1_0_of_u1_1_lo * l1_0,
+      u2_0c_cross2 = l1_0_of_u1_1 * l1_0_lo,
+      u2_0c_error = ksl_product_error(l1_0_of_u1_1, l1_0, u2_0c),
+      u2_0c_lo1 = u2_0c_error + u2_0c_cross1, u2_0c_lo = u2_0c_lo1 + u2_0c_cross2,
+      u2_0 = u2_0b - u2_0c, u2_0_error = ksl_difference_error(u2_0b, u2_0c, u2_0),
+      u2_0_lo1 = u2_0_error + u2_0b_lo, u2_0_lo = u2_0_lo1 - u2_0c_lo;
+  const double u2_1a = B->h.z * l0_1, u2_1a_cross1 = B->h.z * l0_1_lo,
+      u2_1a_error = ksl_product_error(B->h.z, l0_1, u2_1a), u2_1a_lo = u2_1a_error + u2_1a_cross1,
+      u2_1b = u2_1a + B->yz, u2_1b_error = ksl_sum_error(u2_1a, B->yz, u2_1b),
+      u2_1b_lo = u2_1b_error + u2_1a_lo, u2_1c = l1_1_of_u1_2 * l1_0,
+      u2_1c_cross1 = l1_1_of_u1_2_lo * l1_0, u2_1c_cross2 = l1_1_of_u1_2 * l1_0_lo,
+      u2_1c_error = ksl_product_error(l1_1_of_u1_2, l1_0, u2_1c),
+      u2_1c_lo1 = u2_1c_error + u2_1c_cross1, u2_1c_lo = u2_1c_lo1 + u2_1c_cross2,
+      u2_1d = u2_1b + u2_1c, u2_1d_error = ksl_sum_error(u2_1b, u2_1c, u2_1d),
+      u2_1d_lo1 = u2_1d_error + u2_1b_lo, u2_1d_lo = u2_1d_lo1 + u2_1c_lo, u2_1 = -u2_1d,
+      u2_1_lo = -u2_1d_lo;
+  const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0, divisor2_lo = 0.0 < u2_0 ? u2_0_lo : 0.0;
+  const double l2_of_u2_1 = u2_1 + u2_1_lo,
+      l2_of_u2_1_lo = ksl_sum_error(u2_1, u2_1_lo, l2_of_u2_1),
+      l2_of_divisor2 = divisor2 + divisor2_lo,
+      l2_of_divisor2_lo = ksl_sum_error(divisor2, divisor2_lo, l2_of_divisor2),
+      l2 = l2_of_u2_1 / l2_of_divisor2, l2_cross = l2 * l2_of_divisor2_lo,
+      l2_product = l2 * l2_of_divisor2,
+      l2_product_error = ksl_product_error(l2, l2_of_divisor2, l2_product),
+      l2_rest = l2_of_u2_1 - l2_product, l2_exact = l2_rest - l2_product_error,
+      l2_lo1 = l2_exact + l2_of_u2_1_lo, l2_residual = l2_lo1 - l2_cross,
+      l2_lo = l2_residual / l2_of_divisor2;
+  const double u3a = B->h.z * l0_2, u3a_cross1 = B->h.z * l0_2_lo,
+      u3a_error = ksl_product_error(B->h.z, l0_2, u3a), u3a_lo = u3a_error + u3a_cross1,
+      u3b = sigma_2 - u3a, u3b_error = ksl_difference_error(sigma_2, u3a, u3b),
+      u3b_lo1 = u3b_error + sigma_2_lo, u3b_lo = u3b_lo1 - u3a_lo, u3c = l1_1_of_u1_2 * l1_1,
+      u3c_cross1 = l1_1_of_u1_2_lo * l1_1, u3c_cross2 = l1_1_of_u1_2 * l1_1_lo,
+      u3c_error = ksl_product_error(l1_1_of_u1_2, l1_1, u3c), u3c_lo1 = u3c_error + u3c_cross1,
+      u3c_lo = u3c_lo1 + u3c_cross2, u3d = u3b - u3c,
+      u3d_error = ksl_difference_error(u3b, u3c, u3d), u3d_lo1 = u3d_error + u3b_lo,
+      u3d_lo = u3d_lo1 - u3c_lo, u3e = l2_of_u2_1 * l2, u3e_cross1 = l2_of_u2_1_lo * l2,
+      u3e_cross2 = l2_of_u2_1 * l2_lo, u3e_error = ksl_product_error(l2_of_u2_1, l2, u3e),
+      u3e_lo1 = u3e_error + u3e_cross1, u3e_lo = u3e_lo1 + u3e_cross2, u3 = u3d - u3e,
+      u3_error = ksl_difference_error(u3d, u3e, u3), u3_lo1 = u3_error + u3d_lo,
+      u3_lo = u3_lo1 - u3e_lo;
+  const double part0a = B->m / divisor0, part0a_product = part0a * divisor0,
+      part0a_product_error = ksl_product_error(part0a, divisor0, part0a_product),
+      part0a_rest = B->m - part0a_product, part0a_exact = part0a_rest - part0a_product_error,
+      part0a_lo = part0a_exact / divisor0, part0 = 0.0 < B->m ? part0a : B->m,
+      part0_lo = 0.0 < B->m ? part0a_lo : 0.0;
+  const double own1 = 0.0 < sigma_0 ? sigma_0 : 1.0, own1_lo = 0.0 < sigma_0 ? sigma_0_lo : 0.0;
+  const double part1a_of_u1_0 = u1_0 + u1_0_lo,
+      part1a_of_u1_0_lo = ksl_sum_error(u1_0, u1_0_lo, part1a_of_u1_0),
+      part1a_of_own1 = own1 + own1_lo,
+      part1a_of_own1_lo = ksl_sum_error(own1, own1_lo, part1a_of_own1),
+      part1a = part1a_of_u1_0 / part1a_of_own1, part1a_cross = part1a * part1a_of_own1_lo,
+      part1a_product = part1a * part1a_of_own1,
+      part1a_product_error = ksl_product_error(part1a, part1a_of_own1, part1a_product),
+      part1a_rest = part1a_of_u1_0 - part1a_product,
+      part1a_exact = part1a_rest - part1a_product_error,
+      part1a_lo1 = part1a_exact + part1a_of_u1_0_lo, part1a_residual = part1a_lo1 - part1a_cross,
+      part1a_lo = part1a_residual / part1a_of_own1, part1 = 0.0 < sigma_0 ? part1a : sigma_0,
+      part1_lo = 0.0 < sigma_0 ? part1a_lo : sigma_0_lo;
+  const double smallest1 = part0 < part1 ? part0 : part1,
+      smallest1_lo = part0 < part1 ? part0_lo : part1_lo;
+  const double own2 = 0.0 < sigma_1 ? sigma_1 : 1.0, own2_lo = 0.0 < sigma_1 ? sigma_1_lo : 0.0;
+  const double part2a_of_u2_0 = u2_0 + u2_0_lo,
+      part2a_of_u2_0_lo = ksl_sum_error(u2_0, u2_0_lo, part2a_of_u2_0),
+      part2a_of_own2 = own2 + own2_lo,
+      part2a_of_own2_lo = ksl_sum_error(own2, own2_lo, part2a_of_own2),
+      part2a = part2a_of_u2_0 / part2a_of_own2, part2a_cross = part2a * part2a_of_own2_lo,
+      part2a_product = part2a * part2a_of_own2,
+      part2a_product_error = ksl_product_error(part2a, part2a_of_own2, part2a_product),
+      part2a_rest = part2a_of_u2_0 - part2a_product,
+      part2a_exact = part2a_rest - part2a_product_error,
+      part2a_lo1 = part2a_exact + part2a_of_u2_0_lo, part2a_residual = part2a_lo1 - part2a_cross,
+      part2a_lo = part2a_residual / part2a_of_own2, part2 = 0.0 < sigma_1 ? part2a : sigma_1,
+      part2_lo = 0.0 < sigma_1 ? part2a_lo : sigma_1_lo;
+  const double smallest2 = smallest1 < part2 ? smallest1 : part2,
+      smallest2_lo = smallest1 < part2 ? smallest1_lo : part2_lo;
+  const double own3 = 0.0 < sigma_2 ? sigma_2 : 1.0, own3_lo = 0.0 < sigma_2 ? sigma_2_lo : 0.0;
+  const double part3a_of_u3 = u3 + u3_lo, part3a_of_u3_lo = ksl_sum_error(u3, u3_lo, part3a_of_u3),
+      part3a_of_own3 = own3 + own3_lo,
+      part3a_of_own3_lo = ksl_sum_error(own3, own3_lo, part3a_of_own3),
+      part3a = part3a_of_u3 / part3a_of_own3, part3a_cross = part3a * part3a_of_own3_lo,
+      part3a_product = part3a * part3a_of_own3,
+      part3a_product_error = ksl_product_error(part3a, part3a_of_own3, part3a_product),
+      part3a_rest = part3a_of_u3 - part3a_product,
+      part3a_exact = part3a_rest - part3a_product_error,
+      part3a_lo1 = part3a_exact + part3a_of_u3_lo, part3a_residual = part3a_lo1 - part3a_cross,
+      part3a_lo = part3a_residual / part3a_of_own3, part3 = 0.0 < sigma_2 ? part3a : sigma_2,
+      part3_lo = 0.0 < sigma_2 ? part3a_lo : sigma_2_lo;
+  const double smallest3 = smallest2 < part3 ? smallest2 : part3,
+      smallest3_lo = smallest2 < part3 ? smallest2_lo : part3_lo;
+  const double smallest3_total = smallest3 + smallest3_lo,
+      smallest3_rounded = smallest3_total == smallest3_total ? smallest3_total : smallest3;
+  return smallest3_rounded;
+}
+
+/* self = a self.
+   self: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in
+     kg m^2); a: number.
+   10 mul.
+   Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_inertiaf_scale_accurate(ksl_inertiaf_t *self, const float a) {
+  const double self_0_new = (double)self->m * (double)a;
+  const double self_1_new = (double)self->h.x * (double)a;
+  const double self_2_new = (double)self->h.y * (double)a;
+  const double self_3_new = (double)self->h.z * (double)a;
+  const double self_4_new = (double)self->xx * (double)a;
+  const double self_5_new = (double)self->yy * (double)a;
+  const double self_6_new = (double)self->zz * (double)a;
+  const double self_7_new = (double)self->xy * (double)a;
+  const double self_8_new = (double)self->xz * (double)a;
+  const double self_9_new = (double)self->yz * (double)a;
+  self->m = (float)self_0_new;
+  self->h.x = (float)self_1_new;
+  self->h.y = (float)self_2_new;
+  self->h.z = (float)self_3_new;
+  self->xx = (float)self_4_new;
+  self->yy = (float)self_5_new;
+  self->zz = (float)self_6_new;
+  self->xy = (float)self_7_new;
+  self->xz = (float)self_8_new;
+  self->yz = (float)self_9_new;
+}
+
+/* Bo = B1 + B2.
+   B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz,
+     yz in kg m^2).
+   10 add.
+   Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_add_BBf_accurate(const ksl_inertiaf_t *B1, const ksl_inertiaf_t *B2,
+    ksl_inertiaf_t *Bo) {
+  const double Bo_0 = (double)B1->m + (double)B2->m;
+  const double Bo_1 = (double)B1->h.x + (double)B2->h.x;
+  const double Bo_2 = (double)B1->h.y + (double)B2->h.y;
+  const double Bo_3 = (double)B1->h.z + (double)B2->h.z;
+  const double Bo_4 = (double)B1->xx + (double)B2->xx;
+  const double Bo_5 = (double)B1->yy + (double)B2->yy;
+  const double Bo_6 = (double)B1->zz + (double)B2->zz;
+  const double Bo_7 = (double)B1->xy + (double)B2->xy;
+  const double Bo_8 = (double)B1->xz + (double)B2->xz;
+  const double Bo_9 = (double)B1->yz + (double)B2->yz;
+  Bo->m = (float)Bo_0;
+  Bo->h.x = (float)Bo_1;
+  Bo->h.y = (float)Bo_2;
+  Bo->h.z = (float)Bo_3;
+  Bo->xx = (float)Bo_4;
+  Bo->yy = (float)Bo_5;
+  Bo->zz = (float)Bo_6;
+  Bo->xy = (float)Bo_7;
+  Bo->xz = (float)Bo_8;
+  Bo->yz = (float)Bo_9;
+}
+
+/* Bo = B1 - B2.
+   B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz,
+     yz in kg m^2).
+   10 add.
+   Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_subtract_BBf_accurate(const ksl_inertiaf_t *B1, const ksl_inertiaf_t *B2,
+    ksl_inertiaf_t *Bo) {
+  const double Bo_0 = (double)B1->m - (double)B2->m;
+  const double Bo_1 = (double)B1->h.x - (double)B2->h.x;
+  const double Bo_2 = (double)B1->h.y - (double)B2->h.y;
+  const double Bo_3 = (double)B1->h.z - (double)B2->h.z;
+  const double Bo_4 = (double)B1->xx - (double)B2->xx;
+  const double Bo_5 = (double)B1->yy - (double)B2->yy;
+  const double Bo_6 = (double)B1->zz - (double)B2->zz;
+  const double Bo_7 = (double)B1->xy - (double)B2->xy;
+  const double Bo_8 = (double)B1->xz - (double)B2->xz;
+  const double Bo_9 = (double)B1->yz - (double)B2->yz;
+  Bo->m = (float)Bo_0;
+  Bo->h.x = (float)Bo_1;
+  Bo->h.y = (float)Bo_2;
+  Bo->h.z = (float)Bo_3;
+  Bo->xx = (float)Bo_4;
+  Bo->yy = (float)Bo_5;
+  Bo->zz = (float)Bo_6;
+  Bo->xy = (float)Bo_7;
+  Bo->xz = (float)Bo_8;
+  Bo->yz = (float)Bo_9;
+}
+
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
+     the upper triangle): h = m com, I = Ic - m com~ com~.
+   m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial inertia (m in kg; h = m
+     c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+   9 mul, 9 add.
+   Error <= u |result| + (m: 0, h: 1/32, I: 1/8) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertiaf_from_com_accurate(const float m, const ksl_vec3f_t *com,
+    const ksl_mat3x3f_t *Ic, ksl_inertiaf_t *Bo) {
+  const double h_0 = (double)m * (double)com->x;
+  const double h_1 = (double)m * (double)com->y;
+  const double h_2 = (double)m * (double)com->z;
+  const double squares_0 = (double)com->x * h_0;
+  const double squares_1 = (double)com->y * h_1;
+  const double squares_2 = (double)com->z * h_2;
+  const double Bo_4a = squares_1 + squares_2, Bo_4 = (double)Ic->m00 + Bo_4a;
+  const double Bo_5a = squares_0 + squares_2, Bo_5 = (double)Ic->m11 + Bo_5a;
+  const double Bo_6a = squares_0 + squares_1, Bo_6 = (double)Ic->m22 + Bo_6a;
+  const double Bo_7a = (double)com->y * h_0, Bo_7 = (double)Ic->m01 - Bo_7a;
+  const double Bo_8a = (double)com->z * h_0, Bo_8 = (double)Ic->m02 - Bo_8a;
+  const double Bo_9a = (double)com->z * h_1, Bo_9 = (double)Ic->m12 - Bo_9a;
+  Bo->m = m;
+  Bo->h.x = (float)h_0;
+  Bo->h.y = (float)h_1;
+  Bo->h.z = (float)h_2;
+  Bo->xx = (float)Bo_4;
+  Bo->yy = (float)Bo_5;
+  Bo->zz = (float)Bo_6;
+  Bo->xy = (float)Bo_7;
+  Bo->xz = (float)Bo_8;
+  Bo->yz = (float)Bo_9;
+}
+
+/* vo = h / m, the centre of mass in m.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); vo: vector.
+   3 div. */
+static inline void ksl_inertiaf_com_accurate(const ksl_inertiaf_t *B, ksl_vec3f_t *vo) {
+  const double vo_0 = (double)B->h.x / (double)B->m;
+  const double vo_1 = (double)B->h.y / (double)B->m;
+  const double vo_2 = (double)B->h.z / (double)B->m;
+  vo->x = (float)vo_0;
+  vo->y = (float)vo_1;
+  vo->z = (float)vo_2;
+}
+
+/* Ro = I + h~ h~ / m, the second moments about the centre of mass.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); Ro: rotation or other 3×3 matrix.
+   6 mul, 9 add, 3 div. */
+static inline void ksl_inertiaf_about_com_accurate(const ksl_inertiaf_t *B, ksl_mat3x3f_t *Ro) {
+  const double c_0 = (double)B->h.x / (double)B->m;
+  const double c_1 = (double)B->h.y / (double)B->m;
+  const double c_2 = (double)B->h.z / (double)B->m;
+  const double squares_0 = (double)B->h.x * c_0;
+  const double squares_1 = (double)B->h.y * c_1;
+  const double squares_2 = (double)B->h.z * c_2;
+  const double about_0a = squares_1 + squares_2, about_0 = (double)B->xx - about_0a;
+  const double about_1a = squares_0 + squares_2, about_1 = (double)B->yy - about_1a;
+  const double about_2a = squares_0 + squares_1, about_2 = (double)B->zz - about_2a;
+  const double about_3a = (double)B->h.x * c_1, about_3 = about_3a + (double)B->xy;
+  const double about_4a = (double)B->h.x * c_2, about_4 = about_4a + (double)B->xz;
+  const double about_5a = (double)B->h.y * c_2, about_5 = about_5a + (double)B->yz;
+  Ro->m00 = (float)about_0;
+  Ro->m01 = (float)about_3;
+  Ro->m02 = (float)about_4;
+  Ro->m10 = (float)about_3;
+  Ro->m11 = (float)about_1;
+  Ro->m12 = (float)about_5;
+  Ro->m20 = (float)about_4;
+  Ro->m21 = (float)about_5;
+  Ro->m22 = (float)about_2;
+}
+
+/* co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); s: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
+   24 mul, 18 add.
+   Error <= u |result| + (lin: 3/32, ang: 1/8) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_Bsf_accurate(const ksl_inertiaf_t *B, const ksl_screwf_t *s,
+    ksl_coscrewf_t *co) {
+  const double co_0a = (double)B->m * (double)s->m0, co_0b = (double)B->h.z * (double)s->m4,
+      co_0c = (double)B->h.y * (double)s->m5, co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
+  const double co_1a = (double)B->m * (double)s->m1, co_1b = (double)B->h.x * (double)s->m5,
+      co_1c = (double)B->h.z * (double)s->m3, co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
+  const double co_2a = (double)B->m * (double)s->m2, co_2b = (double)B->h.y * (double)s->m3,
+      co_2c = (double)B->h.x * (double)s->m4, co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
+  const double co_3a = (double)B->h.y * (double)s->m2, co_3b = (double)B->h.z * (double)s->m1,
+      co_3c = co_3a - co_3b, co_3d = (double)B->xx * (double)s->m3,
+      co_3e = (double)B->xy * (double)s->m4, co_3f = co_3d + co_3e,
+      co_3g = (double)B->xz * (double)s->m5, co_3h = co_3f + co_3g, co_3 = co_3c + co_3h;
+  const double co_4a = (double)B->h.z * (double)s->m0, co_4b = (double)B->h.x * (double)s->m2,
+      co_4c = co_4a - co_4b, co_4d = (double)B->yy * (double)s->m4,
+      co_4e = (double)B->xy * (double)s->m3, co_4f = co_4d + co_4e,
+      co_4g = (double)B->yz * (double)s->m5, co_4h = co_4f + co_4g, co_4 = co_4c + co_4h;
+  const double co_5a = (double)B->h.x * (double)s->m1, co_5b = (double)B->h.y * (double)s->m0,
+      co_5c = co_5a - co_5b, co_5d = (double)B->zz * (double)s->m5,
+      co_5e = (double)B->xz * (double)s->m3, co_5f = co_5d + co_5e,
+      co_5g = (double)B->yz * (double)s->m4, co_5h = co_5f + co_5g, co_5 = co_5c + co_5h;
+  co->m0 = (float)co_0;
+  co->m1 = (float)co_1;
+  co->m2 = (float)co_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* s·B s / 2, the kinetic energy in J of a body that moves with s.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); s: screw (v in m/s; ω in rad/s).
+   31 mul, 23 add.
+   Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline float ksl_inertiaf_energy_accurate(const ksl_inertiaf_t *B, const ksl_screwf_t *s) {
+  const double p_0a = (double)B->m * (double)s->m0, p_0b = (double)B->h.z * (double)s->m4,
+      p_0c = (double)B->h.y * (double)s->m5, p_0d = p_0b - p_0c, p_0 = p_0a + p_0d;
+  const double p_1a = (double)B->m * (double)s->m1, p_1b = (double)B->h.x * (double)s->m5,
+      p_1c = (double)B->h.z * (double)s->m3, p_1d = p_1b - p_1c, p_1 = p_1a + p_1d;
+  const double p_2a = (double)B->m * (double)s->m2, p_2b = (double)B->h.y * (double)s->m3,
+      p_2c = (double)B->h.x * (double)s->m4, p_2d = p_2b - p_2c, p_2 = p_2a + p_2d;
+  const double p_3a = (double)B->h.y * (double)s->m2, p_3b = (double)B->h.z * (double)s->m1,
+      p_3c = p_3a - p_3b, p_3d = (double)B->xx * (double)s->m3,
+      p_3e = (double)B->xy * (double)s->m4, p_3f = p_3d + p_3e,
+      p_3g = (double)B->xz * (double)s->m5, p_3h = p_3f + p_3g, p_3 = p_3c + p_3h;
+  const double p_4a = (double)B->h.z * (double)s->m0, p_4b = (double)B->h.x * (double)s->m2,
+      p_4c = p_4a - p_4b, p_4d = (double)B->yy * (double)s->m4,
+      p_4e = (double)B->xy * (double)s->m3, p_4f = p_4d + p_4e,
+      p_4g = (double)B->yz * (double)s->m5, p_4h = p_4f + p_4g, p_4 = p_4c + p_4h;
+  const double p_5a = (double)B->h.x * (double)s->m1, p_5b = (double)B->h.y * (double)s->m0,
+      p_5c = p_5a - p_5b, p_5d = (double)B->zz * (double)s->m5,
+      p_5e = (double)B->xz * (double)s->m3, p_5f = p_5d + p_5e,
+      p_5g = (double)B->yz * (double)s->m4, p_5h = p_5f + p_5g, p_5 = p_5c + p_5h;
+  const double twice_a = (double)s->m0 * p_0, twice_b = (double)s->m1 * p_1,
+      twice_c = twice_a + twice_b, twice_d = (double)s->m2 * p_2, twice_e = twice_c + twice_d,
+      twice_f = (double)s->m3 * p_3, twice_g = (double)s->m4 * p_4, twice_h = twice_f + twice_g,
+      twice_i = (double)s->m5 * p_5, twice_j = twice_h + twice_i, twice = twice_e + twice_j;
+  const double energy = 0.5 * twice;
+  return (float)energy;
+}
+
+/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+   t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
+     xy, xz, yz in kg m^2).
+   15 mul, 18 add.
+   Error <= u |result| + (m: 0, h: 1/16, I: 3/16) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertiaf_shifted_accurate(const ksl_vec3f_t *t, const ksl_inertiaf_t *B,
+    ksl_inertiaf_t *Bo) {
+  const double moved_0a = (double)t->x * (double)B->m, moved_0 = moved_0a + (double)B->h.x;
+  const double moved_1a = (double)t->y * (double)B->m, moved_1 = moved_1a + (double)B->h.y;
+  const double moved_2a = (double)t->z * (double)B->m, moved_2 = moved_2a + (double)B->h.z;
+  const double own_0a = (double)t->x * (double)B->h.x, own_0b = (double)t->x * moved_0,
+      own_0 = own_0a + own_0b;
+  const double own_1a = (double)t->y * (double)B->h.y, own_1b = (double)t->y * moved_1,
+      own_1 = own_1a + own_1b;
+  const double own_2a = (double)t->z * (double)B->h.z, own_2b = (double)t->z * moved_2,
+      own_2 = own_2a + own_2b;
+  const double Bo_4a = own_1 + own_2, Bo_4 = (double)B->xx + Bo_4a;
+  const double Bo_5a = own_0 + own_2, Bo_5 = (double)B->yy + Bo_5a;
+  const double Bo_6a = own_0 + own_1, Bo_6 = (double)B->zz + Bo_6a;
+  const double Bo_7a = (double)t->x * moved_1, Bo_7b = (double)B->xy - Bo_7a,
+      Bo_7c = (double)t->y * (double)B->h.x, Bo_7 = Bo_7b - Bo_7c;
+  const double Bo_8a = (double)t->x * moved_2, Bo_8b = (double)B->xz - Bo_8a,
+      Bo_8c = (double)t->z * (double)B->h.x, Bo_8 = Bo_8b - Bo_8c;
+  const double Bo_9a = (double)t->y * moved_2, Bo_9b = (double)B->yz - Bo_9a,
+      Bo_9c = (double)t->z * (double)B->h.y, Bo_9 = Bo_9b - Bo_9c;
+  const float B_m = B->m;
+  Bo->m = B_m;
+  Bo->h.x = (float)moved_0;
+  Bo->h.y = (float)moved_1;
+  Bo->h.z = (float)moved_2;
+  Bo->xx = (float)Bo_4;
+  Bo->yy = (float)Bo_5;
+  Bo->zz = (float)Bo_6;
+  Bo->xy = (float)Bo_7;
+  Bo->xz = (float)Bo_8;
+  Bo->yz = (float)Bo_9;
+}
+
+/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+   D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
+     I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+   69 mul, 54 add.
+   Error <= u |result| + (m: 0, h: 1/8, I: 1/4) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertiaf_transformed_accurate(const ksl_SE3f_t *D, const ksl_inertiaf_t *B,
+    ksl_inertiaf_t *Bo) {
+  const double RI_0a = (double)D->m00 * (double)B->xx, RI_0b = (double)D->m01 * (double)B->xy,
+      RI_0c = RI_0a + RI_0b, RI_0d = (double)D->m02 * (double)B->xz, RI_0 = RI_0c + RI_0d;
+  const double RI_1a = (double)D->m00 * (double)B->xy, RI_1b = (double)D->m01 * (double)B->yy,
+      RI_1c = RI_1a + RI_1b, RI_1d = (double)D->m02 * (double)B->yz, RI_1 = RI_1c + RI_1d;
+  const double RI_2a = (double)D->m00 * (double)B->xz, RI_2b = (double)D->m01 * (double)B->yz,
+      RI_2c = RI_2a + RI_2b, RI_2d = (double)D->m02 * (double)B->zz, RI_2 = RI_2c + RI_2d;
+  const double RI_3a = (double)D->m10 * (double)B->xx, RI_3b = (double)D->m11 * (double)B->xy,
+      RI_3c = RI_3a + RI_3b, RI_3d = (double)D->m12 * (double)B->xz, RI_3 = RI_3c + RI_3d;
+  const double RI_4a = (double)D->m10 * (double)B->xy, RI_4b = (double)D->m11 * (double)B->yy,
+      RI_4c = RI_4a + RI_4b, RI_4d = (double)D->m12 * (double)B->yz, RI_4 = RI_4c + RI_4d;
+  const double RI_5a = (double)D->m10 * (double)B->xz, RI_5b = (double)D->m11 * (double)B->yz,
+      RI_5c = RI_5a + RI_5b, RI_5d = (double)D->m12 * (double)B->zz, RI_5 = RI_5c + RI_5d;
+  const double RI_6a = (double)D->m20 * (double)B->xx, RI_6b = (double)D->m21 * (double)B->xy,
+      RI_6c = RI_6a + RI_6b, RI_6d = (double)D->m22 * (double)B->xz, RI_6 = RI_6c + RI_6d;
+  const double RI_7a = (double)D->m20 * (double)B->xy, RI_7b = (double)D->m21 * (double)B->yy,
+      RI_7c = RI_7a + RI_7b, RI_7d = (double)D->m22 * (double)B->yz, RI_7 = RI_7c + RI_7d;
+  const double RI_8a = (double)D->m20 * (double)B->xz, RI_8b = (double)D->m21 * (double)B->yz,
+      RI_8c = RI_8a + RI_8b, RI_8d = (double)D->m22 * (double)B->zz, RI_8 = RI_8c + RI_8d;
+  const double turned_1a = (double)D->m00 * (double)B->h.x,
+      turned_1b = (double)D->m01 * (double)B->h.y, turned_1c = turned_1a + turned_1b,
+      turned_1d = (double)D->m02 * (double)B->h.z, turned_1 = turned_1c + turned_1d;
+  const double turned_2a = (double)D->m10 * (double)B->h.x,
+      turned_2b = (double)D->m11 * (double)B->h.y, turned_2c = turned_2a + turned_2b,
+      turned_2d = (double)D->m12 * (double)B->h.z, turned_2 = turned_2c + turned_2d;
+  const double turned_3a = (double)D->m20 * (double)B->h.x,
+      turned_3b = (double)D->m21 * (double)B->h.y, turned_3c = turned_3a + turned_3b,
+      turned_3d = (double)D->m22 * (double)B->h.z, turned_3 = turned_3c + turned_3d;
+  const double turned_4a = (double)D->m00 * RI_0, turned_4b = (double)D->m01 * RI_1,
+      turned_4c = turned_4a + turned_4b, turned_4d = (double)D->m02 * RI_2,
+      turned_4 = turned_4c + turned_4d;
+  const double turned_5a = (double)D->m10 * RI_3, turned_5b = (double)D->m11 * RI_4,
+      turned_5c = turned_5a + turned_5b, turned_5d = (double)D->m12 * RI_5,
+      turned_5 = turned_5c + turned_5d;
+  const double turned_6a = (double)D->m20 * RI_6, turned_6b = (double)D->m21 * RI_7,
+      turned_6c = turned_6a + turned_6b, turned_6d = (double)D->m22 * RI_8,
+      turned_6 = turned_6c + turned_6d;
+  const double turned_7a = (double)D->m10 * RI_0, turned_7b = (double)D->m11 * RI_1,
+      turned_7c = turned_7a + turned_7b, turned_7d = (double)D->m12 * RI_2,
+      turned_7 = turned_7c + turned_7d;
+  const double turned_8a = (double)D->m20 * RI_0, turned_8b = (double)D->m21 * RI_1,
+      turned_8c = turned_8a + turned_8b, turned_8d = (double)D->m22 * RI_2,
+      turned_8 = turned_8c + turned_8d;
+  const double turned_9a = (double)D->m20 * RI_3, turned_9b = (double)D->m21 * RI_4,
+      turned_9c = turned_9a + turned_9b, turned_9d = (double)D->m22 * RI_5,
+      turned_9 = turned_9c + turned_9d;
+  const double moved_0a = (double)D->m03 * (double)B->m, moved_0 = moved_0a + turned_1;
+  const double moved_1a = (double)D->m13 * (double)B->m, moved_1 = moved_1a + turned_2;
+  const double moved_2a = (double)D->m23 * (double)B->m, moved_2 = moved_2a + turned_3;
+  const double own_0a = (double)D->m03 * turned_1, own_0b = (double)D->m03 * moved_0,
+      own_0 = own_0a + own_0b;
+  const double own_1a = (double)D->m13 * turned_2, own_1b = (double)D->m13 * moved_1,
+      own_1 = own_1a + own_1b;
+  const double own_2a = (double)D->m23 * turned_3, own_2b = (double)D->m23 * moved_2,
+      own_2 = own_2a + own_2b;
+  const double Bo_4a = own_1 + own_2, Bo_4 = turned_4 + Bo_4a;
+  const double Bo_5a = own_0 + own_2, Bo_5 = turned_5 + Bo_5a;
+  const double Bo_6a = own_0 + own_1, Bo_6 = turned_6 + Bo_6a;
+  const double Bo_7a = (double)D->m03 * moved_1, Bo_7b = turned_7 - Bo_7a,
+      Bo_7c = (double)D->m13 * turned_1, Bo_7 = Bo_7b - Bo_7c;
+  const double Bo_8a = (double)D->m03 * moved_2, Bo_8b = turned_8 - Bo_8a,
+      Bo_8c = (double)D->m23 * turned_1, Bo_8 = Bo_8b - Bo_8c;
+  const double Bo_9a = (double)D->m13 * moved_2, Bo_9b = turned_9 - Bo_9a,
+      Bo_9c = (double)D->m23 * turned_2, Bo_9 = Bo_9b - Bo_9c;
+  const float B_m = B->m;
+  Bo->m = B_m;
+  Bo->h.x = (float)moved_0;
+  Bo->h.y = (float)moved_1;
+  Bo->h.z = (float)moved_2;
+  Bo->xx = (float)Bo_4;
+  Bo->yy = (float)Bo_5;
+  Bo->zz = (float)Bo_6;
+  Bo->xy = (float)Bo_7;
+  Bo->xz = (float)Bo_8;
+  Bo->yz = (float)Bo_9;
+}
+
+/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:
+     positive exactly if a body of positive density has this inertia.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2).
+   13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
+static inline float ksl_inertiaf_consistency_accurate(const ksl_inertiaf_t *B) {
+  const double trace_a = 0.5 * (double)B->xx, trace_b = 0.5 * (double)B->yy,
+      trace_c = trace_a + trace_b, trace_d = 0.5 * (double)B->zz, trace = trace_c + trace_d;
+  const double sigma_0 = trace - (double)B->xx;
+  const double sigma_1 = trace - (double)B->yy;
+  const double sigma_2 = trace - (double)B->zz;
+  const double divisor0 = 0.0 < (double)B->m ? (double)B->m : 1.0;
+  const double l0_0 = (double)B->h.x / divisor0;
+  const double l0_1 = (double)B->h.y / divisor0;
+  const double l0_2 = (double)B->h.z / divisor0;
+  const double u1_0a = (double)B->h.x * l0_0, u1_0 = sigma_0 - u1_0a;
+  const double u1_1a = (double)B->h.y * l0_0, u1_1b = u1_1a + (double)B->xy, u1_1 = -u1_1b;
+  const double u1_2a = (double)B->h.z * l0_0, u1_2b = u1_2a + (double)B->xz, u1_2 = -u1_2b;
+  const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
+  const double l1_0 = u1_1 / divisor1;
+  const double l1_1 = u1_2 / divisor1;
+  const double u2_0a = (double)B->h.y * l0_1, u2_0b = sigma_1 - u2_0a, u2_0c = u1_1 * l1_0,
+      u2_0 = u2_0b - u2_0c;
+  const double u2_1a = (double)B->h.z * l0_1, u2_1b = u2_1a + (double)B->yz, u2_1c = u1_2 * l1_0,
+      u2_1d = u2_1b + u2_1c, u2_1 = -u2_1d;
+  const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0;
+  const double l2 = u2_1 / divisor2;
+  const double u3a = (double)B->h.z * l0_2, u3b = sigma_2 - u3a, u3c = u1_2 * l1_1, u3d = u3b - u3c,
+      u3e = u2_1 * l2, u3 = u3d - u3e;
+  const double part0a = (double)B->m / divisor0, part0 = 0.0 < (double)B->m ? part0a : (double)B->m;
+  const double own1 = 0.0 < sigma_0 ? sigma_0 : 1.0;
+  const double part1a = u1_0 / own1, part1 = 0.0 < sigma_0 ? part1a : sigma_0;
+  const double smallest1 = part0 < part1 ? part0 : part1;
+  const double own2 = 0.0 < sigma_1 ? sigma_1 : 1.0;
+  const double part2a = u2_0 / own2, part2 = 0.0 < sigma_1 ? part2a : sigma_1;
+  const double smallest2 = smallest1 < part2 ? smallest1 : part2;
+  const double own3 = 0.0 < sigma_2 ? sigma_2 : 1.0;
+  const double part3a = u3 / own3, part3 = 0.0 < sigma_2 ? part3a : sigma_2;
+  const double smallest3 = smallest2 < part3 ? smallest2 : part3;
+  return (float)smallest3;
+}
+
+#endif
