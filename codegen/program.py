@@ -6,7 +6,7 @@ single precision, on NumPy arrays, on exact rationals or on symbols alike.
 
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from fractions import Fraction
 from itertools import groupby
@@ -100,6 +100,17 @@ class Program:
         """The input components anything depends on."""
         operands = [x for instruction in self.instructions for x in instruction.operands]
         return frozenset(x for x in (*operands, *self.results) if isinstance(x, Input))
+
+
+def without_dead_steps(program: Program) -> Program:
+    """The program without instructions that no result depends on."""
+    used = {x.name for x in program.results if isinstance(x, Ref)}
+    kept: list[Instruction] = []
+    for step in reversed(program.instructions):
+        if step.name in used:
+            kept.append(step)
+            used |= {x.name for x in step.operands if isinstance(x, Ref)}
+    return replace(program, instructions=tuple(reversed(kept)))
 
 
 def by_component(program: Program) -> Iterator[tuple[Instruction, ...]]:

@@ -13,7 +13,8 @@ Where lo is not a number (0/0, an infinite hi), hi stands.
 from dataclasses import replace
 from fractions import Fraction
 
-from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program import (Constant, Instruction, Op, Operand, Program, Ref,
+                                     without_dead_steps)
 
 _ERROR_OF = {Op.ADD: Op.SUM_ERROR, Op.SUB: Op.DIFFERENCE_ERROR, Op.MUL: Op.PRODUCT_ERROR}
 _ZERO, _ONE = (Constant(Fraction(n), Fraction(n)) for n in (0, 1))
@@ -30,7 +31,8 @@ def accurate(program: Program) -> Program:
         compensator.compensate(step)
     guarded = bool(program.counts.keys() & _NONLINEAR)
     results = tuple(compensator.rounded(result, guarded) for result in program.results)
-    return replace(program, instructions=tuple(compensator.steps), results=results)
+    return without_dead_steps(replace(program, instructions=tuple(compensator.steps),
+                                      results=results))
 
 
 class _Compensator:

@@ -8,8 +8,8 @@
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   39 mul, 75 add, 9 product error, 29 sum error, 6 div, 1 sqrt, 1 atan2, 12 neg, 3 abs, 13 less,
-     9 equal, 53 select. */
+   39 mul, 75 add, 9 product error, 29 sum error, 6 div, 1 sqrt, 1 atan2, 9 neg, 3 abs, 10 less,
+     9 equal, 48 select. */
 static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double p_0 = R->m21 - R->m12, p_0_lo = ksl_difference_error(R->m21, R->m12, p_0);
   const double p_1 = R->m02 - R->m20, p_1_lo = ksl_difference_error(R->m02, R->m20, p_1);
@@ -65,16 +65,11 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double upper_3a = -column_3, upper_3a_lo = -column_3_lo,
       upper_3 = column_0 < 0.0 ? upper_3a : column_3,
       upper_3_lo = column_0 < 0.0 ? upper_3a_lo : column_3_lo;
-  const double v_s_size_0 = fabs(upper_1), v_s_size_0_opposite = -upper_1_lo,
-      v_s_size_0_lo = upper_1 < 0.0 ? v_s_size_0_opposite : upper_1_lo;
-  const double v_s_size_1 = fabs(upper_2), v_s_size_1_opposite = -upper_2_lo,
-      v_s_size_1_lo = upper_2 < 0.0 ? v_s_size_1_opposite : upper_2_lo;
-  const double v_s_size_2 = fabs(upper_3), v_s_size_2_opposite = -upper_3_lo,
-      v_s_size_2_lo = upper_3 < 0.0 ? v_s_size_2_opposite : upper_3_lo;
-  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0,
-      v_s_largest1_lo = v_s_size_0 < v_s_size_1 ? v_s_size_1_lo : v_s_size_0_lo;
-  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1,
-      v_s_largest2_lo = v_s_largest1 < v_s_size_2 ? v_s_size_2_lo : v_s_largest1_lo;
+  const double v_s_size_0 = fabs(upper_1);
+  const double v_s_size_1 = fabs(upper_2);
+  const double v_s_size_2 = fabs(upper_3);
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
   const double v_y_0_of_upper_1 = upper_1 + upper_1_lo,
@@ -160,8 +155,8 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
    R: rotation or other 3×3 matrix; axis: vector.
-   34 mul, 77 add, 8 product error, 28 sum error, 10 div, 1 sqrt, 1 atan2, 12 neg, 3 abs, 13
-     less, 10 equal, 56 select. */
+   34 mul, 77 add, 8 product error, 28 sum error, 10 div, 1 sqrt, 1 atan2, 9 neg, 3 abs, 10 less,
+     10 equal, 51 select. */
 static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
   const double p_0 = R->m21 - R->m12, p_0_lo = ksl_difference_error(R->m21, R->m12, p_0);
   const double p_1 = R->m02 - R->m20, p_1_lo = ksl_difference_error(R->m02, R->m20, p_1);
@@ -217,16 +212,11 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
   const double upper_3a = -column_3, upper_3a_lo = -column_3_lo,
       upper_3 = column_0 < 0.0 ? upper_3a : column_3,
       upper_3_lo = column_0 < 0.0 ? upper_3a_lo : column_3_lo;
-  const double v_s_size_0 = fabs(upper_1), v_s_size_0_opposite = -upper_1_lo,
-      v_s_size_0_lo = upper_1 < 0.0 ? v_s_size_0_opposite : upper_1_lo;
-  const double v_s_size_1 = fabs(upper_2), v_s_size_1_opposite = -upper_2_lo,
-      v_s_size_1_lo = upper_2 < 0.0 ? v_s_size_1_opposite : upper_2_lo;
-  const double v_s_size_2 = fabs(upper_3), v_s_size_2_opposite = -upper_3_lo,
-      v_s_size_2_lo = upper_3 < 0.0 ? v_s_size_2_opposite : upper_3_lo;
-  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0,
-      v_s_largest1_lo = v_s_size_0 < v_s_size_1 ? v_s_size_1_lo : v_s_size_0_lo;
-  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1,
-      v_s_largest2_lo = v_s_largest1 < v_s_size_2 ? v_s_size_2_lo : v_s_largest1_lo;
+  const double v_s_size_0 = fabs(upper_1);
+  const double v_s_size_1 = fabs(upper_2);
+  const double v_s_size_2 = fabs(upper_3);
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
   const double v_y_0_of_upper_1 = upper_1 + upper_1_lo,

@@ -354,8 +354,8 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
 
 /* angle = atan2(|v1 × v2|, v1·v2), in [0, π].
    v1, v2: vector.
-   41 mul, 49 add, 13 product error, 14 sum error, 4 div, 1 sqrt, 1 atan2, 3 neg, 9 abs, 17 less,
-     6 equal, 25 select. */
+   41 mul, 49 add, 13 product error, 14 sum error, 4 div, 1 sqrt, 1 atan2, 9 abs, 14 less, 6
+     equal, 20 select. */
 static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double s1_size_0 = fabs(v1->x);
   const double s1_size_1 = fabs(v1->y);
@@ -392,16 +392,11 @@ static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_
       c_2b_lo = ksl_product_error(scaled_s1_1, scaled_s2_0, c_2b), c_2 = c_2a - c_2b,
       c_2_error = ksl_difference_error(c_2a, c_2b, c_2), c_2_lo1 = c_2_error + c_2a_lo,
       c_2_lo = c_2_lo1 - c_2b_lo;
-  const double s_size_0 = fabs(c_0), s_size_0_opposite = -c_0_lo,
-      s_size_0_lo = c_0 < 0.0 ? s_size_0_opposite : c_0_lo;
-  const double s_size_1 = fabs(c_1), s_size_1_opposite = -c_1_lo,
-      s_size_1_lo = c_1 < 0.0 ? s_size_1_opposite : c_1_lo;
-  const double s_size_2 = fabs(c_2), s_size_2_opposite = -c_2_lo,
-      s_size_2_lo = c_2 < 0.0 ? s_size_2_opposite : c_2_lo;
-  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0,
-      s_largest1_lo = s_size_0 < s_size_1 ? s_size_1_lo : s_size_0_lo;
-  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1,
-      s_largest2_lo = s_largest1 < s_size_2 ? s_size_2_lo : s_largest1_lo;
+  const double s_size_0 = fabs(c_0);
+  const double s_size_1 = fabs(c_1);
+  const double s_size_2 = fabs(c_2);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
   const double y_0_of_c_0 = c_0 + c_0_lo, y_0_of_c_0_lo = ksl_sum_error(c_0, c_0_lo, y_0_of_c_0),

@@ -14,8 +14,8 @@ def SO3_log(R):
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    39 mul, 75 add, 9 product error, 29 sum error, 6 div, 1 sqrt, 1 atan2, 12 neg, 3 abs, 13
-    less, 9 equal, 53 select.
+    39 mul, 75 add, 9 product error, 29 sum error, 6 div, 1 sqrt, 1 atan2, 9 neg, 3 abs, 10
+    less, 9 equal, 48 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -78,15 +78,10 @@ def SO3_log(R):
     upper_3 = where(column_0 < 0, -column_3, column_3)
     upper_3_lo = where(column_0 < 0, -column_3_lo, column_3_lo)
     v_s_size_0 = absolute(upper_1)
-    v_s_size_0_lo = where(upper_1 < 0, -upper_1_lo, upper_1_lo)
     v_s_size_1 = absolute(upper_2)
-    v_s_size_1_lo = where(upper_2 < 0, -upper_2_lo, upper_2_lo)
     v_s_size_2 = absolute(upper_3)
-    v_s_size_2_lo = where(upper_3 < 0, -upper_3_lo, upper_3_lo)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
-    v_s_largest1_lo = where(v_s_size_0 < v_s_size_1, v_s_size_1_lo, v_s_size_0_lo)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_largest2_lo = where(v_s_largest1 < v_s_size_2, v_s_size_2_lo, v_s_largest1_lo)
     v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
     v_s = where(v_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, v_s_b)
     v_y_0_of_upper_1 = upper_1 + upper_1_lo
@@ -172,8 +167,8 @@ def axis_angle_from_mat3x3(R):
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    34 mul, 77 add, 8 product error, 28 sum error, 10 div, 1 sqrt, 1 atan2, 12 neg, 3 abs, 13
-    less, 10 equal, 56 select.
+    34 mul, 77 add, 8 product error, 28 sum error, 10 div, 1 sqrt, 1 atan2, 9 neg, 3 abs, 10
+    less, 10 equal, 51 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -236,15 +231,10 @@ def axis_angle_from_mat3x3(R):
     upper_3 = where(column_0 < 0, -column_3, column_3)
     upper_3_lo = where(column_0 < 0, -column_3_lo, column_3_lo)
     v_s_size_0 = absolute(upper_1)
-    v_s_size_0_lo = where(upper_1 < 0, -upper_1_lo, upper_1_lo)
     v_s_size_1 = absolute(upper_2)
-    v_s_size_1_lo = where(upper_2 < 0, -upper_2_lo, upper_2_lo)
     v_s_size_2 = absolute(upper_3)
-    v_s_size_2_lo = where(upper_3 < 0, -upper_3_lo, upper_3_lo)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
-    v_s_largest1_lo = where(v_s_size_0 < v_s_size_1, v_s_size_1_lo, v_s_size_0_lo)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_largest2_lo = where(v_s_largest1 < v_s_size_2, v_s_size_2_lo, v_s_largest1_lo)
     v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
     v_s = where(v_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, v_s_b)
     v_y_0_of_upper_1 = upper_1 + upper_1_lo

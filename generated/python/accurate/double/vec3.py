@@ -381,8 +381,8 @@ def angle_vv(v1, v2):
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
 
     (3),(3)->().  v1, v2: vector; angle: number.
-    41 mul, 49 add, 13 product error, 14 sum error, 4 div, 1 sqrt, 1 atan2, 3 neg, 9 abs, 17
-    less, 6 equal, 25 select.
+    41 mul, 49 add, 13 product error, 14 sum error, 4 div, 1 sqrt, 1 atan2, 9 abs, 14 less, 6
+    equal, 20 select.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
@@ -423,12 +423,9 @@ def angle_vv(v1, v2):
     c_2_lo = c_2_lo1 - product_error(scaled_s1_1, scaled_s2_0, c_2b)
     s_size_0 = absolute(c_0)
     s_size_1 = absolute(c_1)
-    s_size_1_lo = where(c_1 < 0, -c_1_lo, c_1_lo)
     s_size_2 = absolute(c_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
-    s_largest1_lo = where(s_size_0 < s_size_1, s_size_1_lo, where(c_0 < 0, -c_0_lo, c_0_lo))
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_largest2_lo = where(s_largest1 < s_size_2, where(c_2 < 0, -c_2_lo, c_2_lo), s_largest1_lo)
     s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
     s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
     y_0_of_c_0 = c_0 + c_0_lo
