@@ -23,8 +23,9 @@ STRUCTS = ("vec3", "mat3x3", "SE3", "screw", "coscrew", "mat6x6")
 _SPELLING = {
     Op.ADD: "{} + {}", Op.SUB: "{} - {}", Op.MUL: "{} * {}", Op.DIV: "{} / {}", Op.NEG: "-{}",
     Op.FMA: "fma{f}({}, {}, {})", Op.FMS: "fma{f}({}, {}, -{})", Op.FNMA: "fma{f}(-{}, {}, {})",
-    Op.SUM_ERROR: "ksl_sum_error({}, {}, {})", Op.PRODUCT_ERROR: "ksl_product_error({}, {}, {})",
-    Op.DIFFERENCE_ERROR: "ksl_difference_error({}, {}, {})",
+    Op.EXACT_ADD: "{} + {}", Op.EXACT_SUB: "{} - {}",
+    Op.PRODUCT_ERROR: "ksl_product_error({}, {}, {})",
+    Op.PRODUCT_REST: "ksl_product_rest({}, {}, {}, {})",
     Op.ABS: "fabs{f}({})", Op.SQRT: "sqrt{f}({})", Op.SIN: "sin{f}({})", Op.COS: "cos{f}({})",
     Op.LESS: "{} < {}", Op.EQUAL: "{} == {}", Op.SELECT: "{} ? {} : {}",
 }

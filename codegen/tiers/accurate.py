@@ -3,13 +3,16 @@
 The plain program's operations give hi; lo collects their exact rounding errors and what the
 operands' own lo contribute, rounded.  The last addition hi + lo rounds the result.  First-order
 errors cancel; what remains is of order u² S.
+
+The error of a sum s = a + b is found as by Knuth: t = s - a, rounded, is b's share of s, and
+u = s - t is a's.  u, a - u and b - t are exact, whatever a and b are (Shewchuk, Two-Sum), and the
+last two add up to the error.  Where a is a product x y, rounded, its own error belongs to lo as
+well; (a - u) + (x y - a) is x y - u, rounded once: a single fma.
 """
 
 from dataclasses import replace
 
 from coscrew_codegen.program import Instruction, Op, Operand, Program, Ref
-
-_ERROR_OF = {Op.ADD: Op.SUM_ERROR, Op.SUB: Op.DIFFERENCE_ERROR, Op.MUL: Op.PRODUCT_ERROR}
 
 
 def accurate(program: Program) -> Program:
@@ -26,47 +29,96 @@ class _Compensator:
 
     def __init__(self) -> None:
         self.steps: list[Instruction] = []
-        self._low: dict[str, Operand] = {}
+        self._low: dict[str, Operand] = {}  # of a product: but for its own error
+        self._products: dict[str, Instruction] = {}  # whose own error is not in _low
 
     def compensate(self, step: Instruction) -> None:
-        """hi and lo of one plain instruction, under its name and the same with _lo behind it."""
-        self.steps.append(step)
-        hi, low = Ref(step.name), [self._low.get(getattr(x, "name", "")) for x in step.operands]
-        name = f"{step.name}_lo"
-        if step.op is Op.NEG:
-            if low[0] is not None:
-                self._low[step.name] = self._issue(step, Op.NEG, (low[0],), name)
-            return
-        contributions = self._contributions(step, low)
-        total = self._issue(step, _ERROR_OF[step.op], (*step.operands, hi),
-                            f"{step.name}_error" if contributions else name)
-        for number, (op, operand) in enumerate(contributions, start=1):
-            last = number == len(contributions)
-            total = self._issue(step, op, (total, operand), name if last else f"{name}{number}")
-        self._low[step.name] = total
-
-    def _contributions(self, step: Instruction,
-                       low: list[Operand | None]) -> list[tuple[Op, Operand]]:
-        """What the operands' lo add to the result's: (add or subtract, operand)."""
-        left, right = low
+        """hi of one plain instruction under its name; lo, or what lo is made of where it is used."""
         if step.op is Op.MUL:
-            a, b = step.operands
-            pairs = [pair for pair in ((left, b), (a, right)) if None not in pair]
-            return [(Op.ADD, self._issue(step, Op.MUL, pair, f"{step.name}_cross{number}"))
-                    for number, pair in enumerate(pairs, start=1)]
-        return [(op, operand) for op, operand in ((Op.ADD, left), (step.op, right))
-                if operand is not None]
+            self._product(step)
+        elif step.op is Op.NEG:
+            low = self._lo(step, step.operands[0])
+            self.steps.append(step)
+            if low is not None:
+                self._low[step.name] = self._issue(step, Op.NEG, (low,), "lo")
+        else:
+            self._sum(step)
 
-    def _issue(self, step: Instruction, op: Op, operands: tuple[Operand, ...], name: str) -> Ref:
+    def _product(self, step: Instruction) -> None:
+        """(a + a_lo)(b + b_lo): a b rounded; a_lo b + a b_lo."""
+        a, b = step.operands
+        a_lo, b_lo = (self._lo(step, x) for x in step.operands)
+        self.steps.append(step)
+        cross = [self._issue(step, Op.MUL, pair, f"cross{number}")
+                 for number, pair in enumerate(((a_lo, b), (a, b_lo)), start=1)
+                 if None not in pair]
+        if len(cross) == 2:
+            cross = [self._issue(step, Op.ADD, tuple(cross), "cross")]
+        if cross:
+            self._low[step.name] = cross[0]
+        self._products[step.name] = step
+
+    def _sum(self, step: Instruction) -> None:
+        """s = a ± b: lo is what their shares leave of a and b, then b's lo, then a's.  A chain of
+        sums stands on the left, so that its lo, the largest, is rounded least; the cross terms of
+        two products are added to each other first."""
+        self.steps.append(step)
+        a, b = step.operands
+        s, add = Ref(step.name), step.op is Op.ADD
+        right = self._issue(step, Op.SUB, (s, a) if add else (a, s), "right")
+        left = self._issue(step, Op.EXACT_SUB if add else Op.EXACT_ADD, (s, right), "left")
+        rests = self._rest(step, a, left, "left_rest"), self._rest(step, b, right, "right_rest")
+        a_lo, b_lo = (self._low.get(getattr(x, "name", "")) for x in (a, b))
+        products = [getattr(x, "name", "") in self._products for x in (a, b)]
+        exact = Op.EXACT_ADD if add else Op.EXACT_SUB
+        terms = [(step.op if any(products) else exact, *rests)]
+        if all(products) and a_lo is not None and b_lo is not None:
+            cross = self._issue(step, step.op, (a_lo, b_lo), "cross")
+            terms.append((Op.ADD, cross))
+        else:
+            terms += [(op, x) for op, x in ((step.op, b_lo), (Op.ADD, a_lo)) if x is not None]
+        self._low[step.name] = self._total(step, terms)
+
+    def _total(self, step: Instruction, terms: list[tuple]) -> Operand:
+        """The terms added in order, the last partial sum named lo."""
+        (op, *operands), *more = terms
+        for number, (next_op, operand) in enumerate(more, start=1):
+            operands, op = [self._issue(step, op, tuple(operands), f"lo{number}"), operand], next_op
+        return self._issue(step, op, tuple(operands), "lo")
+
+    def _rest(self, step: Instruction, x: Operand, share: Operand, name: str) -> Operand:
+        """x - its share of the sum, which is exact; of a product, with its own error."""
+        product = self._products.get(getattr(x, "name", ""))
+        if product is None:
+            return self._issue(step, Op.EXACT_SUB, (x, share), name)
+        return self._issue(step, Op.PRODUCT_REST, (*product.operands, x, share), name)
+
+    def _lo(self, step: Instruction, x: Operand) -> Operand | None:
+        """lo of an operand, its own error with it."""
+        product = self._products.pop(getattr(x, "name", ""), None)
+        if product is not None:
+            own = Instruction(product.name, Op.MUL, product.operands, step.component)
+            cross = self._low.get(product.name)
+            error = self._issue(own, Op.PRODUCT_ERROR, (*product.operands, x),
+                                "lo" if cross is None else "error")
+            self._low[product.name] = (error if cross is None else
+                                       self._issue(own, Op.ADD, (error, cross), "lo"))
+        return self._low.get(getattr(x, "name", ""))
+
+    def _issue(self, step: Instruction, op: Op, operands: tuple[Operand, ...],
+               suffix: str) -> Ref:
+        name = f"{step.name}_{suffix}"
         self.steps.append(Instruction(name, op, operands, step.component))
         return Ref(name)
 
     def rounded(self, result: Operand) -> Operand:
         """hi + lo, the component's final value."""
-        low = self._low.get(getattr(result, "name", ""))
+        name = f"{getattr(result, 'name', '')}_rounded"
+        if name in (step.name for step in self.steps):
+            return Ref(name)
+        at = Instruction(name, Op.ADD, (), name)
+        low = self._lo(at, result)
         if low is None:
             return result
-        name = f"{result.name}_rounded"
-        if name not in (step.name for step in self.steps):
-            self.steps.append(Instruction(name, Op.ADD, (result, low), name))
+        self.steps.append(replace(at, operands=(result, low)))
         return Ref(name)

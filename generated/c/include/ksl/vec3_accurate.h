@@ -11,12 +11,15 @@
    3 mul, 3 add, 3 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3_scale_accurate(ksl_vec3_t *self, const double a) {
-  const double self_0_new = self->x * a, self_0_new_lo = ksl_product_error(self->x, a, self_0_new);
-  const double self_1_new = self->y * a, self_1_new_lo = ksl_product_error(self->y, a, self_1_new);
-  const double self_2_new = self->z * a, self_2_new_lo = ksl_product_error(self->z, a, self_2_new);
-  const double self_0_new_rounded = self_0_new + self_0_new_lo;
-  const double self_1_new_rounded = self_1_new + self_1_new_lo;
-  const double self_2_new_rounded = self_2_new + self_2_new_lo;
+  const double self_0_new = self->x * a;
+  const double self_1_new = self->y * a;
+  const double self_2_new = self->z * a;
+  const double self_0_new_lo = ksl_product_error(self->x, a, self_0_new),
+      self_0_new_rounded = self_0_new + self_0_new_lo;
+  const double self_1_new_lo = ksl_product_error(self->y, a, self_1_new),
+      self_1_new_rounded = self_1_new + self_1_new_lo;
+  const double self_2_new_lo = ksl_product_error(self->z, a, self_2_new),
+      self_2_new_rounded = self_2_new + self_2_new_lo;
   self->x = self_0_new_rounded;
   self->y = self_1_new_rounded;
   self->z = self_2_new_rounded;
@@ -24,19 +27,25 @@ static inline void ksl_vec3_scale_accurate(ksl_vec3_t *self, const double a) {
 
 /* y = a x + y.
    a: number; x, y: vector.
-   3 mul, 9 add, 3 product error, 3 sum error.
-   Error <= u |result| + 2 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+   3 mul, 18 add, 3 product rest.
+   Error <= u |result| + 3 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_vv_accurate(const double a, const ksl_vec3_t *x, ksl_vec3_t *y) {
-  const double y_0_new_a = a * x->x, y_0_new_a_lo = ksl_product_error(a, x->x, y_0_new_a),
-      y_0_new = y_0_new_a + y->x, y_0_new_error = ksl_sum_error(y_0_new_a, y->x, y_0_new),
-      y_0_new_lo = y_0_new_error + y_0_new_a_lo;
-  const double y_1_new_a = a * x->y, y_1_new_a_lo = ksl_product_error(a, x->y, y_1_new_a),
-      y_1_new = y_1_new_a + y->y, y_1_new_error = ksl_sum_error(y_1_new_a, y->y, y_1_new),
-      y_1_new_lo = y_1_new_error + y_1_new_a_lo;
-  const double y_2_new_a = a * x->z, y_2_new_a_lo = ksl_product_error(a, x->z, y_2_new_a),
-      y_2_new = y_2_new_a + y->z, y_2_new_error = ksl_sum_error(y_2_new_a, y->z, y_2_new),
-      y_2_new_lo = y_2_new_error + y_2_new_a_lo;
+  const double y_0_new_a = a * x->x, y_0_new = y_0_new_a + y->x,
+      y_0_new_right = y_0_new - y_0_new_a, y_0_new_left = y_0_new - y_0_new_right,
+      y_0_new_left_rest = ksl_product_rest(a, x->x, y_0_new_a, y_0_new_left),
+      y_0_new_right_rest = y->x - y_0_new_right,
+      y_0_new_lo = y_0_new_left_rest + y_0_new_right_rest;
+  const double y_1_new_a = a * x->y, y_1_new = y_1_new_a + y->y,
+      y_1_new_right = y_1_new - y_1_new_a, y_1_new_left = y_1_new - y_1_new_right,
+      y_1_new_left_rest = ksl_product_rest(a, x->y, y_1_new_a, y_1_new_left),
+      y_1_new_right_rest = y->y - y_1_new_right,
+      y_1_new_lo = y_1_new_left_rest + y_1_new_right_rest;
+  const double y_2_new_a = a * x->z, y_2_new = y_2_new_a + y->z,
+      y_2_new_right = y_2_new - y_2_new_a, y_2_new_left = y_2_new - y_2_new_right,
+      y_2_new_left_rest = ksl_product_rest(a, x->z, y_2_new_a, y_2_new_left),
+      y_2_new_right_rest = y->z - y_2_new_right,
+      y_2_new_lo = y_2_new_left_rest + y_2_new_right_rest;
   const double y_0_new_rounded = y_0_new + y_0_new_lo;
   const double y_1_new_rounded = y_1_new + y_1_new_lo;
   const double y_2_new_rounded = y_2_new + y_2_new_lo;
@@ -47,12 +56,21 @@ static inline void ksl_axpy_vv_accurate(const double a, const ksl_vec3_t *x, ksl
 
 /* y = x + y.
    x, y: vector.
-   6 add, 3 sum error.
+   21 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_vv_accurate(const ksl_vec3_t *x, ksl_vec3_t *y) {
-  const double y_0_new = x->x + y->x, y_0_new_lo = ksl_sum_error(x->x, y->x, y_0_new);
-  const double y_1_new = x->y + y->y, y_1_new_lo = ksl_sum_error(x->y, y->y, y_1_new);
-  const double y_2_new = x->z + y->z, y_2_new_lo = ksl_sum_error(x->z, y->z, y_2_new);
+  const double y_0_new = x->x + y->x, y_0_new_right = y_0_new - x->x,
+      y_0_new_left = y_0_new - y_0_new_right, y_0_new_left_rest = x->x - y_0_new_left,
+      y_0_new_right_rest = y->x - y_0_new_right,
+      y_0_new_lo = y_0_new_left_rest + y_0_new_right_rest;
+  const double y_1_new = x->y + y->y, y_1_new_right = y_1_new - x->y,
+      y_1_new_left = y_1_new - y_1_new_right, y_1_new_left_rest = x->y - y_1_new_left,
+      y_1_new_right_rest = y->y - y_1_new_right,
+      y_1_new_lo = y_1_new_left_rest + y_1_new_right_rest;
+  const double y_2_new = x->z + y->z, y_2_new_right = y_2_new - x->z,
+      y_2_new_left = y_2_new - y_2_new_right, y_2_new_left_rest = x->z - y_2_new_left,
+      y_2_new_right_rest = y->z - y_2_new_right,
+      y_2_new_lo = y_2_new_left_rest + y_2_new_right_rest;
   const double y_0_new_rounded = y_0_new + y_0_new_lo;
   const double y_1_new_rounded = y_1_new + y_1_new_lo;
   const double y_2_new_rounded = y_2_new + y_2_new_lo;
@@ -63,12 +81,21 @@ static inline void ksl_xpy_vv_accurate(const ksl_vec3_t *x, ksl_vec3_t *y) {
 
 /* y = -x + y.
    x, y: vector.
-   6 add, 3 sum error.
+   21 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_vv_accurate(const ksl_vec3_t *x, ksl_vec3_t *y) {
-  const double y_0_new = y->x - x->x, y_0_new_lo = ksl_difference_error(y->x, x->x, y_0_new);
-  const double y_1_new = y->y - x->y, y_1_new_lo = ksl_difference_error(y->y, x->y, y_1_new);
-  const double y_2_new = y->z - x->z, y_2_new_lo = ksl_difference_error(y->z, x->z, y_2_new);
+  const double y_0_new = y->x - x->x, y_0_new_right = y->x - y_0_new,
+      y_0_new_left = y_0_new + y_0_new_right, y_0_new_left_rest = y->x - y_0_new_left,
+      y_0_new_right_rest = x->x - y_0_new_right,
+      y_0_new_lo = y_0_new_left_rest - y_0_new_right_rest;
+  const double y_1_new = y->y - x->y, y_1_new_right = y->y - y_1_new,
+      y_1_new_left = y_1_new + y_1_new_right, y_1_new_left_rest = y->y - y_1_new_left,
+      y_1_new_right_rest = x->y - y_1_new_right,
+      y_1_new_lo = y_1_new_left_rest - y_1_new_right_rest;
+  const double y_2_new = y->z - x->z, y_2_new_right = y->z - y_2_new,
+      y_2_new_left = y_2_new + y_2_new_right, y_2_new_left_rest = y->z - y_2_new_left,
+      y_2_new_right_rest = x->z - y_2_new_right,
+      y_2_new_lo = y_2_new_left_rest - y_2_new_right_rest;
   const double y_0_new_rounded = y_0_new + y_0_new_lo;
   const double y_1_new_rounded = y_1_new + y_1_new_lo;
   const double y_2_new_rounded = y_2_new + y_2_new_lo;
@@ -82,12 +109,12 @@ static inline void ksl_nxpy_vv_accurate(const ksl_vec3_t *x, ksl_vec3_t *y) {
    3 mul, 3 add, 3 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_av_accurate(const double a, const ksl_vec3_t *vi, ksl_vec3_t *vo) {
-  const double vo_0 = a * vi->x, vo_0_lo = ksl_product_error(a, vi->x, vo_0);
-  const double vo_1 = a * vi->y, vo_1_lo = ksl_product_error(a, vi->y, vo_1);
-  const double vo_2 = a * vi->z, vo_2_lo = ksl_product_error(a, vi->z, vo_2);
-  const double vo_0_rounded = vo_0 + vo_0_lo;
-  const double vo_1_rounded = vo_1 + vo_1_lo;
-  const double vo_2_rounded = vo_2 + vo_2_lo;
+  const double vo_0 = a * vi->x;
+  const double vo_1 = a * vi->y;
+  const double vo_2 = a * vi->z;
+  const double vo_0_lo = ksl_product_error(a, vi->x, vo_0), vo_0_rounded = vo_0 + vo_0_lo;
+  const double vo_1_lo = ksl_product_error(a, vi->y, vo_1), vo_1_rounded = vo_1 + vo_1_lo;
+  const double vo_2_lo = ksl_product_error(a, vi->z, vo_2), vo_2_rounded = vo_2 + vo_2_lo;
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -95,12 +122,18 @@ static inline void ksl_product_av_accurate(const double a, const ksl_vec3_t *vi,
 
 /* vo = v1 + v2.
    v1, v2, vo: vector.
-   6 add, 3 sum error.
+   21 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
-  const double vo_0 = v1->x + v2->x, vo_0_lo = ksl_sum_error(v1->x, v2->x, vo_0);
-  const double vo_1 = v1->y + v2->y, vo_1_lo = ksl_sum_error(v1->y, v2->y, vo_1);
-  const double vo_2 = v1->z + v2->z, vo_2_lo = ksl_sum_error(v1->z, v2->z, vo_2);
+  const double vo_0 = v1->x + v2->x, vo_0_right = vo_0 - v1->x, vo_0_left = vo_0 - vo_0_right,
+      vo_0_left_rest = v1->x - vo_0_left, vo_0_right_rest = v2->x - vo_0_right,
+      vo_0_lo = vo_0_left_rest + vo_0_right_rest;
+  const double vo_1 = v1->y + v2->y, vo_1_right = vo_1 - v1->y, vo_1_left = vo_1 - vo_1_right,
+      vo_1_left_rest = v1->y - vo_1_left, vo_1_right_rest = v2->y - vo_1_right,
+      vo_1_lo = vo_1_left_rest + vo_1_right_rest;
+  const double vo_2 = v1->z + v2->z, vo_2_right = vo_2 - v1->z, vo_2_left = vo_2 - vo_2_right,
+      vo_2_left_rest = v1->z - vo_2_left, vo_2_right_rest = v2->z - vo_2_right,
+      vo_2_lo = vo_2_left_rest + vo_2_right_rest;
   const double vo_0_rounded = vo_0 + vo_0_lo;
   const double vo_1_rounded = vo_1 + vo_1_lo;
   const double vo_2_rounded = vo_2 + vo_2_lo;
@@ -111,13 +144,19 @@ static inline void ksl_add_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t *v
 
 /* vo = v1 - v2.
    v1, v2, vo: vector.
-   6 add, 3 sum error.
+   21 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t *v2,
     ksl_vec3_t *vo) {
-  const double vo_0 = v1->x - v2->x, vo_0_lo = ksl_difference_error(v1->x, v2->x, vo_0);
-  const double vo_1 = v1->y - v2->y, vo_1_lo = ksl_difference_error(v1->y, v2->y, vo_1);
-  const double vo_2 = v1->z - v2->z, vo_2_lo = ksl_difference_error(v1->z, v2->z, vo_2);
+  const double vo_0 = v1->x - v2->x, vo_0_right = v1->x - vo_0, vo_0_left = vo_0 + vo_0_right,
+      vo_0_left_rest = v1->x - vo_0_left, vo_0_right_rest = v2->x - vo_0_right,
+      vo_0_lo = vo_0_left_rest - vo_0_right_rest;
+  const double vo_1 = v1->y - v2->y, vo_1_right = v1->y - vo_1, vo_1_left = vo_1 + vo_1_right,
+      vo_1_left_rest = v1->y - vo_1_left, vo_1_right_rest = v2->y - vo_1_right,
+      vo_1_lo = vo_1_left_rest - vo_1_right_rest;
+  const double vo_2 = v1->z - v2->z, vo_2_right = v1->z - vo_2, vo_2_left = vo_2 + vo_2_right,
+      vo_2_left_rest = v1->z - vo_2_left, vo_2_right_rest = v2->z - vo_2_right,
+      vo_2_lo = vo_2_left_rest - vo_2_right_rest;
   const double vo_0_rounded = vo_0 + vo_0_lo;
   const double vo_1_rounded = vo_1 + vo_1_lo;
   const double vo_2_rounded = vo_2 + vo_2_lo;
@@ -131,12 +170,12 @@ static inline void ksl_subtract_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3
    3 mul, 3 add, 3 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3_scaled_accurate(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = v->x * k, vo_0_lo = ksl_product_error(v->x, k, vo_0);
-  const double vo_1 = v->y * k, vo_1_lo = ksl_product_error(v->y, k, vo_1);
-  const double vo_2 = v->z * k, vo_2_lo = ksl_product_error(v->z, k, vo_2);
-  const double vo_0_rounded = vo_0 + vo_0_lo;
-  const double vo_1_rounded = vo_1 + vo_1_lo;
-  const double vo_2_rounded = vo_2 + vo_2_lo;
+  const double vo_0 = v->x * k;
+  const double vo_1 = v->y * k;
+  const double vo_2 = v->z * k;
+  const double vo_0_lo = ksl_product_error(v->x, k, vo_0), vo_0_rounded = vo_0 + vo_0_lo;
+  const double vo_1_lo = ksl_product_error(v->y, k, vo_1), vo_1_rounded = vo_1 + vo_1_lo;
+  const double vo_2_lo = ksl_product_error(v->z, k, vo_2), vo_2_rounded = vo_2 + vo_2_lo;
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -144,17 +183,18 @@ static inline void ksl_vec3_scaled_accurate(const ksl_vec3_t *v, const double k,
 
 /* v1·v2.
    v1, v2: vector.
-   3 mul, 7 add, 3 product error, 2 sum error.
-   Error <= u |result| + 10 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   3 mul, 11 add, 3 product rest.
+   Error <= u |result| + 11 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline double ksl_dot_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
-  const double dot_a = v1->x * v2->x, dot_a_lo = ksl_product_error(v1->x, v2->x, dot_a),
-      dot_b = v1->y * v2->y, dot_b_lo = ksl_product_error(v1->y, v2->y, dot_b),
-      dot_c = dot_a + dot_b, dot_c_error = ksl_sum_error(dot_a, dot_b, dot_c),
-      dot_c_lo1 = dot_c_error + dot_a_lo, dot_c_lo = dot_c_lo1 + dot_b_lo, dot_d = v1->z * v2->z,
-      dot_d_lo = ksl_product_error(v1->z, v2->z, dot_d), dot = dot_c + dot_d,
-      dot_error = ksl_sum_error(dot_c, dot_d, dot), dot_lo1 = dot_error + dot_c_lo,
-      dot_lo = dot_lo1 + dot_d_lo;
+  const double dot_a = v1->x * v2->x, dot_b = v1->y * v2->y, dot_c = dot_a + dot_b,
+      dot_c_right = dot_c - dot_a, dot_c_left = dot_c - dot_c_right,
+      dot_c_left_rest = ksl_product_rest(v1->x, v2->x, dot_a, dot_c_left),
+      dot_c_right_rest = ksl_product_rest(v1->y, v2->y, dot_b, dot_c_right),
+      dot_c_lo = dot_c_left_rest + dot_c_right_rest, dot_d = v1->z * v2->z, dot = dot_c + dot_d,
+      dot_right = dot - dot_c, dot_left = dot - dot_right, dot_left_rest = dot_c - dot_left,
+      dot_right_rest = ksl_product_rest(v1->z, v2->z, dot_d, dot_right),
+      dot_lo1 = dot_left_rest + dot_right_rest, dot_lo = dot_lo1 + dot_c_lo;
   const double dot_rounded = dot + dot_lo;
   return dot_rounded;
 }
@@ -180,23 +220,26 @@ static inline void ksl_product_avinv_accurate(const double k, const ksl_vec3_t *
 
 /* vo = v1 × v2.  Exactly zero for v1 = v2, unless products overflow.
    v1, v2, vo: vector.
-   6 mul, 12 add, 6 product error, 3 sum error.
-   Error <= u |result| + 4 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+   6 mul, 15 add, 6 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_cross_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t *v2,
     ksl_vec3_t *vo) {
-  const double vo_0a = v1->y * v2->z, vo_0a_lo = ksl_product_error(v1->y, v2->z, vo_0a),
-      vo_0b = v1->z * v2->y, vo_0b_lo = ksl_product_error(v1->z, v2->y, vo_0b),
-      vo_0 = vo_0a - vo_0b, vo_0_error = ksl_difference_error(vo_0a, vo_0b, vo_0),
-      vo_0_lo1 = vo_0_error + vo_0a_lo, vo_0_lo = vo_0_lo1 - vo_0b_lo;
-  const double vo_1a = v1->z * v2->x, vo_1a_lo = ksl_product_error(v1->z, v2->x, vo_1a),
-      vo_1b = v1->x * v2->z, vo_1b_lo = ksl_product_error(v1->x, v2->z, vo_1b),
-      vo_1 = vo_1a - vo_1b, vo_1_error = ksl_difference_error(vo_1a, vo_1b, vo_1),
-      vo_1_lo1 = vo_1_error + vo_1a_lo, vo_1_lo = vo_1_lo1 - vo_1b_lo;
-  const double vo_2a = v1->x * v2->y, vo_2a_lo = ksl_product_error(v1->x, v2->y, vo_2a),
-      vo_2b = v1->y * v2->x, vo_2b_lo = ksl_product_error(v1->y, v2->x, vo_2b),
-      vo_2 = vo_2a - vo_2b, vo_2_error = ksl_difference_error(vo_2a, vo_2b, vo_2),
-      vo_2_lo1 = vo_2_error + vo_2a_lo, vo_2_lo = vo_2_lo1 - vo_2b_lo;
+  const double vo_0a = v1->y * v2->z, vo_0b = v1->z * v2->y, vo_0 = vo_0a - vo_0b,
+      vo_0_right = vo_0a - vo_0, vo_0_left = vo_0 + vo_0_right,
+      vo_0_left_rest = ksl_product_rest(v1->y, v2->z, vo_0a, vo_0_left),
+      vo_0_right_rest = ksl_product_rest(v1->z, v2->y, vo_0b, vo_0_right),
+      vo_0_lo = vo_0_left_rest - vo_0_right_rest;
+  const double vo_1a = v1->z * v2->x, vo_1b = v1->x * v2->z, vo_1 = vo_1a - vo_1b,
+      vo_1_right = vo_1a - vo_1, vo_1_left = vo_1 + vo_1_right,
+      vo_1_left_rest = ksl_product_rest(v1->z, v2->x, vo_1a, vo_1_left),
+      vo_1_right_rest = ksl_product_rest(v1->x, v2->z, vo_1b, vo_1_right),
+      vo_1_lo = vo_1_left_rest - vo_1_right_rest;
+  const double vo_2a = v1->x * v2->y, vo_2b = v1->y * v2->x, vo_2 = vo_2a - vo_2b,
+      vo_2_right = vo_2a - vo_2, vo_2_left = vo_2 + vo_2_right,
+      vo_2_left_rest = ksl_product_rest(v1->x, v2->y, vo_2a, vo_2_left),
+      vo_2_right_rest = ksl_product_rest(v1->y, v2->x, vo_2b, vo_2_right),
+      vo_2_lo = vo_2_left_rest - vo_2_right_rest;
   const double vo_0_rounded = vo_0 + vo_0_lo;
   const double vo_1_rounded = vo_1 + vo_1_lo;
   const double vo_2_rounded = vo_2 + vo_2_lo;
@@ -207,23 +250,26 @@ static inline void ksl_cross_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t 
 
 /* vo = v1 × (-v2).
    v1, v2, vo: vector.
-   6 mul, 12 add, 6 product error, 3 sum error.
-   Error <= u |result| + 4 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+   6 mul, 15 add, 6 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_cross_vvinv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t *v2,
     ksl_vec3_t *vo) {
-  const double vo_0a = v1->z * v2->y, vo_0a_lo = ksl_product_error(v1->z, v2->y, vo_0a),
-      vo_0b = v1->y * v2->z, vo_0b_lo = ksl_product_error(v1->y, v2->z, vo_0b),
-      vo_0 = vo_0a - vo_0b, vo_0_error = ksl_difference_error(vo_0a, vo_0b, vo_0),
-      vo_0_lo1 = vo_0_error + vo_0a_lo, vo_0_lo = vo_0_lo1 - vo_0b_lo;
-  const double vo_1a = v1->x * v2->z, vo_1a_lo = ksl_product_error(v1->x, v2->z, vo_1a),
-      vo_1b = v1->z * v2->x, vo_1b_lo = ksl_product_error(v1->z, v2->x, vo_1b),
-      vo_1 = vo_1a - vo_1b, vo_1_error = ksl_difference_error(vo_1a, vo_1b, vo_1),
-      vo_1_lo1 = vo_1_error + vo_1a_lo, vo_1_lo = vo_1_lo1 - vo_1b_lo;
-  const double vo_2a = v1->y * v2->x, vo_2a_lo = ksl_product_error(v1->y, v2->x, vo_2a),
-      vo_2b = v1->x * v2->y, vo_2b_lo = ksl_product_error(v1->x, v2->y, vo_2b),
-      vo_2 = vo_2a - vo_2b, vo_2_error = ksl_difference_error(vo_2a, vo_2b, vo_2),
-      vo_2_lo1 = vo_2_error + vo_2a_lo, vo_2_lo = vo_2_lo1 - vo_2b_lo;
+  const double vo_0a = v1->z * v2->y, vo_0b = v1->y * v2->z, vo_0 = vo_0a - vo_0b,
+      vo_0_right = vo_0a - vo_0, vo_0_left = vo_0 + vo_0_right,
+      vo_0_left_rest = ksl_product_rest(v1->z, v2->y, vo_0a, vo_0_left),
+      vo_0_right_rest = ksl_product_rest(v1->y, v2->z, vo_0b, vo_0_right),
+      vo_0_lo = vo_0_left_rest - vo_0_right_rest;
+  const double vo_1a = v1->x * v2->z, vo_1b = v1->z * v2->x, vo_1 = vo_1a - vo_1b,
+      vo_1_right = vo_1a - vo_1, vo_1_left = vo_1 + vo_1_right,
+      vo_1_left_rest = ksl_product_rest(v1->x, v2->z, vo_1a, vo_1_left),
+      vo_1_right_rest = ksl_product_rest(v1->z, v2->x, vo_1b, vo_1_right),
+      vo_1_lo = vo_1_left_rest - vo_1_right_rest;
+  const double vo_2a = v1->y * v2->x, vo_2b = v1->x * v2->y, vo_2 = vo_2a - vo_2b,
+      vo_2_right = vo_2a - vo_2, vo_2_left = vo_2 + vo_2_right,
+      vo_2_left_rest = ksl_product_rest(v1->y, v2->x, vo_2a, vo_2_left),
+      vo_2_right_rest = ksl_product_rest(v1->x, v2->y, vo_2b, vo_2_right),
+      vo_2_lo = vo_2_left_rest - vo_2_right_rest;
   const double vo_0_rounded = vo_0 + vo_0_lo;
   const double vo_1_rounded = vo_1 + vo_1_lo;
   const double vo_2_rounded = vo_2 + vo_2_lo;
@@ -234,10 +280,12 @@ static inline void ksl_cross_vvinv_accurate(const ksl_vec3_t *v1, const ksl_vec3
 
 /* vo = v + k e_x.
    v, vo: vector; k: number.
-   2 add, 1 sum error.
+   7 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvx_accurate(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = v->x + k, vo_0_lo = ksl_sum_error(v->x, k, vo_0);
+  const double vo_0 = v->x + k, vo_0_right = vo_0 - v->x, vo_0_left = vo_0 - vo_0_right,
+      vo_0_left_rest = v->x - vo_0_left, vo_0_right_rest = k - vo_0_right,
+      vo_0_lo = vo_0_left_rest + vo_0_right_rest;
   const double vo_0_rounded = vo_0 + vo_0_lo;
   const double v_y = v->y;
   const double v_z = v->z;
@@ -248,10 +296,12 @@ static inline void ksl_add_vvx_accurate(const ksl_vec3_t *v, const double k, ksl
 
 /* vo = v - k e_x.
    v, vo: vector; k: number.
-   2 add, 1 sum error.
+   7 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvxinv_accurate(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = v->x - k, vo_0_lo = ksl_difference_error(v->x, k, vo_0);
+  const double vo_0 = v->x - k, vo_0_right = v->x - vo_0, vo_0_left = vo_0 + vo_0_right,
+      vo_0_left_rest = v->x - vo_0_left, vo_0_right_rest = k - vo_0_right,
+      vo_0_lo = vo_0_left_rest - vo_0_right_rest;
   const double vo_0_rounded = vo_0 + vo_0_lo;
   const double v_y = v->y;
   const double v_z = v->z;
@@ -262,10 +312,12 @@ static inline void ksl_add_vvxinv_accurate(const ksl_vec3_t *v, const double k, 
 
 /* vo = v + k e_y.
    v, vo: vector; k: number.
-   2 add, 1 sum error.
+   7 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvy_accurate(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
-  const double vo_1 = v->y + k, vo_1_lo = ksl_sum_error(v->y, k, vo_1);
+  const double vo_1 = v->y + k, vo_1_right = vo_1 - v->y, vo_1_left = vo_1 - vo_1_right,
+      vo_1_left_rest = v->y - vo_1_left, vo_1_right_rest = k - vo_1_right,
+      vo_1_lo = vo_1_left_rest + vo_1_right_rest;
   const double vo_1_rounded = vo_1 + vo_1_lo;
   const double v_x = v->x;
   const double v_z = v->z;
@@ -276,10 +328,12 @@ static inline void ksl_add_vvy_accurate(const ksl_vec3_t *v, const double k, ksl
 
 /* vo = v - k e_y.
    v, vo: vector; k: number.
-   2 add, 1 sum error.
+   7 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvyinv_accurate(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
-  const double vo_1 = v->y - k, vo_1_lo = ksl_difference_error(v->y, k, vo_1);
+  const double vo_1 = v->y - k, vo_1_right = v->y - vo_1, vo_1_left = vo_1 + vo_1_right,
+      vo_1_left_rest = v->y - vo_1_left, vo_1_right_rest = k - vo_1_right,
+      vo_1_lo = vo_1_left_rest - vo_1_right_rest;
   const double vo_1_rounded = vo_1 + vo_1_lo;
   const double v_x = v->x;
   const double v_z = v->z;
@@ -290,10 +344,12 @@ static inline void ksl_add_vvyinv_accurate(const ksl_vec3_t *v, const double k, 
 
 /* vo = v + k e_z.
    v, vo: vector; k: number.
-   2 add, 1 sum error.
+   7 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvz_accurate(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
-  const double vo_2 = v->z + k, vo_2_lo = ksl_sum_error(v->z, k, vo_2);
+  const double vo_2 = v->z + k, vo_2_right = vo_2 - v->z, vo_2_left = vo_2 - vo_2_right,
+      vo_2_left_rest = v->z - vo_2_left, vo_2_right_rest = k - vo_2_right,
+      vo_2_lo = vo_2_left_rest + vo_2_right_rest;
   const double vo_2_rounded = vo_2 + vo_2_lo;
   const double v_x = v->x;
   const double v_y = v->y;
@@ -304,10 +360,12 @@ static inline void ksl_add_vvz_accurate(const ksl_vec3_t *v, const double k, ksl
 
 /* vo = v - k e_z.
    v, vo: vector; k: number.
-   2 add, 1 sum error.
+   7 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvzinv_accurate(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
-  const double vo_2 = v->z - k, vo_2_lo = ksl_difference_error(v->z, k, vo_2);
+  const double vo_2 = v->z - k, vo_2_right = v->z - vo_2, vo_2_left = vo_2 + vo_2_right,
+      vo_2_left_rest = v->z - vo_2_left, vo_2_right_rest = k - vo_2_right,
+      vo_2_lo = vo_2_left_rest - vo_2_right_rest;
   const double vo_2_rounded = vo_2 + vo_2_lo;
   const double v_x = v->x;
   const double v_y = v->y;
