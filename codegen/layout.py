@@ -130,7 +130,8 @@ def _tier_headers(selection: Selection, programs: Programs, tier: Tier) -> dict[
     headers = exact if tier.header == "ksl_exact" else {}
     for family in selection.families:
         functions = [
-            c.function(op, tier.program(programs[op.name], precision.name), precision, tier.name)
+            c.function(tier.operation(op), tier.program(programs[op.name], precision.name),
+                       precision, tier.name)
             for precision in selection.precisions for op in selection.operations
             if op.family == family and has_tiers(programs[op.name])]
         if functions:

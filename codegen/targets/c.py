@@ -144,8 +144,10 @@ class _Writer:
         if argument.quantity.name in STRUCTS:
             star = "" if self.operation.by_value else "*"
             return f"{const}{kind} {star}{argument.name}"
-        size = f"[{argument.quantity.size}]" if argument.quantity.shape else ""
-        return f"{const}{kind} {argument.name}{size}"
+        if argument.quantity.shape:
+            return f"{const}{kind} {argument.name}[{argument.quantity.size}]"
+        star = "*" if argument.name in self.written else ""
+        return f"{const}{kind} {star}{argument.name}"
 
     def _body(self) -> list[str]:
         lines = [f"(void){a.name};" for n, a in enumerate(self.program.inputs)
@@ -182,15 +184,18 @@ class _Writer:
 
     def _access(self, argument: Argument, index: int) -> str:
         path = member(argument.quantity, index)
+        if not argument.quantity.shape and argument.name in self.written:
+            return f"*{argument.name}"
         pointed = argument.quantity.name in STRUCTS and not self.operation.by_value
         return argument.name + (path.replace(".", "->", 1) if pointed else path)
 
     def _stores(self) -> list[str]:
         results = [self._result(x) for x in self.program.results]
-        if self.value and not self.value.quantity.shape:
-            return [f"return {results[0]};"]
         targets = [self._access(a, i) for a in self.operation.outputs
                    for i in range(a.quantity.size)]
+        if self.value and not self.value.quantity.shape:
+            return [*(f"{t} = {r};" for t, r in zip(targets[1:], results[1:], strict=True)),
+                    f"return {results[0]};"]
         pairs = list(zip(targets, results, strict=True))
         saved = self._saved(pairs)
         stores = [f"{t} = {saved.get(r, r)};" for t, r in pairs if t != r]

@@ -2,9 +2,12 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 
+from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import Op, Program
 from coscrew_codegen.tiers.accurate import accurate
+from coscrew_codegen.tiers.certified import DOUBLE, SINGLE, certified, certified_operation
 from coscrew_codegen.tiers.fused import fused
 
 _POLYNOMIAL = {Op.ADD, Op.SUB, Op.MUL, Op.NEG}
@@ -12,13 +15,16 @@ _POLYNOMIAL = {Op.ADD, Op.SUB, Op.MUL, Op.NEG}
 
 @dataclass(frozen=True)
 class Tier:
-    """A tier behind plain: its name, its words, and what it does in each precision."""
+    """A tier behind plain: its name, its words, what it does in each precision, and what becomes of
+    the operation's arguments."""
 
     name: str
     title: str
     header: str  # what its C functions need
     double: Callable[[Program], Program]
     single: Callable[[Program], Program]
+    operation: Callable[[Operation], Operation] = lambda plain: plain
+    in_python: bool = True
 
     def program(self, plain: Program, precision: str) -> Program:
         """What the tier makes of a plain program, in "double" or "single" precision."""
@@ -36,7 +42,11 @@ def has_tiers(program: Program) -> bool:
     return ops <= _POLYNOMIAL and bool(ops - {Op.NEG})
 
 
-FUSED = Tier("fused", "Fused tier: products fused into sums.", "ksl_types", fused, fused)
+FUSED = Tier("fused", "Fused tier: products fused into sums.", "ksl_types", fused, fused,
+             in_python=False)
 ACCURATE = Tier("accurate", "Accurate tier: double compensated, single computed in double.",
                 "ksl_exact", accurate, widened)
-TIERS = (FUSED, ACCURATE)
+CERTIFIED = Tier("certified", "Certified tier: plain results, and bounds of their errors that always hold.",
+                 "ksl_types", partial(certified, number=DOUBLE), partial(certified, number=SINGLE),
+                 certified_operation)
+TIERS = (FUSED, ACCURATE, CERTIFIED)
