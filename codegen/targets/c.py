@@ -88,6 +88,13 @@ def parameters(operation: Operation) -> tuple[Argument, ...]:
     return tuple(arguments[name] for name in names)
 
 
+def is_pointer(operation: Operation, argument: Argument) -> bool:
+    """Whether C passes the argument's address: structs, and numbers that are written."""
+    if argument.quantity.name in STRUCTS:
+        return not operation.by_value
+    return not argument.quantity.shape and argument in operation.outputs
+
+
 def function(operation: Operation, program: Program, precision: Precision,
              tier: str = "") -> CFunction:
     """The operation as a C function, `_tier` behind its name."""
@@ -141,13 +148,10 @@ class _Writer:
     def _parameter(self, argument: Argument) -> str:
         kind = c_type(argument.quantity, self.precision)
         const = "" if argument.name in self.written else "const "
-        if argument.quantity.name in STRUCTS:
-            star = "" if self.operation.by_value else "*"
-            return f"{const}{kind} {star}{argument.name}"
-        if argument.quantity.shape:
-            return f"{const}{kind} {argument.name}[{argument.quantity.size}]"
-        star = "*" if argument.name in self.written else ""
-        return f"{const}{kind} {star}{argument.name}"
+        star = "*" if is_pointer(self.operation, argument) else ""
+        array = argument.quantity.shape and argument.quantity.name not in STRUCTS
+        size = f"[{argument.quantity.size}]" if array else ""
+        return f"{const}{kind} {star}{argument.name}{size}"
 
     def _body(self) -> list[str]:
         lines = [f"(void){a.name};" for n, a in enumerate(self.program.inputs)
@@ -184,10 +188,9 @@ class _Writer:
 
     def _access(self, argument: Argument, index: int) -> str:
         path = member(argument.quantity, index)
-        if not argument.quantity.shape and argument.name in self.written:
-            return f"*{argument.name}"
-        pointed = argument.quantity.name in STRUCTS and not self.operation.by_value
-        return argument.name + (path.replace(".", "->", 1) if pointed else path)
+        if not is_pointer(self.operation, argument):
+            return argument.name + path
+        return argument.name + path.replace(".", "->", 1) if path else f"*{argument.name}"
 
     def _stores(self) -> list[str]:
         results = [self._result(x) for x in self.program.results]

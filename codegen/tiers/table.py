@@ -24,7 +24,12 @@ class Tier:
     double: Callable[[Program], Program]
     single: Callable[[Program], Program]
     operation: Callable[[Operation], Operation] = lambda plain: plain
-    in_python: bool = True
+    in_words: str = ""  # of the Python package; none where there is no such package
+
+    @property
+    def in_python(self) -> bool:
+        """Whether Python has the tier."""
+        return bool(self.in_words)
 
     def program(self, plain: Program, precision: str) -> Program:
         """What the tier makes of a plain program, in "double" or "single" precision."""
@@ -42,11 +47,15 @@ def has_tiers(program: Program) -> bool:
     return ops <= _POLYNOMIAL and bool(ops - {Op.NEG})
 
 
-FUSED = Tier("fused", "Fused tier: products fused into sums.", "ksl_types", fused, fused,
-             in_python=False)
+FUSED = Tier("fused", "Fused tier: products fused into sums.", "ksl_types", fused, fused)
 ACCURATE = Tier("accurate", "Accurate tier: double compensated, single computed in double.",
-                "ksl_exact", accurate, widened)
-CERTIFIED = Tier("certified", "Certified tier: plain results, and bounds of their errors that always hold.",
+                "ksl_exact", accurate, widened, in_words="""\
+The accurate tier: float64 compensated, intermediate results carried as hi + lo; float32 computed in
+float64 and rounded once.  The same bits as the C kernels while nothing over- or underflows.""")
+CERTIFIED = Tier("certified", "Certified tier: plain results, and bounds of their errors that hold.",
                  "ksl_types", partial(certified, number=DOUBLE), partial(certified, number=SINGLE),
-                 certified_operation)
+                 certified_operation, """\
+The certified tier: every operation returns the plain result, bit for bit, and a bound of each
+component's error, whatever the numbers are, under- and overflow included: (result, bound).  Where the
+bound is infinite or NaN, something overflowed, and it says nothing.""")
 TIERS = (FUSED, ACCURATE, CERTIFIED)

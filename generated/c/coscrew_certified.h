@@ -148,7 +148,7 @@ typedef union ksl_mat6x6f_t {
 #endif
 
 /* Vectors of three components.
-   Certified tier: plain results, and bounds of their errors that always hold. */
+   Certified tier: plain results, and bounds of their errors that hold. */
 #ifndef KSL_VEC3_CERTIFIED_H
 #define KSL_VEC3_CERTIFIED_H
 
@@ -886,7 +886,7 @@ static inline void ksl_add_vvzinvf_certified(const ksl_vec3f_t *v, const float k
 #endif
 
 /* 3×3 matrices: rotations, and matrices in general.
-   Certified tier: plain results, and bounds of their errors that always hold. */
+   Certified tier: plain results, and bounds of their errors that hold. */
 #ifndef KSL_MAT3X3_CERTIFIED_H
 #define KSL_MAT3X3_CERTIFIED_H
 
@@ -945,7 +945,7 @@ static inline float ksl_mat3x3f_determinant_certified(const ksl_mat3x3f_t *R, fl
 #endif
 
 /* Displacements D = [R | t].
-   Certified tier: plain results, and bounds of their errors that always hold. */
+   Certified tier: plain results, and bounds of their errors that hold. */
 #ifndef KSL_SE3_CERTIFIED_H
 #define KSL_SE3_CERTIFIED_H
 
@@ -1195,7 +1195,7 @@ static inline void ksl_SE3f_inverted_certified(const ksl_SE3f_t *D, ksl_SE3f_t *
 #endif
 
 /* Products between rotations, displacements and vectors.
-   Certified tier: plain results, and bounds of their errors that always hold. */
+   Certified tier: plain results, and bounds of their errors that hold. */
 #ifndef KSL_MATRIX_CERTIFIED_H
 #define KSL_MATRIX_CERTIFIED_H
 
@@ -6042,7 +6042,7 @@ static inline void ksl_product_ddtzinvf_certified(const ksl_SE3f_t *D, const flo
 #endif
 
 /* Screws: twists, spatial velocities and accelerations, s = (v; ω).
-   Certified tier: plain results, and bounds of their errors that always hold. */
+   Certified tier: plain results, and bounds of their errors that hold. */
 #ifndef KSL_SCREW_CERTIFIED_H
 #define KSL_SCREW_CERTIFIED_H
 
@@ -8697,7 +8697,7 @@ static inline void ksl_hstaf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *a
 #endif
 
 /* Coscrews: wrenches and momenta, c = (f; τ).
-   Certified tier: plain results, and bounds of their errors that always hold. */
+   Certified tier: plain results, and bounds of their errors that hold. */
 #ifndef KSL_COSCREW_CERTIFIED_H
 #define KSL_COSCREW_CERTIFIED_H
 

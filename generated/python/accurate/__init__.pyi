@@ -2,254 +2,258 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from coscrew.accurate import double as double, single as single
+
+COMPILED: bool
+
 def vec3_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """self = a self.
 
     (3),()->(3).  self: vector; a: number.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def axpy_vv(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """y = a x + y.
 
     (),(3),(3)->(3).  a: number; x, y: vector.
-    3 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    3 mul, 18 add, 3 product rest.  Error <= u |result| + 3 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def xpy_vv(x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """y = x + y.
 
     (3),(3)->(3).  x, y: vector.
-    3 add.  Error <= u |result|, barring over- and underflow.
+    21 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def nxpy_vv(x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """y = -x + y.
 
     (3),(3)->(3).  x, y: vector.
-    3 add.  Error <= u |result|, barring over- and underflow.
+    21 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_av(a: ArrayLike, vi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = a vi.
 
     (),(3)->(3).  a: number; vi, vo: vector.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = v1 + v2.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    3 add.  Error <= u |result|, barring over- and underflow.
+    21 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def subtract_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = v1 - v2.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    3 add.  Error <= u |result|, barring over- and underflow.
+    21 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def vec3_scaled(v: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = k v.
 
     (3),()->(3).  v, vo: vector; k: number.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def dot_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """v1·v2.
 
     (3),(3)->().  v1, v2: vector; dot: number.
-    3 mul, 2 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    3 mul, 11 add, 3 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_avinv(k: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = k (-v).
 
     (),(3)->(3).  k: number; v, vo: vector.
-    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error, 6 neg.  Error <= u |result|, barring over- and underflow.
     """
 
 def cross_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = v1 × v2.  Exactly zero for v1 = v2, unless products overflow.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    6 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def cross_vvinv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = v1 × (-v2).
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    6 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def add_vvx(v: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = v + k e_x.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    7 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_vvxinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = v - k e_x.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    7 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_vvy(v: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = v + k e_y.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    7 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_vvyinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = v - k e_y.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    7 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_vvz(v: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = v + k e_z.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    7 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_vvzinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = v - k e_z.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    7 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def mat3x3_determinant(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """det R.
 
     (3,3)->().  R: rotation or other 3×3 matrix; det: number.
-    9 mul, 5 add.  Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    12 mul, 26 add, 9 product rest.  Error <= u |result| + 28 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def SE3_invert(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """self = self^-1 = [R^T | -R^T t].
 
     (3,4)->(3,4).  self: displacement [R | t], R rotation, t in m.
-    9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of
-    the expanded formula; barring over- and underflow.
+    9 mul, 33 add, 9 product rest, 6 neg.  Error <= u |result| + (R: 0, t: 11) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def SE3_inverted(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Do = D^-1 = [R^T | -R^T t].
 
     (3,4)->(3,4).  D, Do: displacement [R | t], R rotation, t in m.
-    9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of
-    the expanded formula; barring over- and underflow.
+    9 mul, 33 add, 9 product rest, 6 neg.  Error <= u |result| + (R: 0, t: 11) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_drv(R: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = R v.
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    9 mul, 33 add, 9 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_drvinv(R: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = R (-v).
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add, 3 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    9 mul, 33 add, 9 product rest, 6 neg.  Error <= u |result| + 11 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_drinvv(R: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = R^T v.
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    9 mul, 33 add, 9 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_drinvvinv(R: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = R^T (-v).
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add, 3 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    9 mul, 33 add, 9 product rest, 6 neg.  Error <= u |result| + 11 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_dv(D: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = R v + t.
 
     (3,4),(3)->(3).  D: displacement [R | t], R rotation, t in m; v, vo: vector.
-    9 mul, 9 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    9 mul, 54 add, 9 product rest.  Error <= u |result| + 15 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_dinvv(D: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = R^T (v - t).
 
     (3,4),(3)->(3).  D: displacement [R | t], R rotation, t in m; v, vo: vector.
-    9 mul, 9 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    18 mul, 60 add, 9 product rest.  Error <= u |result| + 18 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_drdr(R1: ArrayLike, R2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Ro = R1 R2.
 
     (3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    27 mul, 99 add, 27 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def product_drdrinv(R1: ArrayLike, R2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Ro = R1 R2^T.
 
     (3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    27 mul, 99 add, 27 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def product_drinvdr(R1: ArrayLike, R2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Ro = R1^T R2.
 
     (3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    27 mul, 99 add, 27 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def product_dd(D1: ArrayLike, D2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Do = D1 D2 = [R1 R2 | R1 t2 + t1].
 
     (3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.
-    36 mul, 27 add.  Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    36 mul, 153 add, 36 product rest.  Error <= u |result| + (R: 11, t: 15) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddinv(D1: ArrayLike, D2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T.
 
     (3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.
-    36 mul, 27 add.  Error <= u |result| + (R: 2, t: 6) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    45 mul, 162 add, 36 product rest.  Error <= u |result| + (R: 11, t: 44) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_dinvd(D1: ArrayLike, D2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)].
 
     (3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.
-    36 mul, 27 add.  Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    45 mul, 159 add, 36 product rest.  Error <= u |result| + (R: 11, t: 18) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddr(D: ArrayLike, R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -257,8 +261,8 @@ def product_ddr(D: ArrayLike, R: ArrayLike, out: NDArray[np.floating] | None = .
 
     (3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other
     3×3 matrix.
-    27 mul, 18 add.  Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    27 mul, 99 add, 27 product rest.  Error <= u |result| + (R: 11, t: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddrinv(D: ArrayLike, R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -266,323 +270,323 @@ def product_ddrinv(D: ArrayLike, R: ArrayLike, out: NDArray[np.floating] | None 
 
     (3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other
     3×3 matrix.
-    27 mul, 18 add.  Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    27 mul, 99 add, 27 product rest.  Error <= u |result| + (R: 11, t: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddt(D: ArrayLike, t: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Do = D [I | t].
 
     (3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.
-    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    9 mul, 54 add, 9 product rest.  Error <= u |result| + (R: 0, t: 15) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddtinv(D: ArrayLike, t: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Do = D [I | -t].
 
     (3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.
-    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    9 mul, 54 add, 9 product rest.  Error <= u |result| + (R: 0, t: 15) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_dinvdt(D: ArrayLike, t: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Do = D^-1 [I | t] = [R^T | R^T (t - t_D)].
 
     (3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.
-    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    18 mul, 60 add, 9 product rest.  Error <= u |result| + (R: 0, t: 18) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_drvtx(R: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = R (k e_x).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_drdrx(R: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Ro = R R_x(θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_ddrx(D: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Do = D [R_x(θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + (R: 6, t: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddtx(D: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Do = D [I | k e_x].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    3 mul, 18 add, 3 product rest.  Error <= u |result| + (R: 0, t: 3) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_drvtxinv(R: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = R (-k e_x).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error, 6 neg.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_drdrxinv(R: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Ro = R R_x(-θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_ddrxinv(D: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + (R: 6, t: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddtxinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Do = D [I | -k e_x].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    3 mul, 18 add, 3 product rest.  Error <= u |result| + (R: 0, t: 5) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_drvty(R: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = R (k e_y).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_drdry(R: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Ro = R R_y(θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_ddry(D: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Do = D [R_y(θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + (R: 6, t: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddty(D: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Do = D [I | k e_y].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    3 mul, 18 add, 3 product rest.  Error <= u |result| + (R: 0, t: 3) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_drvtyinv(R: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = R (-k e_y).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error, 6 neg.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_drdryinv(R: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Ro = R R_y(-θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_ddryinv(D: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + (R: 6, t: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddtyinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Do = D [I | -k e_y].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    3 mul, 18 add, 3 product rest.  Error <= u |result| + (R: 0, t: 5) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_drvtz(R: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = R (k e_z).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_drdrz(R: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Ro = R R_z(θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_ddrz(D: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Do = D [R_z(θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + (R: 6, t: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddtz(D: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Do = D [I | k e_z].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    3 mul, 18 add, 3 product rest.  Error <= u |result| + (R: 0, t: 3) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_drvtzinv(R: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = R (-k e_z).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error, 6 neg.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_drdrzinv(R: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Ro = R R_z(-θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_ddrzinv(D: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + (R: 6, t: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddtzinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Do = D [I | -k e_z].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    3 mul, 18 add, 3 product rest.  Error <= u |result| + (R: 0, t: 5) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def screw_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """self = a self.
 
     (6),()->(6).  self: screw (v in m/s; ω in rad/s); a: number.
-    6 mul.  Error <= u |result|, barring over- and underflow.
+    6 mul, 6 add, 6 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def axpy_ss(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """y = a x + y.
 
     (),(6),(6)->(6).  a: number; x, y: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest.  Error <= u |result| + 3 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def xpy_ss(x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """y = x + y.
 
     (6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def nxpy_ss(x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """y = -x + y.
 
     (6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_as(a: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """so = a si.
 
     (),(6)->(6).  a: number; si, so: screw (v in m/s; ω in rad/s).
-    6 mul.  Error <= u |result|, barring over- and underflow.
+    6 mul, 6 add, 6 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """so = s1 + s2.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def subtract_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """so = s1 - s2.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_sst(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """so = (s1.lin + s2.lin ; s1.ang).
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    3 add.  Error <= u |result|, barring over- and underflow.
+    21 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_Adts(t: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """so = [Ad](t) si.
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest.  Error <= u |result| + (lin: 9, ang: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_Adtinvs(t: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """so = [Ad](t)^-1 si.
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest.  Error <= u |result| + (lin: 9, ang: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_Adtsinv(t: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """so = [Ad](t) (-si).
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 9, ang: 0) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_Adrs(R: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """so = [Ad](R) si.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def product_Adrinvs(R: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """so = [Ad](R)^-1 si.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def product_Adrsinv(R: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """so = [Ad](R) (-si).
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add, 6 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest, 12 neg.  Error <= u |result| + 11 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_Ads(D: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -590,8 +594,8 @@ def product_Ads(D: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = 
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
     rad/s).
-    24 mul, 18 add.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    30 mul, 108 add, 24 product rest.  Error <= u |result| + (lin: 35, ang: 11) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_Adinvs(D: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -599,8 +603,8 @@ def product_Adinvs(D: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
     rad/s).
-    24 mul, 18 add.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    33 mul, 108 add, 24 product rest.  Error <= u |result| + (lin: 35, ang: 11) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_Adsinv(D: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -608,72 +612,72 @@ def product_Adsinv(D: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
     rad/s).
-    24 mul, 18 add, 6 neg.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    30 mul, 108 add, 24 product rest, 12 neg.  Error <= u |result| + (lin: 35, ang: 11) u^2 S, S
+    the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsrx(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """so = h_rx: column 3 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsry(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """so = h_ry: column 4 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsrz(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """so = h_rz: column 5 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsrxinv(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """so = -h_rx: -column 3 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsryinv(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """so = -h_ry: -column 4 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsrzinv(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """so = -h_rz: -column 5 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def Ad(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """M = [Ad](D).
 
     (3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-    18 mul, 9 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    18 mul, 45 add, 18 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def dot_cs(c: ArrayLike, s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """power = f·v + τ·ω, in W.
 
     (6),(6)->().  c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s); power: number.
-    6 mul, 5 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    6 mul, 29 add, 6 product rest.  Error <= u |result| + 19 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def cross_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -681,16 +685,16 @@ def cross_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.floating] | None = ..
     overflow.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add.  Error <= u |result| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest.  Error <= u |result| + (lin: 12, ang: 6) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def cross_sst(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """so = (ω1×v2 ; 0).
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsra(D: ArrayLike, axis: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -698,8 +702,8 @@ def hsra(D: ArrayLike, axis: ArrayLike, out: NDArray[np.floating] | None = ...) 
 
     (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
     m/s; ω in rad/s).
-    15 mul, 9 add.  Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    21 mul, 54 add, 15 product rest.  Error <= u |result| + (lin: 28, ang: 11) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsta(D: ArrayLike, axis: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -707,113 +711,113 @@ def hsta(D: ArrayLike, axis: ArrayLike, out: NDArray[np.floating] | None = ...) 
 
     (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
     m/s; ω in rad/s).
-    9 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    9 mul, 33 add, 9 product rest.  Error <= u |result| + (lin: 11, ang: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def coscrew_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """self = a self.
 
     (6),()->(6).  self: coscrew (f in N; τ in N m); a: number.
-    6 mul.  Error <= u |result|, barring over- and underflow.
+    6 mul, 6 add, 6 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def axpy_cc(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """y = a x + y.
 
     (),(6),(6)->(6).  a: number; x, y: coscrew (f in N; τ in N m).
-    6 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest.  Error <= u |result| + 3 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def xpy_cc(x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """y = x + y.
 
     (6),(6)->(6).  x, y: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def nxpy_cc(x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """y = -x + y.
 
     (6),(6)->(6).  x, y: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_ac(a: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """co = a ci.
 
     (),(6)->(6).  a: number; ci, co: coscrew (f in N; τ in N m).
-    6 mul.  Error <= u |result|, barring over- and underflow.
+    6 mul, 6 add, 6 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_cc(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """co = c1 + c2.
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def subtract_cc(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """co = c1 - c2.
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_cct(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """co = (c1.lin + c2.lin ; c1.ang).
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    3 add.  Error <= u |result|, barring over- and underflow.
+    21 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_CoAdtc(t: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """co = [Ad]*(t) ci.
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 6 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 9) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdtinvc(t: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """co = [Ad]*(t)^-1 ci.
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 6 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 9) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdtcinv(t: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """co = [Ad]*(t) (-ci).
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 0, ang: 9) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdrc(R: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """co = [Ad]*(R) ci.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdrinvc(R: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """co = [Ad]*(R)^-1 ci.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdrcinv(R: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """co = [Ad]*(R) (-ci).
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add, 6 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest, 12 neg.  Error <= u |result| + 11 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdc(D: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -821,8 +825,8 @@ def product_CoAdc(D: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None 
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
     N m).
-    24 mul, 18 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    30 mul, 108 add, 24 product rest.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdinvc(D: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -830,8 +834,8 @@ def product_CoAdinvc(D: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | No
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
     N m).
-    24 mul, 18 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    33 mul, 108 add, 24 product rest.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdcinv(D: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -839,64 +843,64 @@ def product_CoAdcinv(D: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | No
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
     N m).
-    24 mul, 18 add, 6 neg.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    30 mul, 108 add, 24 product rest, 12 neg.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S
+    the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hctx(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """co = h_tx: column 0 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hcty(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """co = h_ty: column 1 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hctz(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """co = h_tz: column 2 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hctxinv(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """co = -h_tx: -column 0 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hctyinv(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """co = -h_ty: -column 1 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hctzinv(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """co = -h_tz: -column 2 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def CoAd(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """M = [Ad]*(D).
 
     (3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-    18 mul, 9 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    18 mul, 45 add, 18 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def reciprocal_product(c: ArrayLike, x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -904,24 +908,24 @@ def reciprocal_product(c: ArrayLike, x: ArrayLike, out: NDArray[np.floating] | N
 
     (6),(6)->().  c: coscrew (f in N; τ in N m); x: six components with the angular part on top;
     power: number.
-    6 mul, 5 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    6 mul, 29 add, 6 product rest.  Error <= u |result| + 19 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def cross_sc(s: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
 
     (6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add.  Error <= u |result| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest.  Error <= u |result| + (lin: 6, ang: 12) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def cross_sca(s: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """co = (0 ; ω×τ).
 
     (6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -929,8 +933,8 @@ def constraint_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None 
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 6, ang: 26) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -938,8 +942,8 @@ def constraint_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None 
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 6, ang: 26) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -947,8 +951,8 @@ def constraint_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None 
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 6, ang: 26) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -956,8 +960,8 @@ def constraint_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None 
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -965,8 +969,8 @@ def constraint_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None 
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -974,8 +978,8 @@ def constraint_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None 
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def working_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -983,8 +987,8 @@ def working_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = .
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    9 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    15 mul, 24 add, 3 product error, 6 product rest.  Error <= u |result| + (lin: 0, ang: 11)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def working_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -992,8 +996,8 @@ def working_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = .
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    9 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    15 mul, 24 add, 3 product error, 6 product rest.  Error <= u |result| + (lin: 0, ang: 11)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def working_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1001,8 +1005,8 @@ def working_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = .
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    9 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    15 mul, 24 add, 3 product error, 6 product rest.  Error <= u |result| + (lin: 0, ang: 11)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def working_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1010,7 +1014,7 @@ def working_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = .
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def working_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1018,7 +1022,7 @@ def working_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = .
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def working_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1026,5 +1030,5 @@ def working_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = .
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """

@@ -1,6 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* Displacements D = [R | t].
-   Certified tier: plain results, and bounds of their errors that always hold. */
+   Certified tier: plain results, and bounds of their errors that hold. */
 #ifndef KSL_SE3_CERTIFIED_H
 #define KSL_SE3_CERTIFIED_H
 

@@ -1,6 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* Coscrews: wrenches and momenta, c = (f; τ).
-   Certified tier: plain results, and bounds of their errors that always hold. */
+   Certified tier: plain results, and bounds of their errors that hold. */
 #ifndef KSL_COSCREW_CERTIFIED_H
 #define KSL_COSCREW_CERTIFIED_H
 

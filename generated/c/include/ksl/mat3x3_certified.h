@@ -1,6 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* 3×3 matrices: rotations, and matrices in general.
-   Certified tier: plain results, and bounds of their errors that always hold. */
+   Certified tier: plain results, and bounds of their errors that hold. */
 #ifndef KSL_MAT3X3_CERTIFIED_H
 #define KSL_MAT3X3_CERTIFIED_H
 

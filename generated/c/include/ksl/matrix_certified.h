@@ -1,6 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* Products between rotations, displacements and vectors.
-   Certified tier: plain results, and bounds of their errors that always hold. */
+   Certified tier: plain results, and bounds of their errors that hold. */
 #ifndef KSL_MATRIX_CERTIFIED_H
 #define KSL_MATRIX_CERTIFIED_H
 

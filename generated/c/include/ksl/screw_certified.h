@@ -1,6 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* Screws: twists, spatial velocities and accelerations, s = (v; ω).
-   Certified tier: plain results, and bounds of their errors that always hold. */
+   Certified tier: plain results, and bounds of their errors that hold. */
 #ifndef KSL_SCREW_CERTIFIED_H
 #define KSL_SCREW_CERTIFIED_H
 

@@ -6,14 +6,15 @@ def vec3_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float32] | None = 
     """self = a self.
 
     (3),()->(3).  self: vector; a: number.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def axpy_vv(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """y = a x + y.
 
     (),(3),(3)->(3).  a: number; x, y: vector.
-    3 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    3 mul, 3 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -21,49 +22,55 @@ def xpy_vv(x: ArrayLike, y: ArrayLike, out: NDArray[np.float32] | None = ...) ->
     """y = x + y.
 
     (3),(3)->(3).  x, y: vector.
-    3 add.  Error <= u |result|, barring over- and underflow.
+    3 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def nxpy_vv(x: ArrayLike, y: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """y = -x + y.
 
     (3),(3)->(3).  x, y: vector.
-    3 add.  Error <= u |result|, barring over- and underflow.
+    3 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def product_av(a: ArrayLike, vi: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = a vi.
 
     (),(3)->(3).  a: number; vi, vo: vector.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def add_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = v1 + v2.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    3 add.  Error <= u |result|, barring over- and underflow.
+    3 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def subtract_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = v1 - v2.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    3 add.  Error <= u |result|, barring over- and underflow.
+    3 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def vec3_scaled(v: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = k v.
 
     (3),()->(3).  v, vo: vector; k: number.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def dot_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """v1·v2.
 
     (3),(3)->().  v1, v2: vector; dot: number.
-    3 mul, 2 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    3 mul, 2 add.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -71,14 +78,15 @@ def product_avinv(k: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = 
     """vo = k (-v).
 
     (),(3)->(3).  k: number; v, vo: vector.
-    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 neg.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def cross_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = v1 × v2.  Exactly zero for v1 = v2, unless products overflow.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    6 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    6 mul, 3 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -86,7 +94,7 @@ def cross_vvinv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float32] | None = 
     """vo = v1 × (-v2).
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    6 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    6 mul, 3 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -94,49 +102,55 @@ def add_vvx(v: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...) -
     """vo = v + k e_x.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    1 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def add_vvxinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = v - k e_x.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    1 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def add_vvy(v: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = v + k e_y.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    1 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def add_vvyinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = v - k e_y.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    1 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def add_vvz(v: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = v + k e_z.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    1 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def add_vvzinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = v - k e_z.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    1 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def mat3x3_determinant(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """det R.
 
     (3,3)->().  R: rotation or other 3×3 matrix; det: number.
-    9 mul, 5 add.  Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded
+    9 mul, 5 add.  Error <= u |result| + 5/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -144,23 +158,23 @@ def SE3_invert(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArra
     """self = self^-1 = [R^T | -R^T t].
 
     (3,4)->(3,4).  self: displacement [R | t], R rotation, t in m.
-    9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of
-    the expanded formula; barring over- and underflow.
+    9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 3/32) u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def SE3_inverted(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Do = D^-1 = [R^T | -R^T t].
 
     (3,4)->(3,4).  D, Do: displacement [R | t], R rotation, t in m.
-    9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of
-    the expanded formula; barring over- and underflow.
+    9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 3/32) u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def product_drv(R: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = R v.
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    9 mul, 6 add.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -168,15 +182,15 @@ def product_drvinv(R: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None =
     """vo = R (-v).
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add, 3 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    9 mul, 6 add, 3 neg.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_drinvv(R: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = R^T v.
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    9 mul, 6 add.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -184,15 +198,15 @@ def product_drinvvinv(R: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | Non
     """vo = R^T (-v).
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add, 3 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    9 mul, 6 add, 3 neg.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_dv(D: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = R v + t.
 
     (3,4),(3)->(3).  D: displacement [R | t], R rotation, t in m; v, vo: vector.
-    9 mul, 9 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    9 mul, 9 add.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -200,7 +214,7 @@ def product_dinvv(D: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = 
     """vo = R^T (v - t).
 
     (3,4),(3)->(3).  D: displacement [R | t], R rotation, t in m; v, vo: vector.
-    9 mul, 9 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    9 mul, 9 add.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -208,7 +222,7 @@ def product_drdr(R1: ArrayLike, R2: ArrayLike, out: NDArray[np.float32] | None =
     """Ro = R1 R2.
 
     (3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    27 mul, 18 add.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -216,7 +230,7 @@ def product_drdrinv(R1: ArrayLike, R2: ArrayLike, out: NDArray[np.float32] | Non
     """Ro = R1 R2^T.
 
     (3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    27 mul, 18 add.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -224,7 +238,7 @@ def product_drinvdr(R1: ArrayLike, R2: ArrayLike, out: NDArray[np.float32] | Non
     """Ro = R1^T R2.
 
     (3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    27 mul, 18 add.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -232,24 +246,24 @@ def product_dd(D1: ArrayLike, D2: ArrayLike, out: NDArray[np.float32] | None = .
     """Do = D1 D2 = [R1 R2 | R1 t2 + t1].
 
     (3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.
-    36 mul, 27 add.  Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    36 mul, 27 add.  Error <= u |result| + (R: 3/32, t: 1/8) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_ddinv(D1: ArrayLike, D2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T.
 
     (3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.
-    36 mul, 27 add.  Error <= u |result| + (R: 2, t: 6) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    36 mul, 27 add.  Error <= u |result| + (R: 3/32, t: 7/32) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_dinvd(D1: ArrayLike, D2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)].
 
     (3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.
-    36 mul, 27 add.  Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    36 mul, 27 add.  Error <= u |result| + (R: 3/32, t: 1/8) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_ddr(D: ArrayLike, R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -257,8 +271,8 @@ def product_ddr(D: ArrayLike, R: ArrayLike, out: NDArray[np.float32] | None = ..
 
     (3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other
     3×3 matrix.
-    27 mul, 18 add.  Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    27 mul, 18 add.  Error <= u |result| + (R: 3/32, t: 0) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_ddrinv(D: ArrayLike, R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -266,15 +280,15 @@ def product_ddrinv(D: ArrayLike, R: ArrayLike, out: NDArray[np.float32] | None =
 
     (3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other
     3×3 matrix.
-    27 mul, 18 add.  Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    27 mul, 18 add.  Error <= u |result| + (R: 3/32, t: 0) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_ddt(D: ArrayLike, t: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Do = D [I | t].
 
     (3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.
-    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the
+    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 1/8) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -282,7 +296,7 @@ def product_ddtinv(D: ArrayLike, t: ArrayLike, out: NDArray[np.float32] | None =
     """Do = D [I | -t].
 
     (3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.
-    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the
+    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 1/8) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -290,7 +304,7 @@ def product_dinvdt(D: ArrayLike, t: ArrayLike, out: NDArray[np.float32] | None =
     """Do = D^-1 [I | t] = [R^T | R^T (t - t_D)].
 
     (3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.
-    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the
+    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 1/8) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -298,14 +312,15 @@ def product_drvtx(R: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = 
     """vo = R (k e_x).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def product_drdrx(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Ro = R R_x(θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    12 mul, 6 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -313,7 +328,7 @@ def product_ddrx(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = 
     """Do = D [R_x(θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    12 mul, 6 add.  Error <= u |result| + (R: 1/16, t: 0) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -321,7 +336,7 @@ def product_ddtx(D: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = .
     """Do = D [I | k e_x].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -329,14 +344,15 @@ def product_drvtxinv(R: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None
     """vo = R (-k e_x).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 neg.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_drdrxinv(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Ro = R R_x(-θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    12 mul, 6 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -344,7 +360,7 @@ def product_ddrxinv(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None
     """Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    12 mul, 6 add.  Error <= u |result| + (R: 1/16, t: 0) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -352,7 +368,7 @@ def product_ddtxinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None 
     """Do = D [I | -k e_x].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -360,14 +376,15 @@ def product_drvty(R: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = 
     """vo = R (k e_y).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def product_drdry(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Ro = R R_y(θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    12 mul, 6 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -375,7 +392,7 @@ def product_ddry(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = 
     """Do = D [R_y(θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    12 mul, 6 add.  Error <= u |result| + (R: 1/16, t: 0) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -383,7 +400,7 @@ def product_ddty(D: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = .
     """Do = D [I | k e_y].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -391,14 +408,15 @@ def product_drvtyinv(R: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None
     """vo = R (-k e_y).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 neg.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_drdryinv(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Ro = R R_y(-θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    12 mul, 6 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -406,7 +424,7 @@ def product_ddryinv(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None
     """Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    12 mul, 6 add.  Error <= u |result| + (R: 1/16, t: 0) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -414,7 +432,7 @@ def product_ddtyinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None 
     """Do = D [I | -k e_y].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -422,14 +440,15 @@ def product_drvtz(R: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = 
     """vo = R (k e_z).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def product_drdrz(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Ro = R R_z(θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    12 mul, 6 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -437,7 +456,7 @@ def product_ddrz(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = 
     """Do = D [R_z(θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    12 mul, 6 add.  Error <= u |result| + (R: 1/16, t: 0) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -445,7 +464,7 @@ def product_ddtz(D: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = .
     """Do = D [I | k e_z].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -453,14 +472,15 @@ def product_drvtzinv(R: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None
     """vo = R (-k e_z).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 neg.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_drdrzinv(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Ro = R R_z(-θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    12 mul, 6 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -468,7 +488,7 @@ def product_ddrzinv(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None
     """Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    12 mul, 6 add.  Error <= u |result| + (R: 1/16, t: 0) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -476,7 +496,7 @@ def product_ddtzinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None 
     """Do = D [I | -k e_z].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -484,14 +504,15 @@ def screw_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float32] | None =
     """self = a self.
 
     (6),()->(6).  self: screw (v in m/s; ω in rad/s); a: number.
-    6 mul.  Error <= u |result|, barring over- and underflow.
+    6 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def axpy_ss(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """y = a x + y.
 
     (),(6),(6)->(6).  a: number; x, y: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    6 mul, 6 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -499,73 +520,79 @@ def xpy_ss(x: ArrayLike, y: ArrayLike, out: NDArray[np.float32] | None = ...) ->
     """y = x + y.
 
     (6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    6 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def nxpy_ss(x: ArrayLike, y: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """y = -x + y.
 
     (6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    6 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def product_as(a: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = a si.
 
     (),(6)->(6).  a: number; si, so: screw (v in m/s; ω in rad/s).
-    6 mul.  Error <= u |result|, barring over- and underflow.
+    6 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def add_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = s1 + s2.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    6 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def subtract_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = s1 - s2.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    6 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def add_sst(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = (s1.lin + s2.lin ; s1.ang).
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    3 add.  Error <= u |result|, barring over- and underflow.
+    3 add.  Error <= u |result| + (lin: 1/32, ang: 0) u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_Adts(t: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = [Ad](t) si.
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 6 add.  Error <= u |result| + (lin: 3/32, ang: 0) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_Adtinvs(t: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = [Ad](t)^-1 si.
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 6 add.  Error <= u |result| + (lin: 3/32, ang: 0) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_Adtsinv(t: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = [Ad](t) (-si).
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 3/32, ang: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_Adrs(R: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = [Ad](R) si.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    18 mul, 12 add.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -573,7 +600,7 @@ def product_Adrinvs(R: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None
     """so = [Ad](R)^-1 si.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    18 mul, 12 add.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -581,7 +608,7 @@ def product_Adrsinv(R: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None
     """so = [Ad](R) (-si).
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add, 6 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the
+    18 mul, 12 add, 6 neg.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -590,8 +617,8 @@ def product_Ads(D: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None = .
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
     rad/s).
-    24 mul, 18 add.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    24 mul, 18 add.  Error <= u |result| + (lin: 3/16, ang: 3/32) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_Adinvs(D: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -599,8 +626,8 @@ def product_Adinvs(D: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None 
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
     rad/s).
-    24 mul, 18 add.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    24 mul, 18 add.  Error <= u |result| + (lin: 3/16, ang: 3/32) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_Adsinv(D: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -608,63 +635,63 @@ def product_Adsinv(D: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None 
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
     rad/s).
-    24 mul, 18 add, 6 neg.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    24 mul, 18 add, 6 neg.  Error <= u |result| + (lin: 3/16, ang: 3/32) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsrx(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = h_rx: column 3 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def hsry(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = h_ry: column 4 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def hsrz(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = h_rz: column 5 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def hsrxinv(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = -h_rx: -column 3 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsryinv(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = -h_ry: -column 4 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsrzinv(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = -h_rz: -column 5 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def Ad(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """M = [Ad](D).
 
     (3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-    18 mul, 9 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    18 mul, 9 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -672,7 +699,7 @@ def dot_cs(c: ArrayLike, s: ArrayLike, out: NDArray[np.float32] | None = ...) ->
     """power = f·v + τ·ω, in W.
 
     (6),(6)->().  c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s); power: number.
-    6 mul, 5 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    6 mul, 5 add.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -681,16 +708,16 @@ def cross_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float32] | None = ...
     overflow.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add.  Error <= u |result| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    18 mul, 12 add.  Error <= u |result| + (lin: 3/32, ang: 1/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def cross_sst(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = (ω1×v2 ; 0).
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def hsra(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -698,8 +725,8 @@ def hsra(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float32] | None = ...) -
 
     (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
     m/s; ω in rad/s).
-    15 mul, 9 add.  Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    15 mul, 9 add.  Error <= u |result| + (lin: 5/32, ang: 3/32) u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def hsta(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -707,22 +734,23 @@ def hsta(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float32] | None = ...) -
 
     (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
     m/s; ω in rad/s).
-    9 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    9 mul, 6 add.  Error <= u |result| + (lin: 3/32, ang: 0) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def coscrew_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """self = a self.
 
     (6),()->(6).  self: coscrew (f in N; τ in N m); a: number.
-    6 mul.  Error <= u |result|, barring over- and underflow.
+    6 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def axpy_cc(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """y = a x + y.
 
     (),(6),(6)->(6).  a: number; x, y: coscrew (f in N; τ in N m).
-    6 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    6 mul, 6 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -730,73 +758,79 @@ def xpy_cc(x: ArrayLike, y: ArrayLike, out: NDArray[np.float32] | None = ...) ->
     """y = x + y.
 
     (6),(6)->(6).  x, y: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    6 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def nxpy_cc(x: ArrayLike, y: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """y = -x + y.
 
     (6),(6)->(6).  x, y: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    6 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def product_ac(a: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = a ci.
 
     (),(6)->(6).  a: number; ci, co: coscrew (f in N; τ in N m).
-    6 mul.  Error <= u |result|, barring over- and underflow.
+    6 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def add_cc(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = c1 + c2.
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    6 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def subtract_cc(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = c1 - c2.
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    6 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def add_cct(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = (c1.lin + c2.lin ; c1.ang).
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    3 add.  Error <= u |result|, barring over- and underflow.
+    3 add.  Error <= u |result| + (lin: 1/32, ang: 0) u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_CoAdtc(t: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = [Ad]*(t) ci.
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 6 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 6 add.  Error <= u |result| + (lin: 0, ang: 3/32) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdtinvc(t: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = [Ad]*(t)^-1 ci.
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 6 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 6 add.  Error <= u |result| + (lin: 0, ang: 3/32) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdtcinv(t: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = [Ad]*(t) (-ci).
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 3/32) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdrc(R: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = [Ad]*(R) ci.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    18 mul, 12 add.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -804,7 +838,7 @@ def product_CoAdrinvc(R: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | No
     """co = [Ad]*(R)^-1 ci.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    18 mul, 12 add.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -812,7 +846,7 @@ def product_CoAdrcinv(R: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | No
     """co = [Ad]*(R) (-ci).
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add, 6 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the
+    18 mul, 12 add, 6 neg.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -821,8 +855,8 @@ def product_CoAdc(D: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | None =
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
     N m).
-    24 mul, 18 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    24 mul, 18 add.  Error <= u |result| + (lin: 3/32, ang: 3/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdinvc(D: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -830,8 +864,8 @@ def product_CoAdinvc(D: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | Non
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
     N m).
-    24 mul, 18 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    24 mul, 18 add.  Error <= u |result| + (lin: 3/32, ang: 3/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdcinv(D: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -839,63 +873,63 @@ def product_CoAdcinv(D: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | Non
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
     N m).
-    24 mul, 18 add, 6 neg.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    24 mul, 18 add, 6 neg.  Error <= u |result| + (lin: 3/32, ang: 3/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hctx(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = h_tx: column 0 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def hcty(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = h_ty: column 1 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def hctz(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = h_tz: column 2 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def hctxinv(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = -h_tx: -column 0 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hctyinv(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = -h_ty: -column 1 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hctzinv(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = -h_tz: -column 2 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def CoAd(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """M = [Ad]*(D).
 
     (3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-    18 mul, 9 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    18 mul, 9 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -904,7 +938,7 @@ def reciprocal_product(c: ArrayLike, x: ArrayLike, out: NDArray[np.float32] | No
 
     (6),(6)->().  c: coscrew (f in N; τ in N m); x: six components with the angular part on top;
     power: number.
-    6 mul, 5 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    6 mul, 5 add.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -912,16 +946,16 @@ def cross_sc(s: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) 
     """co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
 
     (6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add.  Error <= u |result| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    18 mul, 12 add.  Error <= u |result| + (lin: 1/16, ang: 3/32) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def cross_sca(s: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = (0 ; ω×τ).
 
     (6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def constraint_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -929,8 +963,8 @@ def constraint_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None =
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    21 mul, 15 add.  Error <= u |result| + (lin: 1/16, ang: 5/32) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -938,8 +972,8 @@ def constraint_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None =
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    21 mul, 15 add.  Error <= u |result| + (lin: 1/16, ang: 5/32) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -947,8 +981,8 @@ def constraint_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None =
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    21 mul, 15 add.  Error <= u |result| + (lin: 1/16, ang: 5/32) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -956,8 +990,8 @@ def constraint_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None =
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    21 mul, 15 add.  Error <= u |result| + (lin: 3/32, ang: 3/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -965,8 +999,8 @@ def constraint_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None =
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    21 mul, 15 add.  Error <= u |result| + (lin: 3/32, ang: 3/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -974,8 +1008,8 @@ def constraint_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None =
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    21 mul, 15 add.  Error <= u |result| + (lin: 3/32, ang: 3/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def working_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -983,8 +1017,8 @@ def working_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ..
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    9 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    9 mul, 3 add.  Error <= u |result| + (lin: 1/32, ang: 3/32) u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def working_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -992,8 +1026,8 @@ def working_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ..
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    9 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    9 mul, 3 add.  Error <= u |result| + (lin: 1/32, ang: 3/32) u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def working_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1001,8 +1035,8 @@ def working_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ..
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    9 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    9 mul, 3 add.  Error <= u |result| + (lin: 1/32, ang: 3/32) u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def working_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1010,7 +1044,8 @@ def working_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ..
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul.  Error <= u |result| + (lin: 0, ang: 1/32) u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def working_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1018,7 +1053,8 @@ def working_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ..
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul.  Error <= u |result| + (lin: 0, ang: 1/32) u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def working_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1026,5 +1062,6 @@ def working_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ..
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul.  Error <= u |result| + (lin: 0, ang: 1/32) u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
