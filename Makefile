@@ -4,7 +4,7 @@ PYTHON3 ?= python3
 VENV    := .venv
 PYTHON  := $(VENV)/bin/python
 PIP     := PYTHONWARNINGS=ignore $(PYTHON) -m pip --quiet --disable-pip-version-check
-SOURCES := $(wildcard generated/gufunc/*.c generated/gufunc/*.h) generated/c/coscrew.h
+SOURCES := $(wildcard $(addprefix generated/,gufunc/*.[ch] gufunc/*/*.[ch] c/coscrew*.h))
 
 .PHONY: all generate check build example test bench attack clean
 
@@ -33,7 +33,8 @@ build: $(VENV)/ready
 	@$(COMPILED) || echo "no working C compiler: coscrew runs in pure NumPy (gcc or clang, and the \
 	headers of Python, compile it)" >&2
 
-COMPILED = $(PYTHON) -c "import coscrew, sys; sys.exit(not coscrew.COMPILED)"
+COMPILED = $(PYTHON) -c "import sys, coscrew, coscrew.accurate as a, coscrew.certified as c; \
+    sys.exit(not (coscrew.COMPILED and a.COMPILED and c.COMPILED))"
 
 $(VENV)/built: $(SOURCES) codegen/build.py
 	$(PIP) install --no-build-isolation --no-deps --editable .

@@ -4,7 +4,8 @@
 tier, how close the worst error found comes to the bound; the tests run a small sample of the same.
 
 Truth is the operation's formula, expanded by SymPy and evaluated in exact rationals.  Attacked are
-the NumPy twins (whose bits the C kernels share) and, for the fused tier, compiled C.
+the NumPy twins (whose bits the C kernels share) and, for the fused tier, compiled C.  What the
+certified tier returns as bounds is attacked with numbers of any size, too.
 """
 
 import functools
@@ -23,6 +24,7 @@ from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Program
 from coscrew_codegen.targets.precision import Precision
 from coscrew_codegen.tiers.table import TIERS, has_tiers
+from tests.sampling import inputs_of
 
 Arrays = tuple[np.ndarray, ...]
 Implementation = Callable[[Operation, Precision, Arrays], Arrays]
@@ -95,6 +97,22 @@ def _cancel(operation: Operation, row: np.ndarray, chooser: random.Random) -> No
                 return
 
 
+def extreme_rows(operation: Operation, precision: Precision, count: int, seed: int) -> Arrays:
+    """Inputs of every kind floating point has, and such that a product of two underflows and meets
+    a third that is huge."""
+    numbers = np.random.default_rng([seed, len(operation.name), precision.bytes])
+    size = sum(a.quantity.size for a in operation.inputs)
+    least, most = {"double": (-1074, 1020), "single": (-149, 124)}[precision.name]
+    exponents = numbers.choice((least // 2 - 2, least // 2, least // 2 + 3, 0, most, least + 20),
+                               (count, size), p=(.2, .2, .2, .1, .2, .1))
+    flat = np.ldexp(numbers.uniform(-1, 1, (count, size)), exponents).astype(precision.numpy_type)
+    edges = np.cumsum([a.quantity.size for a in operation.inputs])[:-1]
+    parts = [part.reshape(count, *a.quantity.shape) for part, a in
+             zip(np.split(flat, edges, axis=1), operation.inputs, strict=True)]
+    return tuple(map(np.concatenate, zip(parts, inputs_of(operation, precision, count),
+                                         strict=True)))
+
+
 @dataclass
 class Worst:
     """The largest error found, as a multiple of its bound, with its input; and the largest in ulp
@@ -115,6 +133,9 @@ def attack(operation: Operation, precision: Precision, tier: str, inputs: Arrays
                          for arrays in (inputs, outputs))
     worst = Worst()
     for given, got in zip(flat_in.tolist(), flat_out.tolist(), strict=True):
+        if tier == "certified":
+            _compare_certified(operation, given, got, worst)
+            continue
         _compare(operation, precision, tier, given, got, worst)
     return worst
 
@@ -143,6 +164,22 @@ def _compare(operation: Operation, precision: Precision, tier: str, given: Seque
                 worst.ulps, worst.ulps_witness = ulps, tuple(x.hex() for x in given)
 
 
+def _compare_certified(operation: Operation, given: Sequence[float], got: Sequence[float],
+                       worst: Worst) -> None:
+    """`got` holds the results, then their bounds; where one is not finite it claims nothing."""
+    if not all(map(math.isfinite, given)):
+        return
+    values, half = [mpq(x) for x in given], len(got) // 2
+    for (exact, _), result, bound in zip(exact_functions(operation), got[:half], got[half:],
+                                         strict=True):
+        if math.isfinite(bound):
+            worst.outputs += 1
+            error = abs(mpq(result) - exact(*values))
+            ratio = float(error / mpq(bound)) if bound else float("inf") if error else 0.0
+            if ratio > worst.ratio:
+                worst.ratio, worst.witness = ratio, tuple(x.hex() for x in given)
+
+
 def _ulp(truth: mpq, precision: Precision) -> mpq:
     """The spacing of the numbers around `truth`, of the binade it lies in."""
     _, exponent = math.frexp(truth)
@@ -161,7 +198,11 @@ def attacks(names: Sequence[str], count: int, seed: int,
         for precision in precisions:
             inputs = rows(operation, precision, count, seed)
             for tier, implementation in implementations.items():
-                yield operation, precision, tier, attack(operation, precision, tier, inputs,
+                more = inputs
+                if tier == "certified":
+                    extreme = extreme_rows(operation, precision, count, seed)
+                    more = tuple(map(np.concatenate, zip(inputs, extreme, strict=True)))
+                yield operation, precision, tier, attack(operation, precision, tier, more,
                                                          implementation)
 
 
@@ -187,7 +228,7 @@ def main() -> None:
                         implementations(Path(folder)), PRECISIONS)
         lines = [(operation.name, precision.name, tier, worst.outputs, worst.ratio, worst.ulps)
                  for operation, precision, tier, worst in
-                 tqdm(found, total=6 * len(options.operation or TIERED), disable=None)]
+                 tqdm(found, total=8 * len(options.operation or TIERED), disable=None)]
     print(tabulate(lines, ("operation", "precision", "tier", "outputs", "error / bound",
                            "ulps, well conditioned"), floatfmt=".3f"))
     violations = sum(line[4] > 1 for line in lines)

@@ -22,10 +22,14 @@ from tests.attack import TIERED, exact_functions
 from tests.c_reader import INCLUDE
 
 EXACTLY = {
-    "ksl_sum_error": lambda a, b, s: a + b - s, "ksl_difference_error": lambda a, b, s: a - b - s,
-    "ksl_product_error": lambda a, b, p: a * b - p, "fma": lambda a, b, c: a * b + c,
-    "fmaf": lambda a, b, c: a * b + c,
+    "ksl_product_error": lambda a, b, p: a * b - p,
+    "ksl_product_rest": lambda a, b, p, h: a * b - h,
+    "fma": lambda a, b, c: a * b + c, "fmaf": lambda a, b, c: a * b + c,
 }
+# Results that have their error computed: p of product_error(…, p) and product_rest(…, p, h), and
+# sums of which a summand's share is taken.
+COMPENSATED = re.compile(r"_error\([^()]*, (\w+)\)|_rest\([^()]*, (\w+), \w+\)|(\w+)_right =")
+ERROR = re.compile(r"\w+_(error|rest|lo\d?) = ")
 TEXT = {tier: "".join(path.read_text() for path in INCLUDE.glob(f"*_{tier}.h"))
         for tier in ("fused", "accurate")}
 
@@ -63,7 +67,7 @@ def evaluated(text: str, operation: Operation, inputs: Sequence[object],
     components = iter(inputs)
     for argument in operation.inputs:
         memory |= {name: next(components) for name in names(argument)}
-    compensated = set(re.findall(r"_error\([^()]*, (\w+)\)", text))
+    compensated = {name for names in COMPENSATED.findall(text) for name in names if name}
     result = None
     for statement in filter(None, (part.strip() for part in text.split(";"))):
         statement = identifier(re.sub(r"\s+", " ", statement))
@@ -75,7 +79,7 @@ def evaluated(text: str, operation: Operation, inputs: Sequence[object],
             name = assignment.split(" ")[0]
             if name in compensated:
                 memory[name] += errors()
-            if largest_error and re.match(r"\w+ = ksl", assignment):
+            if largest_error and ERROR.match(assignment):
                 if abs(memory[name]) > largest_error:
                     return None
     if returned(operation):
@@ -121,7 +125,7 @@ def test_a_flipped_sign_is_noticed(operation: Operation, tier: str):
 def test_python_is_its_truth(operation: Operation, precision: Precision,
                              monkeypatch: pytest.MonkeyPatch):
     kernel: Callable = getattr(getattr(coscrew.accurate, precision.name), operation.name).__wrapped__
-    for name in ("sum_error", "difference_error", "product_error"):
+    for name in ("product_error", "product_rest"):
         if name in kernel.__globals__:
             monkeypatch.setitem(kernel.__globals__, name, EXACTLY[f"ksl_{name}"])
     found = kernel(*(a.symbols if a.quantity.shape else a.value for a in operation.inputs))
