@@ -1,0 +1,126 @@
+"use strict";
+// The report, what is chosen of it, and the table: sorted, filtered, one row per entry.
+
+const $ = id => document.getElementById(id);
+const report = JSON.parse($("report-data").textContent);
+const TIERS = ["plain", "fused", "accurate", "certified"];
+const PRECISIONS = ["double", "single"];
+
+// What JSON has no number for stands in strings: "Infinity", "NaN"; nothing measured is null.
+const number = v => v === null || v === undefined ? NaN : Number(v);
+const timeName = t => [t.language, t.compiler, t.layout].filter(Boolean).join(", ");
+const variantName = e => `${e.precision} ${e.tier}`;
+const identity = e => `${e.operation} ${variantName(e)}`;
+const unit = e => e.measure === "u" ? " u" : "";
+const percent = v => Number.isNaN(v) ? "" : `${formatted(100 * v)} %`;
+
+const state = { layout: "", inputs: "hard", precision: "", tier: "", text: "", operation: "",
+                sort: "", descending: false };
+
+const timeOf = entry => entry.times.find(t => timeName(t) === state.layout) ?? {};
+
+function element(name, attributes = {}, ...children) {
+  const node = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);
+  node.append(...children);
+  return node;
+}
+
+// The table's columns: a value to sort by, its text, and the class of its cells.
+const error = (inputs, which) => ({
+  value: e => number(e[inputs]?.[which]), text: (v, e) => formatted(v) + (isNaN(v) ? "" : unit(e)) });
+const COLUMNS = [
+  { id: "operation", title: "operation", group: "", value: e => e.operation, text: v => v },
+  { id: "precision", title: "precision", group: "", value: e => e.precision, text: v => v },
+  { id: "tier", title: "tier", group: "", value: e => TIERS.indexOf(e.tier), text: (v, e) => e.tier },
+  { id: "hard-worst", title: "worst", group: "error, hard inputs", ...error("hard", "worst") },
+  { id: "hard-p999", title: "99.9 %", group: "error, hard inputs", ...error("hard", "p999") },
+  { id: "hard-median", title: "median", group: "error, hard inputs", ...error("hard", "median") },
+  { id: "benign-worst", title: "worst", group: "error, benign inputs", ...error("benign", "worst") },
+  { id: "benign-p999", title: "99.9 %", group: "error, benign inputs", ...error("benign", "p999") },
+  { id: "benign-median", title: "median", group: "error, benign inputs",
+    ...error("benign", "median") },
+  { id: "bound", title: "bound", group: "proof", className: "text",
+    value: e => e.bound ? e.bound.text : "", text: v => v || "–" },
+  { id: "ratio-to-bound", title: "error / bound", group: "proof",
+    value: e => number(e.bound?.worst_ratio), text: formatted, warns: v => v > 1 },
+  { id: "flops", title: "flops", group: "cost", value: e => e.flops, text: String,
+    hint: e => e.counts },
+  { id: "ns", title: "ns", group: "cost", value: e => number(timeOf(e).ns), text: formatted },
+  { id: "spread", title: "spread", group: "cost", value: e => number(timeOf(e).spread),
+    text: percent },
+  { id: "ratio", title: "to plain", group: "cost", value: e => number(timeOf(e).ratio),
+    text: v => isNaN(v) ? "–" : `${formatted(v)} ×` },
+  { id: "pareto", title: "Pareto", group: "cost", className: "text pareto",
+    value: e => timeOf(e).dominated ?? NaN,
+    text: v => v === true ? "○ dominated" : v === false ? "● best" : "–" },
+];
+
+const chosenEntries = () => report.entries.filter(e =>
+  (!state.precision || e.precision === state.precision) && (!state.tier || e.tier === state.tier));
+
+function sorted(entries) {
+  const column = COLUMNS.find(c => c.id === state.sort);
+  if (!column) return entries;
+  const missing = v => v === "" || Number.isNaN(v);
+  const sign = state.descending ? -1 : 1;
+  return entries.map(e => [column.value(e), e]).sort(([a], [b]) =>
+    missing(a) || missing(b) ? missing(a) - missing(b) : a < b ? -sign : a > b ? sign : 0)
+    .map(([, e]) => e);
+}
+
+function head() {
+  const groups = element("tr"), names = element("tr");
+  COLUMNS.forEach((column, i) => {
+    const first = !i || COLUMNS[i - 1].group !== column.group;
+    if (first) {
+      groups.append(element("th", { colspan: COLUMNS.filter(c => c.group === column.group).length,
+        scope: "colgroup", class: `group${i ? "" : " first"}` }, column.group));
+    }
+    const button = element("button", { type: "button" }, column.title);
+    button.addEventListener("click", () => {
+      state.descending = state.sort === column.id && !state.descending;
+      state.sort = column.id;
+      drawTable();
+    });
+    names.append(element("th", { scope: "col", id: `by-${column.id}`, "aria-sort": "none",
+      class: `${i ? "" : "first "}${i < 3 || column.className ? "text" : ""}${first && i ? " start" : ""}`
+    }, button));
+  });
+  $("table-head").append(groups, names);
+}
+
+function row(entry) {
+  const line = element("tr", { "data-variant": identity(entry) });
+  COLUMNS.forEach((column, i) => {
+    const value = column.value(entry), text = column.text(value, entry);
+    if (!i) {
+      const button = element("button", { type: "button", title: entry.statement }, text);
+      button.addEventListener("click", () => choose(entry.operation, true));
+      line.append(element("th", { scope: "row", "data-column": column.id }, button));
+      return;
+    }
+    const cell = element("td", { "data-column": column.id, "data-value": value }, text);
+    cell.className = `${i < 3 ? "text" : column.className ?? ""}${column.warns?.(value) ? " over" : ""}`;
+    if (column.group !== COLUMNS[i - 1].group) cell.classList.add("start");
+    if (column.hint) cell.title = column.hint(entry);
+    line.append(cell);
+  });
+  line.classList.toggle("chosen", entry.operation === state.operation);
+  line.classList.toggle("dominated", timeOf(entry).dominated === true);
+  return line;
+}
+
+function drawTable() {
+  const words = state.text.toLowerCase().split(/\s+/).filter(Boolean);
+  const rows = sorted(chosenEntries().filter(e => {
+    const text = `${identity(e)} ${e.family} ${e.statement}`.toLowerCase();
+    return words.every(word => text.includes(word));
+  }));
+  $("table-body").replaceChildren(...rows.map(row));
+  for (const column of COLUMNS) {
+    $(`by-${column.id}`).setAttribute("aria-sort", column.id !== state.sort ? "none"
+      : state.descending ? "descending" : "ascending");
+  }
+  $("shown").textContent = `${rows.length} of ${report.entries.length} kernels`;
+}
