@@ -39,7 +39,7 @@ def figures(report: Report, operations: tuple[str, ...]) -> dict[str, str]:
     for name in operations:
         entries = [entry for entry in report.entries if entry.operation == name]
         drawn[f"pareto-{name}.svg"] = _pareto(name, entries, layout)
-        if any(entry.condition for entry in entries):
+        if any(map(_finite_pairs, entries)):
             drawn[f"condition-{name}.svg"] = _condition(name, entries)
     return drawn
 
@@ -89,22 +89,28 @@ def _tiers(axes: Axes, entries: Iterable[Entry], layout: str, name: str) -> None
                   markerfacecolor="white" if dominated else colour, clip_on=False,
                   gid=f"{entry.operation}-{entry.precision}-{entry.tier}")
     if best:
-        axes.annotate(name, best[0], (6, 5), textcoords="offset points")
+        axes.annotate(name, best[0], (-4, 9), textcoords="offset points")
 
 
 def _axes(axes: Axes, entries: Iterable[Entry], layout: str) -> None:
-    axes.set_xscale("log")
-    axes.set_yscale("symlog", linthresh=_LINEAR_BELOW)
-    axes.set_ylim(bottom=0)
+    _logarithmic(axes)
     axes.margins(x=0.2)
     axes.xaxis.set_major_formatter(lambda x, _: formatted(x))
     axes.xaxis.set_minor_formatter(lambda x, _: formatted(x) if f"{x:e}"[0] in "25" else "")
     axes.set_xlabel(f"ns per element: {layout}")
     axes.set_ylabel(f"worst error, hard inputs ({_measures(entries)})")
-    shown = [tier for tier in TIERS if any(entry.tier == tier for entry in entries)]
-    for tier in shown:
+    for tier in (tier for tier in TIERS if any(entry.tier == tier for entry in entries)):
         axes.plot([], [], "o", color=_COLOURS[tier], label=tier)
-    axes.legend(frameon=False)
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(frameon=False)
+
+
+def _logarithmic(axes: Axes) -> None:
+    """Both axes logarithmic, the vertical one from zero and with room above for names."""
+    axes.set_xscale("log")
+    axes.set_yscale("symlog", linthresh=_LINEAR_BELOW)
+    axes.set_ylim(0, 50 * max(axes.get_ylim()[1], _LINEAR_BELOW))
+    axes.yaxis.get_major_locator().set_params(numticks=9)
 
 
 def _condition(operation: str, entries: list[Entry]) -> str:
@@ -113,22 +119,23 @@ def _condition(operation: str, entries: list[Entry]) -> str:
         figure = Figure(figsize=(6, 4), layout="constrained")
         axes = figure.subplots()
         axes.set_title(f"{operation}: errors, and proven bounds as lines")
-        conditions = [x for entry in entries for x, _ in entry.condition if isfinite(x)]
         for entry in entries:
-            found = [pair for pair in entry.condition if all(map(isfinite, pair))]
+            found = _finite_pairs(entry)
             if found:
                 axes.plot(*zip(*found, strict=True), _MARKERS[entry.precision], markersize=3,
                           color=_COLOURS[entry.tier], alpha=0.5, markeredgewidth=0,
                           label=f"{entry.precision} {entry.tier}")
             if found and entry.bound:
-                _bound_line(axes, entry, entry.bound, conditions)
-        axes.set_xscale("log")
-        axes.set_yscale("symlog", linthresh=_LINEAR_BELOW)
-        axes.set_ylim(bottom=0)
+                _bound_line(axes, entry, entry.bound, [x for x, _ in found])
+        _logarithmic(axes)
         axes.set_xlabel("condition S/|x|")
         axes.set_ylabel(f"error ({_measures(entries)})")
         axes.legend(frameon=False)
         return _text(figure)
+
+
+def _finite_pairs(entry: Entry) -> list[tuple[float, float]]:
+    return [pair for pair in entry.condition if all(map(isfinite, pair))]
 
 
 def _bound_line(axes: Axes, entry: Entry, bound: ProvenBound, conditions: list[float]) -> None:

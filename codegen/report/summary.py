@@ -97,11 +97,11 @@ def _bounds(report: Report) -> Iterator[str]:
               if entry.bound and not isnan(entry.bound.worst_ratio)]
     over = [entry for entry in proven if entry.bound.worst_ratio > 1]
     if over:
-        yield (f"{_counted(len(over), 'kernel')} of the {len(proven)} with a proven bound exceeded "
+        yield (f"{_counted(len(over), 'kernel')} of the {len(proven):,} with a proven bound exceeded "
                f"it: {', '.join(map(entry_name, over[:5]))}{', …' if len(over) > 5 else ''}.")
     elif proven:
         nearest = max(proven, key=lambda entry: entry.bound.worst_ratio)
-        yield (f"All {len(proven)} kernels with a proven bound kept it; the nearest, "
+        yield (f"All {len(proven):,} kernels with a proven bound kept it; the nearest, "
                f"{entry_name(nearest)}, came to {formatted(nearest.bound.worst_ratio)} of it.")
 
 

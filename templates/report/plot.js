@@ -21,26 +21,26 @@ function formatted(x) {
   return String(Number(x.toPrecision(3)));
 }
 
-// A logarithmic axis over whole decades; zeros and infinities get a place of their own at its ends.
+// A logarithmic axis from and to round numbers; zeros and infinities have places of their own at
+// its ends.
 function logAxis(values, from, to) {
-  const logs = values.filter(v => v > 0 && Number.isFinite(v)).map(Math.log10);
-  const low = Math.floor(Math.min(...logs, logs.length ? Infinity : 0) + 1e-9);
-  const high = Math.max(low + 1, Math.ceil(Math.max(...logs, logs.length ? -Infinity : 1) - 1e-9));
+  const finite = values.filter(v => v > 0 && Number.isFinite(v));
+  const [least, most] = finite.length ? [Math.min(...finite), Math.max(...finite)] : [1, 10];
+  const decades = Math.log10(most / least);
+  const first = Math.floor(Math.log10(least)), last = Math.ceil(Math.log10(most)) + 1;
+  const every = Math.max(1, Math.ceil(decades / 7));
+  const round = [];
+  for (let e = first; e <= last; e += every) {
+    for (const digit of decades < 3 ? [1, 2, 5] : [1]) round.push(Number(`${digit}e${e}`));
+  }
+  const low = round.filter(v => v <= least).at(-1) ?? least, high = round.find(v => v > most) ?? most;
   const step = (to - from) / 14;
   const start = values.includes(0) ? from + step : from;
   const end = values.includes(Infinity) ? to - step : to;
   const at = v => v === 0 ? from : v === Infinity ? to
-    : start + (end - start) * (Math.log10(v) - low) / (high - low);
-  const every = Math.ceil((high - low) / 7);
-  const ticks = [];
-  if (start !== from) ticks.push(0);
-  for (let e = low; e <= high; e += every) {
-    for (const digit of high - low === 1 && e < high ? [1, 2, 5] : [1]) {
-      ticks.push(digit * Number(`1e${e}`));
-    }
-  }
-  if (end !== to) ticks.push(Infinity);
-  return { at, ticks };
+    : start + (end - start) * Math.log(v / low) / Math.log(high / low);
+  const ticks = round.filter(v => v >= low && v <= high);
+  return { at, ticks: [...(start === from ? [] : [0]), ...ticks, ...(end === to ? [] : [Infinity])] };
 }
 
 function shape(precision, x, y, attributes, size = 5.5) {
@@ -50,24 +50,29 @@ function shape(precision, x, y, attributes, size = 5.5) {
     : svg("circle", { cx: x, cy: y, r: size, ...attributes });
 }
 
-// Labels beside their marks, moved down where they would lie on one another, left where they
-// would leave the plot.
-function labels(marks, right) {
-  const placed = [];
-  for (const { point, x, y } of [...marks].sort((a, b) => a.y - b.y)) {
-    const left = x > right - 7 * point.name.length - 12;
-    let at = y + 4;
-    while (placed.some(p => Math.abs(p.at - at) < 13 && Math.abs(p.x - x) < 110)) at += 1;
-    placed.push({ x, at, left, name: point.name });
-  }
-  return placed.map(({ x, at, left, name }) => svg("text", {
-    class: "name", x: left ? x - 10 : x + 10, y: at, "text-anchor": left ? "end" : "start" }, name));
+// Names beside their marks, each where it covers neither a mark nor another name, if there is room.
+function names(marks, left, right, bottom) {
+  const taken = marks.map(({ x, y }) => ({ x: x - 6, y: y - 6, width: 12, height: 12 }));
+  const free = box => box.x > left && box.x + box.width < right && box.y + box.height < bottom &&
+    !taken.some(other => box.x < other.x + other.width && other.x < box.x + box.width &&
+                         box.y < other.y + other.height && other.y < box.y + box.height);
+  return marks.filter(m => m.point.name).map(({ point, x, y }) => {
+    const size = { width: 6.8 * point.name.length, height: 13 };
+    const places = [0, 13, -13, 26, -26, 39, -39].flatMap(dy =>
+      [["start", x + 10], ["end", x - 10], ["middle", x]].map(([anchor, at]) => ({
+        anchor, at, y: y + dy - 7, ...size,
+        x: at - size.width * { start: 0, end: 1, middle: .5 }[anchor] })));
+    const box = places.find(free) ?? places[0];
+    taken.push(box);
+    return svg("text", { class: "name", x: box.at, y: box.y + 11, "text-anchor": box.anchor },
+               point.name);
+  });
 }
 
 // points: {x, y, name?, title, tier, precision, hollow?, data}; curves: {of: x -> y, from, to,
 // className, title}; fronts: lists of points to join.
 function scatter({ label, xLabel, yLabel, points, curves = [], fronts = [], small = false }) {
-  const width = 560, height = 350, left = 64, right = width - 14, top = 26, bottom = height - 46;
+  const width = innerWidth < 640 ? 340 : 560, height = 350, left = 52, right = width - 14, top = 26, bottom = height - 46;
   const shown = points.filter(p => !Number.isNaN(p.x) && !Number.isNaN(p.y));
   const root = svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": label });
   if (!shown.length) {
@@ -112,6 +117,6 @@ function scatter({ label, xLabel, yLabel, points, curves = [], fronts = [], smal
     mark.append(svg("title", {}, point.title));
     root.append(mark);
   }
-  root.append(...labels(marks.filter(m => m.point.name), right));
+  root.append(...names(marks, left, right, bottom));
   return root;
 }

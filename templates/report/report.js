@@ -48,11 +48,12 @@ function drawCondition(entries) {
     variant: identity(e),
     title: `${identity(e)}: ${formatted(number(found))} ${e.measure} at ${formatted(number(condition))}`,
   })));
-  const finite = points.map(p => p.x).filter(x => x > 0 && Number.isFinite(x));
-  const curves = finite.length ? entries.filter(e => e.bound && boundAt(e, 1) > 0).map(e => ({
-    of: x => boundAt(e, x), from: Math.min(...finite), to: Math.max(...finite),
-    className: `bound ${e.tier} ${e.precision}`,
-    title: `${identity(e)}, proven: at most 1 + (c1 + c2 u) S/|x|` })) : [];
+  const curves = entries.filter(e => e.bound && boundAt(e, 1) > 0).flatMap(e => {
+    const finite = e.condition.map(([x]) => number(x)).filter(x => x > 0 && Number.isFinite(x));
+    return finite.length ? [{ of: x => boundAt(e, x), from: Math.min(...finite),
+      to: Math.max(...finite), className: `bound ${e.tier} ${e.precision}`,
+      title: `${identity(e)}, proven: at most 1 + (c1 + c2 u) S/|x|` }] : [];
+  });
   $("condition-plot").replaceChildren(scatter({ points, curves, small: true,
     label: `Error of ${state.operation} against the condition of its inputs`,
     xLabel: "condition S/|x|", yLabel: `error (${measureOf(entries)}); lines: proven bound` }));
@@ -115,6 +116,7 @@ function start() {
   }
   $("operation").addEventListener("change", () => choose($("operation").value, false));
   $("text").addEventListener("input", () => { state.text = $("text").value; drawTable(); });
+  addEventListener("resize", () => { drawHeadline(); drawOperation(); });
   choose(state.operation, false);
   draw();
 }
