@@ -25,8 +25,16 @@ def markdown(report: Report, figures: tuple[str, ...]) -> str:
                  "table": _kernels([e for e in report.entries if e.family == name], layout)}
                 for name in names]
     return render("report/report.md", report=report, sentences=sentences(report), layout=layout,
-                  families=families, figures=figures, drift=_drift(report), text=_escaped,
+                  families=families, figures=dict(map(_captioned, figures)), drift=_drift(report), text=_escaped,
                   changes=_changes(report.compare) if report.compare else "")
+
+
+def _captioned(name: str) -> tuple[str, str]:
+    """A figure's file, and what it shows."""
+    kind, _, operation = name.removesuffix(".svg").partition("-")
+    return name, {"headline": "What accuracy costs: time per element against worst error",
+                  "pareto": f"Time against worst error of {operation}",
+                  "condition": f"Error of {operation} against condition"}[kind]
 
 
 def _kernels(entries: list[Entry], layout: str) -> str:

@@ -78,7 +78,9 @@ function drawWitnesses(entries) {
       ` in ${component}, the worst of ${outputs.toLocaleString("en")} outputs, at `,
       element("code", { class: "witness" }, witness.join(" ")));
   }));
-  $("witnesses").replaceChildren(...items);
+  const bounds = entries.filter(e => e.bound).map(e =>
+    element("li", {}, `${variantName(e)}, proven: ${e.bound.text}`));
+  $("witnesses").replaceChildren(...bounds, ...items);
 }
 
 function drawOperation() {

@@ -30,30 +30,34 @@ function element(name, attributes = {}, ...children) {
 const error = (inputs, which) => ({
   value: e => number(e[inputs]?.[which]), text: (v, e) => formatted(v) + (isNaN(v) ? "" : unit(e)) });
 const COLUMNS = [
-  { id: "operation", title: "operation", group: "", value: e => e.operation, text: v => v },
-  { id: "precision", title: "precision", group: "", value: e => e.precision, text: v => v },
-  { id: "tier", title: "tier", group: "", value: e => TIERS.indexOf(e.tier), text: (v, e) => e.tier },
+  { id: "operation", title: "operation", group: "kernel", className: "text",
+    value: e => e.operation, text: v => v },
+  { id: "precision", title: "precision", group: "variant", className: "text",
+    value: e => e.precision, text: v => v },
+  { id: "tier", title: "tier", group: "variant", className: "text",
+    value: e => TIERS.indexOf(e.tier), text: (v, e) => e.tier },
   { id: "hard-worst", title: "worst", group: "error, hard inputs", ...error("hard", "worst") },
   { id: "hard-p999", title: "99.9 %", group: "error, hard inputs", ...error("hard", "p999") },
   { id: "hard-median", title: "median", group: "error, hard inputs", ...error("hard", "median") },
+  { id: "ns", title: "ns", group: "time", value: e => number(timeOf(e).ns), text: formatted },
+  { id: "spread", title: "spread", group: "time", value: e => number(timeOf(e).spread),
+    text: percent },
+  { id: "ratio", title: "to plain", group: "time", value: e => number(timeOf(e).ratio),
+    text: v => isNaN(v) ? "–" : `${formatted(v)} ×` },
+  { id: "pareto", title: "Pareto", group: "time", className: "text pareto",
+    value: e => timeOf(e).dominated ?? NaN,
+    text: v => v === true ? "○ dominated" : v === false ? "● best" : "–" },
+  { id: "flops", title: "flops", group: "size", value: e => e.flops, text: String,
+    hint: e => e.counts },
+  { id: "bound", title: "bound", group: "proof", className: "text",
+    value: e => e.bound ? e.bound.text : "", text: v => v || "–",
+    hint: e => e.bound?.text },
+  { id: "ratio-to-bound", title: "error / bound", group: "proof",
+    value: e => number(e.bound?.worst_ratio), text: formatted, warns: v => v > 1 },
   { id: "benign-worst", title: "worst", group: "error, benign inputs", ...error("benign", "worst") },
   { id: "benign-p999", title: "99.9 %", group: "error, benign inputs", ...error("benign", "p999") },
   { id: "benign-median", title: "median", group: "error, benign inputs",
     ...error("benign", "median") },
-  { id: "bound", title: "bound", group: "proof", className: "text",
-    value: e => e.bound ? e.bound.text : "", text: v => v || "–" },
-  { id: "ratio-to-bound", title: "error / bound", group: "proof",
-    value: e => number(e.bound?.worst_ratio), text: formatted, warns: v => v > 1 },
-  { id: "flops", title: "flops", group: "cost", value: e => e.flops, text: String,
-    hint: e => e.counts },
-  { id: "ns", title: "ns", group: "cost", value: e => number(timeOf(e).ns), text: formatted },
-  { id: "spread", title: "spread", group: "cost", value: e => number(timeOf(e).spread),
-    text: percent },
-  { id: "ratio", title: "to plain", group: "cost", value: e => number(timeOf(e).ratio),
-    text: v => isNaN(v) ? "–" : `${formatted(v)} ×` },
-  { id: "pareto", title: "Pareto", group: "cost", className: "text pareto",
-    value: e => timeOf(e).dominated ?? NaN,
-    text: v => v === true ? "○ dominated" : v === false ? "● best" : "–" },
 ];
 
 const chosenEntries = () => report.entries.filter(e =>
@@ -69,13 +73,15 @@ function sorted(entries) {
     .map(([, e]) => e);
 }
 
+const opensGroup = i => i > 0 && COLUMNS[i - 1].group !== COLUMNS[i].group;
+
 function head() {
   const groups = element("tr"), names = element("tr");
   COLUMNS.forEach((column, i) => {
-    const first = !i || COLUMNS[i - 1].group !== column.group;
-    if (first) {
-      groups.append(element("th", { colspan: COLUMNS.filter(c => c.group === column.group).length,
-        scope: "colgroup", class: `group${i ? "" : " first"}` }, column.group));
+    const place = `${i ? "" : "first"} ${opensGroup(i) ? "start" : ""}`;
+    if (!i || opensGroup(i)) {
+      groups.append(element("th", { scope: "colgroup", class: `group ${place}`,
+        colspan: COLUMNS.filter(c => c.group === column.group).length }, column.group));
     }
     const button = element("button", { type: "button" }, column.title);
     button.addEventListener("click", () => {
@@ -84,31 +90,40 @@ function head() {
       drawTable();
     });
     names.append(element("th", { scope: "col", id: `by-${column.id}`, "aria-sort": "none",
-      class: `${i ? "" : "first "}${i < 3 || column.className ? "text" : ""}${first && i ? " start" : ""}`
-    }, button));
+      class: `${column.className ?? ""} ${place}` }, button));
   });
   $("table-head").append(groups, names);
 }
 
+// A kernel's name may break after an underscore; where space is short its variant stands below it.
+function rowHead(entry) {
+  const parts = entry.operation.split(/(?<=_)/).flatMap(part => [element("wbr"), part]);
+  const button = element("button", { type: "button", title: entry.statement }, ...parts);
+  button.addEventListener("click", () => choose(entry.operation, true));
+  return element("th", { scope: "row", "data-column": "operation" }, button,
+                 element("span", { class: "also", "aria-hidden": "true" }, variantName(entry)));
+}
+
 function row(entry) {
-  const line = element("tr", { "data-variant": identity(entry) });
-  COLUMNS.forEach((column, i) => {
-    const value = column.value(entry), text = column.text(value, entry);
-    if (!i) {
-      const button = element("button", { type: "button", title: entry.statement }, text);
-      button.addEventListener("click", () => choose(entry.operation, true));
-      line.append(element("th", { scope: "row", "data-column": column.id }, button));
-      return;
-    }
-    const cell = element("td", { "data-column": column.id, "data-value": value }, text);
-    cell.className = `${i < 3 ? "text" : column.className ?? ""}${column.warns?.(value) ? " over" : ""}`;
-    if (column.group !== COLUMNS[i - 1].group) cell.classList.add("start");
-    if (column.hint) cell.title = column.hint(entry);
-    line.append(cell);
+  const line = element("tr", { "data-variant": identity(entry) }, rowHead(entry));
+  COLUMNS.slice(1).forEach((column, i) => {
+    const value = column.value(entry);
+    line.append(element("td", {
+      "data-column": column.id, "data-value": value, title: column.hint?.(entry) ?? "",
+      class: `${column.className ?? ""} ${opensGroup(i + 1) ? "start" : ""} ` +
+        (column.warns?.(value) ? "over" : "") }, column.text(value, entry)));
   });
-  line.classList.toggle("chosen", entry.operation === state.operation);
   line.classList.toggle("dominated", timeOf(entry).dominated === true);
   return line;
+}
+
+const built = new Map();  // rows by layout and entry: sorting and filtering only move them
+
+function rowOf(entry) {
+  const key = `${state.layout} ${identity(entry)}`;
+  if (!built.has(key)) built.set(key, row(entry));
+  built.get(key).classList.toggle("chosen", entry.operation === state.operation);
+  return built.get(key);
 }
 
 function drawTable() {
@@ -117,7 +132,7 @@ function drawTable() {
     const text = `${identity(e)} ${e.family} ${e.statement}`.toLowerCase();
     return words.every(word => text.includes(word));
   }));
-  $("table-body").replaceChildren(...rows.map(row));
+  $("table-body").replaceChildren(...rows.map(rowOf));
   for (const column of COLUMNS) {
     $(`by-${column.id}`).setAttribute("aria-sort", column.id !== state.sort ? "none"
       : state.descending ? "descending" : "ascending");
