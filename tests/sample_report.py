@@ -35,7 +35,7 @@ def _entry(number: int, operation: str, family: str, precision: str, tier: str) 
     return Entry(
         operation, family, f"co = {operation} {AWKWARD}", precision, tier, "ulp",
         _errors(2.5 - place / 2), _errors(worst),
-        ProvenBound(f"{5 - place} u S", 5.0 - place, 0.0, True, 0.125 * (number + place + 1)),
+        ProvenBound(f"{5 - place} u S", 5.0 - place, 3.0 * place, True, 0.125 * (number + place + 1)),
         ((1.0, 0.5), (1e3, 2.0 + place), (1e8, worst)), 30 + 10 * place, "18 mul, 12 add", times)
 
 
@@ -60,5 +60,7 @@ def sample_report() -> Report:
                 Compiler("clang", "clang 0", "-O3")), 12.5)
     drift = (Drift("double", False, 1000, 12.5, 101.25, 20.5),
              Drift("single", True, 1000000, 1.5, inf, 30.25))
-    changes = (Change("product_CoAdc", "double", "plain", f"ns {AWKWARD}", 2.0, 3.0, 1.5),)
+    changes = (Change("product_CoAdc", "double", "plain", f"ns {AWKWARD}", 2.0, 3.0, 1.5),
+               Change("cross_sc", "single", "fused", "worst error, hard, ulp", 4.0, 4.0, 1.0),
+               Change("cross_sc", "single", "plain", "worst error, hard, ulp", 4.0, 1.0, 0.25))
     return Report(1, provenance, tuple(entries), drift, Comparison(f"before {AWKWARD}", changes))

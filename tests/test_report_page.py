@@ -202,7 +202,17 @@ def test_errors_lie_below_their_bound_s_line(page):
     assert len(lines) == sum(e.operation == "product_CoAdc" for e in REPORT.entries)
     bound = page.execute_script(
         "return report.entries.filter(e => e.operation === 'cross_sc').map(e => boundAt(e, 1000))")
-    assert bound == [1 + e.bound.c1 * 1000 for e in REPORT.entries if e.operation == "cross_sc"]
+    u = {"double": 2.0**-53, "single": 2.0**-24}
+    assert bound == [1 + (e.bound.c1 + e.bound.c2 * u[e.precision]) * 1000
+                     for e in REPORT.entries if e.operation == "cross_sc"]
+
+
+def test_bounds_are_shown_by_their_constants(page):
+    found = rows(page)
+    assert found["cross_sc double plain"]["bound"][1] == "u |x̂| + 5 u S"
+    assert found["cross_sc single accurate"]["bound"][1] == "u |x̂| + 3 u S + 6 u² S"
+    assert found["vec3_copy double plain"]["bound"][1] == "exact"
+    assert found["vec3_l2norm double plain"]["bound"][1] == "–"
 
 
 def test_missing_zero_and_infinite_figures_are_drawn_or_left_out(page):
@@ -229,7 +239,8 @@ def test_drift_and_changes_are_in_tables(page):
     assert cells == ["double", "no", "1000", "12.5", "101", "20.5",
                      "single", "yes", "1000000", "1.5", "∞", "30.3"]
     cells = [cell.text for cell in page.find_elements(By.CSS_SELECTOR, "#compare tbody td")]
-    assert cells[:3] + cells[4:] == ["product_CoAdc", "double", "plain", "2", "3", "1.5 ×"]
+    assert cells[:7] == ["cross_sc", "single", "plain", "worst error, hard, ulp", "4", "1", "0.25 ×"]
+    assert cells[7:10] + cells[11:] == ["product_CoAdc", "double", "plain", "2", "3", "1.5 ×"]
 
 
 def test_the_page_asks_the_network_for_nothing_and_logs_nothing(page, folder):

@@ -9,8 +9,7 @@ import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from coscrew_codegen.report.schema import Entry, ProvenBound, Report
-from coscrew_codegen.report.summary import (
+from coscrew_codegen.report.overview import (
     PRECISIONS,
     TIERS,
     first_layout,
@@ -18,6 +17,7 @@ from coscrew_codegen.report.summary import (
     headline_operations,
     time_of,
 )
+from coscrew_codegen.report.schema import Entry, ProvenBound, Report
 
 _COLOURS = {"plain": "#6b7280", "fused": "#0072b2", "accurate": "#c2570c", "certified": "#00805d"}
 _MARKERS = {"double": "o", "single": "s"}

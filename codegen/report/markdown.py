@@ -8,8 +8,14 @@ from tabulate import tabulate
 
 from coscrew_codegen.operations import family_title
 from coscrew_codegen.render import render
-from coscrew_codegen.report.schema import Comparison, Entry, Errors, Report
-from coscrew_codegen.report.summary import first_layout, formatted, sentences, time_of
+from coscrew_codegen.report.overview import (
+    first_layout,
+    formatted,
+    largest_changes,
+    sentences,
+    time_of,
+)
+from coscrew_codegen.report.schema import Change, Entry, Errors, Report
 
 _COLUMNS = ("operation", "precision", "tier", "worst, benign", "worst, hard", "error / bound",
             "flops", "ns", "to plain", "Pareto")
@@ -26,7 +32,7 @@ def markdown(report: Report, figures: tuple[str, ...]) -> str:
                 for name in names]
     return render("report/report.md", report=report, sentences=sentences(report), layout=layout,
                   families=families, figures=dict(map(_captioned, figures)), drift=_drift(report), text=_escaped,
-                  changes=_changes(report.compare) if report.compare else "")
+                  changes=report.compare and _changes(largest_changes(report.compare)))
 
 
 def _captioned(name: str) -> tuple[str, str]:
@@ -60,10 +66,9 @@ def _drift(report: Report) -> str:
                    for d in report.drift], _DRIFT)
 
 
-def _changes(compare: Comparison) -> str:
+def _changes(changes: tuple[Change, ...]) -> str:
     return _table([(f"`{row.operation}`", row.precision, row.tier, _escaped(row.what),
-                    *map(formatted, (row.before, row.after, row.ratio))) for row in compare.rows],
-                  _CHANGES)
+                    *map(formatted, (row.before, row.after, row.ratio))) for row in changes], _CHANGES)
 
 
 def _table(rows: Iterable[tuple[str | int, ...]], columns: tuple[str, ...]) -> str:

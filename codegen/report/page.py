@@ -9,14 +9,15 @@ from coscrew_codegen.emit import write as write_files
 from coscrew_codegen.render import render
 from coscrew_codegen.report.figures import figures
 from coscrew_codegen.report.markdown import markdown
-from coscrew_codegen.report.schema import Report
-from coscrew_codegen.report.summary import (
+from coscrew_codegen.report.overview import (
     TIERS,
     first_layout,
     formatted,
     headline_operations,
+    largest_changes,
     sentences,
 )
+from coscrew_codegen.report.schema import Report
 
 Json = dict[str, "Json"] | list["Json"] | tuple["Json", ...] | str | float | bool | None
 
@@ -36,6 +37,7 @@ def page(report: Report) -> str:
             "layout": first_layout(report)}
     return render("report/page.html", report=report, sentences=sentences(report),
                   tiers=[tier for tier in TIERS if any(e.tier == tier for e in report.entries)],
+                  changes=report.compare and largest_changes(report.compare),
                   shown=formatted, data=_embedded(data))
 
 

@@ -36,12 +36,6 @@ function drawHeadline() {
   $("headline-plots").replaceChildren(...plots);
 }
 
-// |x̂ - x| <= u |x| + (c1 u + c2 u²) S with 1 ulp >= u |x|, so that in ulp, as in units of u |x|,
-// the error is at most 1 + (c1 + c2 u) S/|x|; without a last rounding the 1 falls away.
-const UNIT_ROUNDOFF = { double: 2 ** -53, single: 2 ** -24 };
-const boundAt = (entry, condition) => (entry.bound.rounded ? 1 : 0) +
-  (number(entry.bound.c1) + number(entry.bound.c2) * UNIT_ROUNDOFF[entry.precision]) * condition;
-
 function drawCondition(entries) {
   const points = entries.flatMap(e => e.condition.map(([condition, found]) => ({
     x: number(condition), y: number(found), tier: e.tier, precision: e.precision,

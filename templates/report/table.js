@@ -29,6 +29,20 @@ function element(name, attributes = {}, ...children) {
 // The table's columns: a value to sort by, its text, and the class of its cells.
 const error = (inputs, which) => ({
   value: e => number(e[inputs]?.[which]), text: (v, e) => formatted(v) + (isNaN(v) ? "" : unit(e)) });
+
+// |x̂ - x| <= u |x̂| + (c1 u + c2 u²) S with 1 ulp >= u |x|, so that in ulp, as in units of u |x|,
+// the error is at most 1 + (c1 + c2 u) S/|x|; without a last rounding the 1 falls away.
+const UNIT_ROUNDOFF = { double: 2 ** -53, single: 2 ** -24 };
+const boundAt = (entry, condition) => (entry.bound.rounded ? 1 : 0) +
+  (number(entry.bound.c1) + number(entry.bound.c2) * UNIT_ROUNDOFF[entry.precision]) * condition;
+
+function boundText({ bound }) {
+  if (!bound) return "–";
+  const terms = [bound.rounded ? "u |x̂|" : "", bound.c1 ? `${formatted(number(bound.c1))} u S` : "",
+                 bound.c2 ? `${formatted(number(bound.c2))} u² S` : ""];
+  return terms.filter(Boolean).join(" + ") || "exact";
+}
+
 const COLUMNS = [
   { id: "operation", title: "operation", group: "kernel", className: "text",
     value: e => e.operation, text: v => v },
@@ -50,7 +64,7 @@ const COLUMNS = [
   { id: "flops", title: "flops", group: "size", value: e => e.flops, text: String,
     hint: e => e.counts },
   { id: "bound", title: "bound", group: "proof", className: "text",
-    value: e => e.bound ? e.bound.text : "", text: v => v || "–",
+    value: e => e.bound ? boundAt(e, 1) : NaN, text: (v, e) => boundText(e),
     hint: e => e.bound?.text },
   { id: "ratio-to-bound", title: "error / bound", group: "proof",
     value: e => number(e.bound?.worst_ratio), text: formatted, warns: v => v > 1 },

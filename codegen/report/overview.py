@@ -2,13 +2,15 @@
 
 from collections.abc import Iterator
 from decimal import ROUND_HALF_UP, Context
-from math import isfinite, isnan
+from math import inf, isfinite, isnan, log
 
-from coscrew_codegen.report.schema import Entry, Report, Time
+from coscrew_codegen.report.schema import Change, Comparison, Entry, Report, Time
 
 TIERS = ("plain", "fused", "accurate", "certified")
 PRECISIONS = ("double", "single")
 HEADLINE = ("product_CoAdc", "cross_sc", "dot_cs")
+
+MOST_CHANGES = 60
 
 _THREE_DIGITS = Context(prec=3, rounding=ROUND_HALF_UP)
 
@@ -49,6 +51,16 @@ def headline_operations(report: Report) -> tuple[str, ...]:
     names = [entry.operation for entry in report.entries]
     measured = tuple(name for name in HEADLINE if name in names)
     return measured or tuple(sorted(dict.fromkeys(names), key=names.count, reverse=True)[:3])
+
+
+def largest_changes(compare: Comparison) -> tuple[Change, ...]:
+    """What changed most, up or down; what stayed the same is left out."""
+    changed = [row for row in compare.rows if row.ratio != 1]
+    return tuple(sorted(changed, key=_size, reverse=True)[:MOST_CHANGES])
+
+
+def _size(change: Change) -> float:
+    return abs(log(change.ratio)) if 0 < change.ratio < inf else inf
 
 
 def sentences(report: Report) -> tuple[str, ...]:
