@@ -35,7 +35,8 @@ def _entry(number: int, operation: str, family: str, precision: str, tier: str) 
     return Entry(
         operation, family, f"co = {operation} {AWKWARD}", precision, tier, "ulp",
         _errors(2.5 - place / 2), _errors(worst),
-        ProvenBound(f"{5 - place} u S", 5.0 - place, 3.0 * place, True, 0.125 * (number + place + 1)),
+        ProvenBound(f"{5 - place} u S", 5.0 - place, 3.0 * place, True,
+                    0.125 * (number + place + 1)),
         ((1.0, 0.5), (1e3, 2.0 + place), (1e8, worst)), 30 + 10 * place, "18 mul, 12 add", times)
 
 
@@ -45,7 +46,7 @@ def sample_report() -> Report:
     entries = [_entry(number, name, family, precision, tier)
                for number, (name, family) in enumerate(names)
                for precision in ("double", "single") for tier in TIERS]
-    rounded = (Time("C", "gcc", "array of structs", 10.5, 0.0, None, False),)
+    rounded = (Time("C", "gcc", "structure of arrays", 10.5, 0.0, None, False),)
     entries += [
         Entry("vec3_copy", "vec3", "vo = vi", "double", "plain", "ulp", _errors(0.0), _errors(0.0),
               ProvenBound("0", 0.0, 0.0, False, 0.0), ((1.0, 0.0),), 0, "no arithmetic", rounded),

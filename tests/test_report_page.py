@@ -1,4 +1,4 @@
-"""The report as people see it: the page in a real browser, the Markdown and the figures as parsed."""
+"""The report as people see it: the page in a real browser, Markdown and figures as parsed."""
 
 import json
 import math
@@ -22,6 +22,7 @@ from tests.sample_report import sample_report
 REPORT = sample_report()
 LAYOUTS = ("C, gcc, array of structs", "C, gcc, structure of arrays", "C, gcc, latency",
            "Python, N = 1000")
+SHOWN_FIRST = LAYOUTS[1]
 
 
 @pytest.fixture(scope="module")
@@ -98,7 +99,7 @@ def test_the_table_has_a_row_for_each_entry_with_its_numbers(page):
             for name in ("worst", "p999", "median"):
                 wanted = getattr(errors, name) if errors else math.nan
                 assert same(float(cells[f"{inputs}-{name}"][0]), wanted), (variant(entry), name)
-        assert same(float(cells["ns"][0]), ns(entry, LAYOUTS[0]))
+        assert same(float(cells["ns"][0]), ns(entry, SHOWN_FIRST))
         assert same(float(cells["ratio-to-bound"][0]),
                     entry.bound.worst_ratio if entry.bound else math.nan)
         assert int(cells["flops"][0]) == entry.flops
@@ -122,7 +123,7 @@ def test_awkward_text_is_shown_as_it_is(page):
 
 @pytest.mark.parametrize("key", (None, Keys.ENTER, Keys.SPACE))
 @pytest.mark.parametrize("column, value", (
-    ("hard-worst", lambda e: e.hard.worst), ("ns", lambda e: ns(e, LAYOUTS[0])),
+    ("hard-worst", lambda e: e.hard.worst), ("ns", lambda e: ns(e, SHOWN_FIRST)),
     ("flops", lambda e: e.flops), ("operation", lambda e: e.operation)))
 def test_a_heading_sorts_up_then_down_by_mouse_and_by_key(page, column, value, key):
     button = header(page, column).find_element(By.TAG_NAME, "button")
@@ -239,7 +240,8 @@ def test_drift_and_changes_are_in_tables(page):
     assert cells == ["double", "no", "1000", "12.5", "101", "20.5",
                      "single", "yes", "1000000", "1.5", "∞", "30.3"]
     cells = [cell.text for cell in page.find_elements(By.CSS_SELECTOR, "#compare tbody td")]
-    assert cells[:7] == ["cross_sc", "single", "plain", "worst error, hard, ulp", "4", "1", "0.25 ×"]
+    assert cells[:7] == ["cross_sc", "single", "plain", "worst error, hard, ulp", "4", "1",
+                         "0.25 ×"]
     assert cells[7:10] + cells[11:] == ["product_CoAdc", "double", "plain", "2", "3", "1.5 ×"]
 
 
@@ -325,7 +327,7 @@ def test_markdown_says_the_same_numbers(folder):
                  for row in markdown_rows((folder / "report.md").read_text()) if len(row) == 10}
     for entry in REPORT.entries:
         row = by_kernel[variant(entry)]
-        time = entry.times[0] if entry.times else None
+        time = next((t for t in entry.times if layout_name(t) == SHOWN_FIRST), None)
         wanted = (entry.benign and entry.benign.worst, entry.hard and entry.hard.worst,
                   entry.bound and entry.bound.worst_ratio, entry.flops, time and time.ns,
                   time and time.ratio)
@@ -366,7 +368,8 @@ def test_operations_have_figures_on_demand(tmp_path):
 
 
 def test_all_files_are_the_same_bytes_in_another_process(folder, tmp_path):
-    program = ("import sys; from pathlib import Path; from coscrew_codegen.report.page import write;"
+    program = ("import sys; from pathlib import Path;"
+               "from coscrew_codegen.report.page import write;"
                "from tests.sample_report import sample_report;"
                "write(sample_report(), Path(sys.argv[1]))")
     subprocess.run([sys.executable, "-c", program, str(tmp_path)], check=True,

@@ -31,7 +31,8 @@ def markdown(report: Report, figures: tuple[str, ...]) -> str:
                  "table": _kernels([e for e in report.entries if e.family == name], layout)}
                 for name in names]
     return render("report/report.md", report=report, sentences=sentences(report), layout=layout,
-                  families=families, figures=dict(map(_captioned, figures)), drift=_drift(report), text=_escaped,
+                  families=families, figures=dict(map(_captioned, figures)),
+                  drift=_drift(report), text=_escaped,
                   changes=report.compare and _changes(largest_changes(report.compare)))
 
 
@@ -68,11 +69,12 @@ def _drift(report: Report) -> str:
 
 def _changes(changes: tuple[Change, ...]) -> str:
     return _table([(f"`{row.operation}`", row.precision, row.tier, _escaped(row.what),
-                    *map(formatted, (row.before, row.after, row.ratio))) for row in changes], _CHANGES)
+                    *map(formatted, (row.before, row.after, row.ratio))) for row in changes],
+                  _CHANGES)
 
 
 def _table(rows: Iterable[tuple[str | int, ...]], columns: tuple[str, ...]) -> str:
-    first_number = next(i for i, c in enumerate(columns) if c in ("worst, benign", "steps", "before"))
+    first_number = min(map(columns.index, {"worst, benign", "steps", "before"} & set(columns)))
     sides = ["left"] * first_number + ["right"] * (len(columns) - first_number)
     return tabulate(rows, columns, tablefmt="pipe", disable_numparse=True, colalign=sides)
 

@@ -34,10 +34,10 @@ def layout_name(time: Time) -> str:
 
 
 def first_layout(report: Report) -> str:
-    """The times shown first: C over an array of structs, the first compiler's; else the first."""
+    """The times shown first: C over a structure of arrays, the first compiler's; else the first."""
     times = [time for entry in report.entries for time in entry.times]
     return next((layout_name(time) for time in times
-                 if (time.language, time.layout) == ("C", "array of structs")),
+                 if (time.language, time.layout) == ("C", "structure of arrays")),
                 layout_name(times[0]) if times else "")
 
 
@@ -47,7 +47,7 @@ def time_of(entry: Entry, layout: str) -> Time | None:
 
 
 def headline_operations(report: Report) -> tuple[str, ...]:
-    """What the figures show first: of HEADLINE what was measured, else the first with most tiers."""
+    """What figures show first: of HEADLINE what was measured, else the first with most tiers."""
     names = [entry.operation for entry in report.entries]
     measured = tuple(name for name in HEADLINE if name in names)
     return measured or tuple(sorted(dict.fromkeys(names), key=names.count, reverse=True)[:3])
@@ -109,8 +109,8 @@ def _bounds(report: Report) -> Iterator[str]:
               if entry.bound and not isnan(entry.bound.worst_ratio)]
     over = [entry for entry in proven if entry.bound.worst_ratio > 1]
     if over:
-        yield (f"{_counted(len(over), 'kernel')} of the {len(proven):,} with a proven bound exceeded "
-               f"it: {', '.join(map(entry_name, over[:5]))}{', …' if len(over) > 5 else ''}.")
+        yield (f"{_counted(len(over), 'kernel')} of the {len(proven):,} with a proven bound "
+               f"exceeded it: {', '.join(map(entry_name, over[:5]))}{', …' if len(over) > 5 else ''}.")
     elif proven:
         nearest = max(proven, key=lambda entry: entry.bound.worst_ratio)
         yield (f"All {len(proven):,} kernels with a proven bound kept it; the nearest, "

@@ -33,14 +33,15 @@ function logAxis(values, from, to) {
   for (let e = first; e <= last; e += every) {
     for (const digit of decades < 3 ? [1, 2, 5] : [1]) round.push(Number(`${digit}e${e}`));
   }
-  const low = round.filter(v => v <= least).at(-1) ?? least, high = round.find(v => v > most) ?? most;
+  const low = round.filter(v => v <= least).at(-1) ?? least;
+  const high = round.find(v => v > most) ?? most;
   const step = (to - from) / 14;
   const start = values.includes(0) ? from + step : from;
   const end = values.includes(Infinity) ? to - step : to;
   const at = v => v === 0 ? from : v === Infinity ? to
     : start + (end - start) * Math.log(v / low) / Math.log(high / low);
   const ticks = round.filter(v => v >= low && v <= high);
-  return { at, ticks: [...(start === from ? [] : [0]), ...ticks, ...(end === to ? [] : [Infinity])] };
+  return { at, ticks: [start === from ? [] : 0, ticks, end === to ? [] : Infinity].flat() };
 }
 
 function shape(precision, x, y, attributes, size = 5.5) {
@@ -72,7 +73,8 @@ function names(marks, left, right, bottom) {
 // points: {x, y, name?, title, tier, precision, hollow?, data}; curves: {of: x -> y, from, to,
 // className, title}; fronts: lists of points to join.
 function scatter({ label, xLabel, yLabel, points, curves = [], fronts = [], small = false }) {
-  const width = innerWidth < 640 ? 340 : 560, height = 350, left = 52, right = width - 14, top = 26, bottom = height - 46;
+  const width = innerWidth < 640 ? 340 : 560, height = 350;
+  const left = 52, right = width - 14, top = 26, bottom = height - 46;
   const shown = points.filter(p => !Number.isNaN(p.x) && !Number.isNaN(p.y));
   const root = svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": label });
   if (!shown.length) {
@@ -93,7 +95,8 @@ function scatter({ label, xLabel, yLabel, points, curves = [], fronts = [], smal
     root.append(svg("line", { class: "grid", x1: left, x2: right, y1: y, y2: y }),
                 svg("text", { x: left - 7, y: y + 4, "text-anchor": "end" }, formatted(value)));
   }
-  root.append(svg("text", { x: (left + right) / 2, y: height - 8, "text-anchor": "middle" }, xLabel),
+  root.append(svg("text", { x: (left + right) / 2, y: height - 8, "text-anchor": "middle" },
+                  xLabel),
               svg("text", { x: 6, y: 14 }, yLabel));
   const path = pairs => pairs.map(([x, y], i) =>
     `${i ? "L" : "M"}${horizontal.at(x).toFixed(1)} ${vertical.at(y).toFixed(1)}`).join("");

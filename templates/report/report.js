@@ -15,7 +15,8 @@ const measureOf = entries => [...new Set(entries.map(e => e.measure))].join(" or
 
 function pareto(entries, label, name) {
   const points = entries.map(e => paretoPoint(e, name(e)));
-  const best = points.filter(p => !p.hollow && !isNaN(p.x) && !isNaN(p.y)).sort((a, b) => a.x - b.x);
+  const best = points.filter(p => !p.hollow && !isNaN(p.x) && !isNaN(p.y))
+    .sort((a, b) => a.x - b.x);
   const curveOf = p => p.variant.slice(0, p.variant.lastIndexOf(" "));  // operation and precision
   const fronts = [...new Set(best.map(curveOf))].map(key => best.filter(p => curveOf(p) === key));
   return scatter({ label, points, fronts,
@@ -40,7 +41,8 @@ function drawCondition(entries) {
   const points = entries.flatMap(e => e.condition.map(([condition, found]) => ({
     x: number(condition), y: number(found), tier: e.tier, precision: e.precision,
     variant: identity(e),
-    title: `${identity(e)}: ${formatted(number(found))} ${e.measure} at ${formatted(number(condition))}`,
+    title: `${identity(e)}: ${formatted(number(found))} ${e.measure}, ` +
+      `condition ${formatted(number(condition))}`,
   })));
   const curves = entries.filter(e => e.bound && boundAt(e, 1) > 0).flatMap(e => {
     const finite = e.condition.map(([x]) => number(x)).filter(x => x > 0 && Number.isFinite(x));
@@ -68,8 +70,8 @@ function drawTimes(entries) {
 function drawWitnesses(entries) {
   const items = entries.flatMap(e => ["hard", "benign"].filter(inputs => e[inputs]).map(inputs => {
     const { worst, component, witness, outputs } = e[inputs];
-    return element("li", {}, `${variantName(e)}, ${inputs}: ${formatted(number(worst))} ${e.measure}` +
-      ` in ${component}, the worst of ${outputs.toLocaleString("en")} outputs, at `,
+    return element("li", {}, `${variantName(e)}, ${inputs}: ${formatted(number(worst))} ` +
+      `${e.measure} in ${component}, the worst of ${outputs.toLocaleString("en")} outputs, at `,
       element("code", { class: "witness" }, witness.join(" ")));
   }));
   const bounds = entries.filter(e => e.bound).map(e =>

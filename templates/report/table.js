@@ -28,7 +28,8 @@ function element(name, attributes = {}, ...children) {
 
 // The table's columns: a value to sort by, its text, and the class of its cells.
 const error = (inputs, which) => ({
-  value: e => number(e[inputs]?.[which]), text: (v, e) => formatted(v) + (isNaN(v) ? "" : unit(e)) });
+  value: e => number(e[inputs]?.[which]),
+  text: (v, e) => formatted(v) + (isNaN(v) ? "" : unit(e)) });
 
 // |x̂ - x| <= u |x̂| + (c1 u + c2 u²) S with 1 ulp >= u |x|, so that in ulp, as in units of u |x|,
 // the error is at most 1 + (c1 + c2 u) S/|x|; without a last rounding the 1 falls away.
@@ -38,7 +39,8 @@ const boundAt = (entry, condition) => (entry.bound.rounded ? 1 : 0) +
 
 function boundText({ bound }) {
   if (!bound) return "–";
-  const terms = [bound.rounded ? "u |x̂|" : "", bound.c1 ? `${formatted(number(bound.c1))} u S` : "",
+  const terms = [bound.rounded ? "u |x̂|" : "",
+                 bound.c1 ? `${formatted(number(bound.c1))} u S` : "",
                  bound.c2 ? `${formatted(number(bound.c2))} u² S` : ""];
   return terms.filter(Boolean).join(" + ") || "exact";
 }
@@ -68,7 +70,8 @@ const COLUMNS = [
     hint: e => e.bound?.text },
   { id: "ratio-to-bound", title: "error / bound", group: "proof",
     value: e => number(e.bound?.worst_ratio), text: formatted, warns: v => v > 1 },
-  { id: "benign-worst", title: "worst", group: "error, benign inputs", ...error("benign", "worst") },
+  { id: "benign-worst", title: "worst", group: "error, benign inputs",
+    ...error("benign", "worst") },
   { id: "benign-p999", title: "99.9 %", group: "error, benign inputs", ...error("benign", "p999") },
   { id: "benign-median", title: "median", group: "error, benign inputs",
     ...error("benign", "median") },
