@@ -25,7 +25,7 @@ _CYCLES = {Op.DIV: 13, Op.SQRT: 18, Op.SIN: 60, Op.COS: 60, Op.NEG: 1, Op.ABS: 1
 
 @dataclass(frozen=True)
 class Variant:
-    """A kernel: the operation as a tier has it (perhaps with further outputs) and its program."""
+    """A kernel: the operation as a tier has it, perhaps with further outputs, and its program."""
 
     operation: Operation
     precision: Precision

@@ -7,7 +7,6 @@ import subprocess
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from itertools import groupby
 from pathlib import Path
 from shutil import which
 
@@ -52,7 +51,7 @@ class Library:
         read = [_as_structs(x) for x in inputs]
         written = [np.full((n, *a.quantity.shape[::-1]), np.nan, variant.precision.numpy_type)
                    for a in variant.operation.outputs]
-        getattr(_loaded(self.path), f"rows_{variant.name}")(
+        getattr(loaded(self.path), f"rows_{variant.name}")(
             ctypes.c_long(n), _pointers((*read, *written)))
         return tuple(_transposed(x) for x in written)
 
@@ -62,7 +61,7 @@ class Library:
         outputs = [np.ones((n, *a.quantity.shape)) for a in variant.operation.outputs]
         arrange = _as_planes if layout == "planes" else _as_structs
         arguments = [arrange(x[:n].astype(real)) for x in (*inputs, *outputs)]
-        run = functools.partial(_time, _loaded(self.path), f"{layout}_{variant.name}", n,
+        run = functools.partial(_time, loaded(self.path), f"{layout}_{variant.name}", n,
                                 _pointers((*arguments, np.zeros(1, real))))
         once = max(run(1, 5).min() * n, 1.0)
         calls = int(_SAMPLE / once) + 1
@@ -73,18 +72,23 @@ class Library:
 def libraries(variants: Sequence[Variant], found: Sequence[Compiler],
               folder: Path) -> Iterator[Library]:
     """The library of each compiler, once its parts, compiled side by side, are done."""
-    (folder / "driver.c").write_text(render("report/driver.c"))
-    sources = [folder / "driver.c"]
-    for (tier, precision), group in groupby(variants, lambda v: (v.tier, v.precision.name)):
-        sources.append(folder / f"{tier}_{precision}.c")
-        sources[-1].write_text(kernels_text(tuple(group)))
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        jobs = {c.name: [pool.submit(_object, c, source) for source in sources] for c in found}
+    sources = [folder / "driver.c", folder / "drift.c"]
+    for source in sources:
+        source.write_text(render(f"report/{source.name}"))
+    for tier, precision in dict.fromkeys((v.tier, v.precision) for v in variants):
+        sources.append(folder / f"{tier}_{precision.name}.c")
+        sources[-1].write_text(kernels_text(
+            [v for v in variants if (v.tier, v.precision) == (tier, precision)]))
+    pool = ThreadPoolExecutor(os.cpu_count())
+    jobs = {c.name: [pool.submit(_object, c, source) for source in sources] for c in found}
+    try:
         for compiler in found:
             objects = [job.result() for job in jobs[compiler.name]]
             path = folder / f"{compiler.name}.so"
             _run(compiler.name, "-shared", *objects, "-o", path, "-lm")
             yield Library(compiler, path)
+    finally:
+        pool.shutdown(cancel_futures=True)
 
 
 def _object(compiler: Compiler, source: Path) -> Path:
@@ -105,7 +109,8 @@ def _runs(*words: str | Path) -> bool:
 
 
 @functools.cache
-def _loaded(path: Path) -> ctypes.CDLL:
+def loaded(path: Path) -> ctypes.CDLL:
+    """The library, opened once."""
     return ctypes.CDLL(str(path))
 
 
