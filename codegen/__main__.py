@@ -11,7 +11,7 @@ try:
     from coscrew_codegen.emit import EmitError, differences, read, stale_files, write
     from coscrew_codegen.layout import Files, Programs, generated_files, program_of
     from coscrew_codegen.operations import FAMILIES
-    from coscrew_codegen.report import command as report_command
+    from coscrew_codegen.report import ReportError, command
     from coscrew_codegen.selection import LANGUAGES, Selection, SelectionError, select
 except ModuleNotFoundError as error:
     sys.exit(f"coscrew: the generator needs {error.name}; run `pip install 'coscrew[codegen]'`")
@@ -24,7 +24,7 @@ def main(arguments: list[str] | None = None) -> int:
     options = _parser().parse_args(arguments)
     try:
         return options.run(options)
-    except (SelectionError, EmitError, report_command.ReportError) as error:
+    except (SelectionError, EmitError, ReportError) as error:
         print(f"coscrew: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
@@ -49,7 +49,7 @@ def _parser() -> argparse.ArgumentParser:
     generate.add_argument("--language", metavar="NAME",
                           help=f"{' or '.join(LANGUAGES)} (default: both, and the extension)")
     generate.set_defaults(run=_generate)
-    report_command.add_parser(commands)
+    command.add_parser(commands)
     return parser
 
 

@@ -10,12 +10,9 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from coscrew_codegen.emit import EmitError, write
+from coscrew_codegen.report import ReportError
 from coscrew_codegen.report.schema import Report
 from coscrew_codegen.selection import operations_named
-
-
-class ReportError(ValueError):
-    """What was asked for cannot be measured; the message says why."""
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:

@@ -63,8 +63,8 @@ def accuracy(operation: Operation, variant: Variant, benign: Sample, hard: Sampl
         fair = fair & (hard.truth.condition < float(CONDITION[variant.precision.name]))
     bounds = bounds_of(variant.program)
     return Accuracy(
-        _errors(operation, benign, errors[0], counted[0]),
-        _errors(operation, hard, errors[1], fair),
+        summarised(operation, benign.rows, errors[0], counted[0]),
+        summarised(operation, hard.rows, errors[1], fair),
         bounds and _bound(variant, bounds, [(s.truth, e, r) for s, e, r in
                                             zip((benign, hard), errors, found, strict=True)]),
         _by_condition(np.concatenate([s.truth.condition[c] for s, c in
@@ -84,8 +84,9 @@ def _computed(operation: Operation) -> np.ndarray:
     return computed if computed.any() else ~computed
 
 
-def _errors(operation: Operation, sample: Sample, errors: np.ndarray,
-            counted: np.ndarray) -> Errors | None:
+def summarised(operation: Operation, rows: np.ndarray, errors: np.ndarray,
+               counted: np.ndarray) -> Errors | None:
+    """Worst with its witness, 99.9th percentile and median of the errors that count."""
     chosen = errors[counted]
     if not chosen.size:
         return None
@@ -93,7 +94,7 @@ def _errors(operation: Operation, sample: Sample, errors: np.ndarray,
     names = [symbol.name for a in operation.outputs for symbol in a.symbols]
     p999, median = np.quantile(chosen, (0.999, 0.5), method="inverted_cdf")
     return Errors(chosen.size, float(chosen.max()), float(p999), float(median),
-                  tuple(float(x).hex() for x in sample.rows[row]), names[component])
+                  tuple(float(x).hex() for x in rows[row]), names[component])
 
 
 def _bound(variant: Variant, bounds: tuple[Bound, ...],

@@ -14,16 +14,13 @@ from gmpy2 import mpq
 from coscrew_codegen.exact import exact_functions, is_polynomial
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.quantity import Argument
+from coscrew_codegen.report import ReportError
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
 
 Generator = np.random.Generator
 Corpus = dict[tuple[str, str], tuple[tuple[float, ...], ...]]  # by operation and precision
 
 _SPREAD = {"double": 40, "single": 8}  # sizes go from 2^-spread to 2^spread
-
-
-class CorpusError(ValueError):
-    """A line of the hard-case corpus that is none; the message names file and line."""
 
 
 def benign(operation: Operation, precision: Precision, count: int, seed: int) -> np.ndarray:
@@ -79,7 +76,7 @@ def split(operation: Operation, rows: np.ndarray) -> tuple[np.ndarray, ...]:
 
 def corpus(folder: Path) -> Corpus:
     """The hard cases in the folder's *.txt: a line is an operation, a precision and the input
-    components, row by row, in hex; # starts a remark.  Raises CorpusError."""
+    components, row by row, in hex; # starts a remark.  Raises ReportError."""
     sizes = {operation.name: _size(operation) for operation in OPERATIONS}
     found: dict[tuple[str, str], list[tuple[float, ...]]] = {}
     for path in sorted(folder.glob("*.txt")):
@@ -91,10 +88,10 @@ def corpus(folder: Path) -> Corpus:
                 name, precision, *components = words
                 values = tuple(map(float.fromhex, components))
             except ValueError:
-                raise CorpusError(f"{path.name}:{number}: wanted an operation, a precision and "
+                raise ReportError(f"{path.name}:{number}: wanted an operation, a precision and "
                                   f"numbers in hex; got {line!r}") from None
             if precision not in (p.name for p in PRECISIONS) or len(values) != sizes.get(name):
-                raise CorpusError(f"{path.name}:{number}: {name!r} {precision!r} with "
+                raise ReportError(f"{path.name}:{number}: {name!r} {precision!r} with "
                                   f"{len(values)} components is no operation's input")
             found.setdefault((name, precision), []).append(values)
     return {key: tuple(rows) for key, rows in found.items()}

@@ -35,12 +35,15 @@ from coscrew_codegen.targets.precision import PRECISIONS, Precision
 TELLING = ("product_CoAdc", "product_CoAdinvc", "product_Ads", "cross_sc", "cross_ss", "dot_cs",
            "product_dd", "product_dv", "screw_normalized")
 
-# How a minute is spent: on loops in C, and on calls in Python of one, 1000 and 1e6 elements; the
-# rest goes to compilers and to errors.  Rows for errors are counted, not timed, so that every machine
-# draws the same: of this many, each costs `_row_cost`.
-_C_SECONDS = 14.0
-_PYTHON_SECONDS = (2.0, 4.0, 6.0)
-_ROW_BUDGET = 800_000.0
+# What compiling and errors leave of the time, and no less than a quarter of it all, goes to loops in C
+# and to calls in Python, of one, 1000 and 1e6 elements.
+_LEAST_LEFT = 0.25
+_C_SHARE = 0.5
+_PYTHON_SHARES = (0.1, 0.15, 0.25)
+
+# Rows for errors are counted, not timed, so that every machine draws the same: this many a minute,
+# were `_row_cost` 1.
+_ROW_BUDGET = 700_000.0
 _MOST_ROWS = 20_000
 
 Item = TypeVar("Item")
@@ -90,7 +93,10 @@ def measure(plan: Plan) -> Report:
             print("coscrew: no C compiler works here; Python alone is measured", file=sys.stderr)
         built = tuple(_progress(libraries(variants, found, Path(name)), "compiling", len(found)))
         accuracies = _accuracies(plan, built[0] if built else None)
-        timed = [*_timed_in_c(plan, variants, built), *_timed_in_python(plan, variants)]
+        left = max(60 * plan.minutes - (time.monotonic() - started),
+                   60 * plan.minutes * _LEAST_LEFT)
+        timed = [*_timed_in_c(variants, built, plan.seed, left * _C_SHARE),
+                 *_timed_in_python(variants, plan.seed, left)]
         drift: tuple[Drift, ...] = tuple(
             _progress(drifts(built[0]), "drift", 2 * len(PRECISIONS))) if built else ()
     worst = {k: a.hard.worst for k, a in accuracies.items() if a.hard}
@@ -133,20 +139,19 @@ def _ignore_interrupts() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
-def _timed_in_c(plan: Plan, variants: list[Variant],
-                built: tuple[Library, ...]) -> Iterator[Timed]:
+def _timed_in_c(variants: list[Variant], built: tuple[Library, ...], seed: int,
+                seconds: float) -> Iterator[Timed]:
     for library in built:
-        seconds = _C_SECONDS * plan.minutes / len(built)
-        yield from _progress(timing.compiled(library, variants, plan.seed, seconds),
+        yield from _progress(timing.compiled(library, variants, seed, seconds / len(built)),
                              f"times, {library.compiler.name}",
                              len(variants) * len(timing.LAYOUTS))
 
 
-def _timed_in_python(plan: Plan, variants: list[Variant]) -> Iterator[Timed]:
+def _timed_in_python(variants: list[Variant], seed: int, seconds: float) -> Iterator[Timed]:
     callable_ = [v for v in variants if timing.python_function(v)]
     telling = sorted(callable_, key=lambda v: v.operation.name not in TELLING)
-    for count, seconds in zip(COUNTS, _PYTHON_SECONDS, strict=True):
-        found = timing.in_python(telling, count, plan.seed, seconds * plan.minutes)
+    for count, share in zip(COUNTS, _PYTHON_SHARES, strict=True):
+        found = timing.in_python(telling, count, seed, share * seconds)
         yield from filter(None, _progress(found, f"times, Python, N = {count}", len(telling)))
 
 

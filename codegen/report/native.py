@@ -15,11 +15,12 @@ import numpy as np
 import coscrew
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
+from coscrew_codegen.report import ReportError
 from coscrew_codegen.report.c_text import PADDING, Variant, kernels_text
 from coscrew_codegen.report.schema import Compiler
 
 _FLAGS = ("-std=c11", "-O3", "-march=native", "-ffp-contract=off")
-_SAMPLE = 20e3  # ns a timed sample takes at least, so that the clock costs it little
+_SAMPLE = 20e3  # ns a timed sample takes at least, many times what clocks resolve
 Arrays = tuple[np.ndarray, ...]
 
 
@@ -63,9 +64,10 @@ class Library:
         arguments = [arrange(x[:n].astype(real)) for x in (*inputs, *outputs)]
         run = functools.partial(_time, loaded(self.path), f"{layout}_{variant.name}", n,
                                 _pointers((*arguments, np.zeros(1, real))))
-        once = max(run(1, 5).min() * n, 1.0)
-        calls = int(_SAMPLE / once) + 1
-        samples = run(calls, max(5, int(ns / (calls * once))))
+        calls = 1
+        while (sample := run(calls, 3).min() * n * calls) < _SAMPLE:
+            calls *= 2
+        samples = run(calls, max(5, int(ns / sample)))
         return float(samples.min()), float(np.median(samples))
 
 
@@ -101,7 +103,7 @@ def _object(compiler: Compiler, source: Path) -> Path:
 def _run(*words: str | Path) -> None:
     done = subprocess.run(list(map(str, words)), capture_output=True, text=True)
     if done.returncode:
-        raise RuntimeError(f"{words[0]} cannot compile the kernels:\n{done.stderr.strip()}")
+        raise ReportError(f"{words[0]} cannot compile the kernels:\n{done.stderr.strip()}")
 
 
 def _runs(*words: str | Path) -> bool:

@@ -19,7 +19,7 @@ def table(report: Report, telling: Sequence[str]) -> str:
     said = f"{about.cpu}, {', '.join(c.name for c in about.compilers) or 'no C compiler'}"
     notes = ("Worst errors in ulp (u where marked), hard up to condition 0.1/u; ns per element:\n"
              "structure of arrays in C, N = 1000 in Python.")
-    return f"{said}\n{tabulate(map(_row, chosen), _HEADERS, floatfmt='.3g')}\n{notes}"
+    return f"{said}\n{tabulate(list(map(_row, chosen)), _HEADERS, floatfmt='.3g')}\n{notes}"
 
 
 def _row(entry: Entry) -> tuple[object, ...]:

@@ -1,10 +1,10 @@
 """Times of every kernel: the compiled loops, and Python calls on one, 1000 and 1e6 elements."""
 
 import importlib
-import os
 import timeit
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from coscrew_codegen.report.schema import Time
 
 LAYOUTS = {"rows": "array of structs", "planes": "structure of arrays", "chain": "latency"}
 COUNTS = (1, 1000, 1_000_000)
-_TEMPORARIES = 8  # times the arguments' size, what a call in pure NumPy may take
+_TEMPORARIES = 8  # times the size of its arguments: what a call in pure NumPy may take besides
 
 
 @dataclass(frozen=True)
@@ -38,8 +38,10 @@ class Timed:
 def compiled(library: Library, variants: Sequence[Variant], seed: int,
              seconds: float) -> Iterator[Timed]:
     """Each variant in each layout, all in about `seconds`."""
-    share = 1e9 * seconds / (len(variants) * len(LAYOUTS))
-    for variant in variants:
+    end = timeit.default_timer() + seconds
+    for number, variant in enumerate(variants):
+        left = end - timeit.default_timer()
+        share = 1e9 * left / (len(variants) - number) / len(LAYOUTS)
         arguments = _arguments(variant, variant.elements, seed)
         for loop, layout in LAYOUTS.items():
             minimum, median = library.time(variant, loop, arguments, share)
@@ -74,7 +76,7 @@ def _timed(variant: Variant, count: int, seed: int, seconds: float) -> Timed | N
     some = _arguments(variant, min(count, 1000), seed)
     with np.errstate(all="ignore"):
         each = min(timeit.repeat(lambda: function(*some), number=1, repeat=2)) / len(some[0])
-        if not _fits(variant, count) or 3 * each * count > max(seconds, 1e-3):
+        if not _fits(variant, count, function) or 3 * each * count > max(seconds, 1e-3):
             return None
         arguments = [np.resize(x, (count, *x.shape[1:])) if count > 1 else x[0] for x in some]
         timer = timeit.Timer(lambda: function(*arguments))
@@ -90,12 +92,17 @@ def _arguments(variant: Variant, count: int, seed: int) -> tuple[np.ndarray, ...
     return inputs.split(variant.operation, rows)
 
 
-def _fits(variant: Variant, count: int) -> bool:
+def _fits(variant: Variant, count: int, function: Callable[..., object]) -> bool:
     """Whether a call takes less than half of the memory that is free."""
     arguments = (*variant.operation.inputs, *variant.operation.outputs)
-    needed = count * sum(a.quantity.size for a in arguments) * 8 * _TEMPORARIES
-    try:
-        free = os.sysconf("SC_AVPHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
-    except (AttributeError, ValueError, OSError):  # not told here: assume a gigabyte
-        free = 2**30
-    return needed < free / 2
+    needed = count * sum(a.quantity.size for a in arguments) * variant.precision.bytes
+    return needed * (1 if isinstance(function, np.ufunc) else 1 + _TEMPORARIES) < _free() / 2
+
+
+def _free() -> int:
+    """Bytes of memory available; a gigabyte where the system does not tell."""
+    told = Path("/proc/meminfo")
+    for line in told.read_text().splitlines() if told.exists() else ():
+        if line.startswith("MemAvailable:"):
+            return int(line.split()[1]) * 1024
+    return 2**30
