@@ -93,8 +93,9 @@ def ulp(truth: mpq, precision: Precision) -> mpq:
 
 def truth(operation: Operation, precision: Precision, rows: np.ndarray) -> Truth:
     """The exact results for rows that hold all input components of a call each."""
-    found = [_values(operation, precision, row) for row in rows.tolist()]
-    units = [_units(operation, precision, values) for values in found]
+    evaluate, units_of = _evaluator(operation, precision), _units(operation, precision)
+    found = [evaluate(row) for row in rows.tolist()]
+    units = list(map(units_of, found))
     shape = (len(found), len(formula(operation)))
     near = np.array([[float(x) for x in values] for values in found]).reshape(shape)
     rest = [[float((x - mpq(n)) / unit) if np.isfinite(n) else 0.0
@@ -112,17 +113,27 @@ def _symbols(operation: Operation) -> list[sp.Symbol]:
     return [symbol for a in operation.inputs for symbol in a.symbols]
 
 
-def _values(operation: Operation, precision: Precision, row: Sequence[float]) -> list[mpq]:
+def _evaluator(operation: Operation,
+               precision: Precision) -> Callable[[Sequence[float]], list[mpq]]:
     """The components for one row; of no polynomial, rounded to DIGITS digits."""
     if is_polynomial(operation):
-        values = list(map(mpq, row))
-        return [mpq(exact(*values)) for exact, _ in exact_functions(operation)]
-    with mpmath.workdps(DIGITS):
-        numbers = map(mpmath.mpf, (*row, _THRESHOLD[precision.name]))
-        return [_rational(mpmath.mpf(x)) for x in _multiprecise(operation)(*numbers)]
+        functions = [exact for exact, _ in exact_functions(operation)]
+
+        def rational(row: Sequence[float]) -> list[mpq]:
+            values = list(map(mpq, row))
+            return [mpq(exact(*values)) for exact in functions]
+
+        return rational
+    function, threshold = _multiprecise(operation), _THRESHOLD[precision.name]
+
+    def multiprecise(row: Sequence[float]) -> list[mpq]:
+        with mpmath.workdps(DIGITS):
+            found = function(*map(mpmath.mpf, (*row, threshold)))
+            return [_rational(mpmath.mpf(x)) for x in found]
+
+    return multiprecise
 
 
-@functools.cache
 def _multiprecise(operation: Operation) -> Callable[..., Sequence[mpmath.mpf]]:
     return sp.lambdify([*_symbols(operation), NORM_THRESHOLD], formula(operation),
                        [_SPECIAL, "mpmath"], cse=True)
@@ -133,17 +144,21 @@ def _rational(x: mpmath.mpf) -> mpq:
     return mpq(*mpmath.libmp.to_rational(x._mpf_))
 
 
-def _units(operation: Operation, precision: Precision, values: Sequence[mpq]) -> list[mpq]:
+def _units(operation: Operation,
+           precision: Precision) -> Callable[[Sequence[mpq]], list[mpq]]:
     """What errors are counted in: ulp; in normwise operations u times the part's largest |x|."""
     if not measured_normwise(operation):
-        return [ulp(x, precision) for x in values]
-    largest: dict[tuple[int, int], mpq] = {}
+        return lambda values: [ulp(x, precision) for x in values]
     parts = [(number, a.quantity.place(*at)[0]) for number, a in enumerate(operation.outputs)
              for at in a.quantity.indices]
-    for part, x in zip(parts, values, strict=True):
-        largest[part] = max(largest.get(part, mpq(0)), abs(x))
-    least = _LEAST[precision.name]
-    return [max(largest[part] * UNIT[precision.name], least) for part in parts]
+
+    def relative(values: Sequence[mpq]) -> list[mpq]:
+        largest = {part: max(abs(x) for x, of in zip(values, parts, strict=True) if of == part)
+                   for part in dict.fromkeys(parts)}
+        return [max(largest[part] * UNIT[precision.name], _LEAST[precision.name])
+                for part in parts]
+
+    return relative
 
 
 def measured_normwise(operation: Operation) -> bool:

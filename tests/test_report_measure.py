@@ -14,11 +14,10 @@ from pathlib import Path
 import mpmath
 import numpy as np
 import pytest
+from gmpy2 import mpq
 
-import coscrew
-import coscrew.accurate
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.exact import truth
+from coscrew_codegen.exact import truth, ulp
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.report import errors, inputs, measure, native, ranking
 from coscrew_codegen.report.c_text import Variant, last_component
@@ -67,10 +66,20 @@ def test_truth_is_what_fractions_say(name: str, precision: Precision):
     found = truth(operation, precision, rows)
     for i, values in enumerate(exactly(operation, rows)):
         for j, x in enumerate(values):
-            near, rest, unit = (Fraction(float(a[i, j])) for a in (found.near, found.rest, found.unit))
+            near, rest, unit = (Fraction(float(a[i, j]))
+                                for a in (found.near, found.rest, found.unit))
             if x:
                 assert unit == spacing(x, precision), (x, unit)
             assert abs(near + rest * unit - x) <= unit * abs(rest) / 2**52
+
+
+def test_ulp_is_of_the_binade_a_number_lies_in():
+    """Also of numbers that are no binary fractions, next to powers of two, and subnormal ones."""
+    third = mpq(1, 3**60)
+    assert [ulp(x, DOUBLE) * 2**53 for x in (mpq(2, 3), mpq(1), 1 - third, 1 + third, -2 + third)] \
+        == [1, 2, 1, 2, 2]
+    assert ulp(mpq(1, 3 * 2**1030), DOUBLE) == ulp(mpq(0), DOUBLE) == mpq(1, 2**1074)
+    assert ulp(mpq(1, 3 * 2**130), SINGLE) == mpq(1, 2**149)
 
 
 @precisions
@@ -89,7 +98,7 @@ def test_truth_of_a_norm_is_the_integer_root(precision: Precision):
 
 @precisions
 def test_a_wrong_kernel_shows_its_error(precision: Precision):
-    """Three units in the last place beside the nearest number: 2.5 to 3.5 ulp, as fractions count."""
+    """Three numbers above the nearest one: 2.5 to 3.5 ulp, as fractions count."""
     operation = BY_NAME["cross_sc"]
     (plain, *_) = variants_of(operation, precision)
     benign, hard = errors.samples(operation, precision, 60, 2)
@@ -153,8 +162,8 @@ def test_the_same_seed_gives_the_same_errors(precision: Precision):
 @precisions
 def test_compiled_kernels_give_the_packages_bits(precision: Precision, tmp_path: Path):
     """In both compilers, and called by rows: columns and rows of matrices are where they belong."""
-    variants = [v for name in ("product_dd", "product_drdrx", "SE3_invert", "coscrew_to_angular_first",
-                               "dot_cs") for v in variants_of(BY_NAME[name], precision)]
+    names = ("product_dd", "product_drdrx", "SE3_invert", "coscrew_to_angular_first", "dot_cs")
+    variants = [v for name in names for v in variants_of(BY_NAME[name], precision)]
     for library in native.libraries(variants, native.compilers(tmp_path), tmp_path):
         for v in filter(python_function, variants):
             arguments = inputs.split(v.operation, inputs.benign(v.operation, precision, 9, 1))
@@ -165,14 +174,15 @@ def test_compiled_kernels_give_the_packages_bits(precision: Precision, tmp_path:
 
 def test_a_chain_of_calls_waits_for_each(tmp_path: Path):
     """A call that waits for the one before takes longer than one of many independent calls."""
-    (plain, *_) = variants_of(BY_NAME["product_CoAdc"], DOUBLE)
-    assert plain.operation.outputs[0].symbols[last_component(plain.program)].name[:3] == "co_"
-    assert last_component(plain.program) >= 3  # the moment, t × (R f) + R τ
+    moved = variants_of(BY_NAME["product_CoAdc"], DOUBLE)[0].program
+    assert last_component(moved) >= 3  # the moment, t × (R f) + R τ
+    plain = variants_of(BY_NAME["dot_cs"], DOUBLE)[0]
     (compiler, *_) = native.compilers(tmp_path)
     (library,) = native.libraries([plain], [compiler], tmp_path)
     arguments = inputs.split(plain.operation, inputs.benign(plain.operation, DOUBLE, 256, 1))
-    chain, planes = (library.time(plain, loop, arguments, 2e6)[0] for loop in ("chain", "planes"))
-    assert chain > 2 * planes > 0
+    chain, rows, planes = (library.time(plain, loop, arguments, 2e7)[0]
+                           for loop in ("chain", "rows", "planes"))
+    assert chain > 2 * rows > 0 and chain > 2 * planes > 0
 
 
 def test_dominated_is_no_faster_and_no_better():
@@ -294,7 +304,8 @@ def test_hard_cases_are_measured(tmp_path: Path):
 def command(tmp_path: Path, before: str = "") -> list[str]:
     """A report in a process of its own."""
     words = [*FEW, "--output", str(tmp_path / "out")]
-    return [sys.executable, "-c", f"import sys; {before}\nfrom coscrew_codegen.__main__ import main\n"
+    return [sys.executable, "-c", f"import sys; {before}\n"
+            "from coscrew_codegen.__main__ import main\n"
             f"if __name__ == '__main__': sys.exit(main({words!r}))"]
 
 

@@ -1,4 +1,4 @@
-"""C text: every kernel in three loops, as time is measured.  Knows types and layouts, no arithmetic.
+"""C text: every kernel in three loops, to be timed.  Knows types and layouts, no arithmetic.
 
 A loop gets pointers to all inputs, then all outputs (in place or not, they are apart, so that the
 same call can be repeated), then to a zero.

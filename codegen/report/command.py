@@ -19,7 +19,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     """Add `report` to the command line."""
     parser = commands.add_parser(
         "report", help="measure errors and times on this machine",
-        description="Measure every kernel's errors, against exact truth, and times on this machine.")
+        description="Measure every kernel's errors, against exact truth, and times, here.")
     parser.add_argument("--op", metavar="NAME", action="append", default=[],
                         help="only this operation; may be repeated")
     parser.add_argument("--minutes", type=float, default=2.0, metavar="M",

@@ -1,4 +1,4 @@
-"""Compiled kernels: every variant built with the system's C compilers, called and timed from Python."""
+"""Compiled kernels: all variants built by the system's C compilers, called and timed."""
 
 import ctypes
 import functools

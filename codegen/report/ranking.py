@@ -1,4 +1,4 @@
-"""What figures mean beside each other: ratios to plain, dominated variants, changes since a report."""
+"""Figures beside each other: ratios to plain, dominated variants, changes since a report."""
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
