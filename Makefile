@@ -6,7 +6,7 @@ PYTHON  := $(VENV)/bin/python
 PIP     := PYTHONWARNINGS=ignore $(PYTHON) -m pip --quiet --disable-pip-version-check
 SOURCES := $(wildcard $(addprefix generated/,gufunc/*.[ch] gufunc/*/*.[ch] c/coscrew*.h))
 
-.PHONY: all generate check build example test bench attack clean
+.PHONY: all generate check build example test bench attack report clean
 
 all: generate
 	@$(MAKE) --no-print-directory check example
@@ -65,6 +65,10 @@ bench: $(VENV)/test-ready build
 # Every proven error bound against exact arithmetic, at length.
 attack: $(VENV)/test-ready build
 	$(PYTHON) -m tests.attack
+
+# Errors and times of everything on this machine, in about two minutes: build/report/.
+report: $(VENV)/test-ready build
+	$(PYTHON) -m coscrew_codegen report
 
 clean:
 	rm -rf $(VENV) build *.egg-info

@@ -9,28 +9,25 @@ certified tier returns as bounds is attacked with numbers of any size, too.
 """
 
 import functools
-import math
 import random
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import sympy as sp
 from gmpy2 import mpq
 
 from coscrew_codegen.bounds import Bound, bounds_of
+from coscrew_codegen.exact import CONDITION, UNIT, exact_functions, ulp
 from coscrew_codegen.layout import program_of
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Program
+from coscrew_codegen.report.inputs import cancel
 from coscrew_codegen.targets.precision import Precision
 from coscrew_codegen.tiers.table import TIERS, has_tiers
 from tests.sampling import inputs_of
 
 Arrays = tuple[np.ndarray, ...]
 Implementation = Callable[[Operation, Precision, Arrays], Arrays]
-
-UNIT = {"double": mpq(1, 2**53), "single": mpq(1, 2**24)}
-CONDITION = {"double": mpq(9 * 10**14), "single": mpq(16 * 10**6)}
 
 
 @functools.cache
@@ -51,20 +48,6 @@ def bounds(operation: Operation, precision: Precision, tier: str) -> tuple[Bound
     return bounds_of(program)
 
 
-@functools.cache
-def exact_functions(operation: Operation) -> tuple[tuple[Callable, Callable], ...]:
-    """(x, S) of each result as functions of all input components, from the formula's terms."""
-    symbols = [symbol for a in operation.inputs for symbol in a.symbols]
-
-    def pair(expression: sp.Expr) -> tuple[Callable, Callable]:
-        expanded = sp.expand(expression)
-        terms = [term.as_coeff_Mul() for term in sp.Add.make_args(expanded)]
-        absolute = sp.Add(*(abs(coefficient) * rest for coefficient, rest in terms))
-        return (sp.lambdify(symbols, expanded, "math"), sp.lambdify(symbols, absolute, "math"))
-
-    return tuple(map(pair, operation.truth()))
-
-
 def rows(operation: Operation, precision: Precision, count: int, seed: int) -> Arrays:
     """Inputs: ordinary, of very different sizes, and such that one result nearly cancels."""
     numbers = np.random.default_rng([seed, len(operation.name), precision.bytes])
@@ -76,25 +59,10 @@ def rows(operation: Operation, precision: Precision, count: int, seed: int) -> A
     flat = flat.astype(real)
     chooser = random.Random(seed)
     for row in flat[2 * count // 3:]:
-        _cancel(operation, row, chooser)
+        cancel(operation, row, chooser)
     edges = np.cumsum([a.quantity.size for a in operation.inputs])[:-1]
     return tuple(part.reshape(count, *a.quantity.shape) for part, a in
                  zip(np.split(flat, edges, axis=1), operation.inputs, strict=True))
-
-
-def _cancel(operation: Operation, row: np.ndarray, chooser: random.Random) -> None:
-    """Change one input so that one result, linear in it, nearly vanishes: to the input's last bit
-    or so, or to any part of that."""
-    exact, _ = chooser.choice(exact_functions(operation))
-    values = [mpq(float(x)) for x in row]
-    for place in chooser.sample(range(len(values)), len(values)):
-        at = {t: exact(*values[:place], mpq(t), *values[place + 1:]) for t in (0, 1, 2)}
-        slope = at[1] - at[0]
-        if slope and at[2] - at[1] == slope:
-            root = -at[0] / slope
-            if root and abs(root) < 2**60 and abs(root) > mpq(1, 2**60):
-                row[place] = float(root * (1 + mpq(1, 2**chooser.randrange(1, 64))))
-                return
 
 
 def extreme_rows(operation: Operation, precision: Precision, count: int, seed: int) -> Arrays:
@@ -159,7 +127,7 @@ def _compare(operation: Operation, precision: Precision, tier: str, given: Seque
         if ratio > worst.ratio:
             worst.ratio, worst.witness = ratio, tuple(x.hex() for x in given)
         if terms < CONDITION[precision.name] * abs(truth):
-            ulps = float(error / _ulp(truth, precision))
+            ulps = float(error / ulp(truth, precision))
             if ulps > worst.ulps:
                 worst.ulps, worst.ulps_witness = ulps, tuple(x.hex() for x in given)
 
@@ -178,14 +146,6 @@ def _compare_certified(operation: Operation, given: Sequence[float], got: Sequen
             ratio = float(error / mpq(bound)) if bound else float("inf") if error else 0.0
             if ratio > worst.ratio:
                 worst.ratio, worst.witness = ratio, tuple(x.hex() for x in given)
-
-
-def _ulp(truth: mpq, precision: Precision) -> mpq:
-    """The spacing of the numbers around `truth`, of the binade it lies in."""
-    _, exponent = math.frexp(truth)
-    if abs(truth) < mpq(2)**(exponent - 1):  # the conversion to float rounded up to a power of two
-        exponent -= 1
-    return mpq(2)**exponent * UNIT[precision.name]
 
 
 def attacks(names: Sequence[str], count: int, seed: int,

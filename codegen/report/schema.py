@@ -64,9 +64,9 @@ class ProvenBound:
 
 @dataclass(frozen=True)
 class Time:
-    """The shortest time of many in ns per element; spread is median / minimum - 1, ratio is to plain
-    in the same language, compiler and layout; dominated: another tier is no slower and no less
-    accurate, and better in one of both."""
+    """The shortest time of many in ns per element; spread is median / minimum - 1, ratio is to
+    plain in the same language, compiler and layout; dominated: another tier is no slower and no
+    less accurate, and better in one of both."""
 
     language: str
     compiler: str | None
@@ -99,8 +99,8 @@ class Entry:
 
 @dataclass(frozen=True)
 class Drift:
-    """A displacement after so many compositions: its rotation's orthonormality defect and its error,
-    in u, and what a step costs."""
+    """A displacement after so many compositions: its rotation's orthonormality defect and its
+    error, in u, and what a step costs."""
 
     precision: str
     orthonormalised: bool
@@ -147,7 +147,7 @@ class Report:
 
     @classmethod
     def from_json(cls, text: str) -> "Report":
-        """The report that `to_json` wrote.  Raises ValueError, naming the place, for anything else."""
+        """The report that `to_json` wrote.  Raises ValueError, naming the place, for others."""
         found = json.loads(text)
         if not isinstance(found, dict) or found.get("schema") != SCHEMA:
             raise ValueError(f"not a report of schema {SCHEMA}")
