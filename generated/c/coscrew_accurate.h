@@ -11637,82 +11637,92 @@ static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const 
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-   32 mul, 68 add, 18 product error, 16 sum error, 2 div, 9 equal, 9 select. */
+   41 mul, 80 add, 21 product error, 17 sum error, 2 div, 9 equal, 9 select. */
 static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
-  const double square_a = q->w * q->w, square_a_lo = ksl_product_error(q->w, q->w, square_a),
-      square_b = q->x * q->x, square_b_lo = ksl_product_error(q->x, q->x, square_b),
-      square_c = square_a + square_b, square_c_error = ksl_sum_error(square_a, square_b, square_c),
-      square_c_lo1 = square_c_error + square_a_lo, square_c_lo = square_c_lo1 + square_b_lo,
-      square_d = q->y * q->y, square_d_lo = ksl_product_error(q->y, q->y, square_d),
-      square_e = square_c + square_d, square_e_error = ksl_sum_error(square_c, square_d, square_e),
-      square_e_lo1 = square_e_error + square_c_lo, square_e_lo = square_e_lo1 + square_d_lo,
-      square_f = q->z * q->z, square_f_lo = ksl_product_error(q->z, q->z, square_f),
-      square = square_e + square_f, square_error = ksl_sum_error(square_e, square_f, square),
-      square_lo1 = square_error + square_e_lo, square_lo = square_lo1 + square_f_lo;
-  const double scale_of_square = square + square_lo,
-      scale_of_square_lo = ksl_sum_error(square, square_lo, scale_of_square),
-      scale = 2.0 / scale_of_square, scale_cross = scale * scale_of_square_lo,
-      scale_product = scale * scale_of_square,
-      scale_product_error = ksl_product_error(scale, scale_of_square, scale_product),
-      scale_rest = 2.0 - scale_product, scale_exact = scale_rest - scale_product_error,
-      scale_residual = scale_exact - scale_cross, scale_lo = scale_residual / scale_of_square;
-  const double scale_w = q->w * scale, scale_w_cross1 = q->w * scale_lo,
-      scale_w_error = ksl_product_error(q->w, scale, scale_w),
-      scale_w_lo = scale_w_error + scale_w_cross1;
-  const double beta_v_0 = q->x * scale, beta_v_0_cross1 = q->x * scale_lo,
-      beta_v_0_error = ksl_product_error(q->x, scale, beta_v_0),
-      beta_v_0_lo = beta_v_0_error + beta_v_0_cross1;
-  const double beta_v_1 = q->y * scale, beta_v_1_cross1 = q->y * scale_lo,
-      beta_v_1_error = ksl_product_error(q->y, scale, beta_v_1),
-      beta_v_1_lo = beta_v_1_error + beta_v_1_cross1;
-  const double beta_v_2 = q->z * scale, beta_v_2_cross1 = q->z * scale_lo,
-      beta_v_2_error = ksl_product_error(q->z, scale, beta_v_2),
-      beta_v_2_lo = beta_v_2_error + beta_v_2_cross1;
-  const double m_0 = q->x * beta_v_0, m_0_cross1 = q->x * beta_v_0_lo,
-      m_0_error = ksl_product_error(q->x, beta_v_0, m_0), m_0_lo = m_0_error + m_0_cross1;
-  const double m_1 = q->y * beta_v_1, m_1_cross1 = q->y * beta_v_1_lo,
-      m_1_error = ksl_product_error(q->y, beta_v_1, m_1), m_1_lo = m_1_error + m_1_cross1;
-  const double m_2 = q->z * beta_v_2, m_2_cross1 = q->z * beta_v_2_lo,
-      m_2_error = ksl_product_error(q->z, beta_v_2, m_2), m_2_lo = m_2_error + m_2_cross1;
-  const double m_3 = q->y * beta_v_0, m_3_cross1 = q->y * beta_v_0_lo,
-      m_3_error = ksl_product_error(q->y, beta_v_0, m_3), m_3_lo = m_3_error + m_3_cross1;
-  const double m_4 = q->z * beta_v_0, m_4_cross1 = q->z * beta_v_0_lo,
-      m_4_error = ksl_product_error(q->z, beta_v_0, m_4), m_4_lo = m_4_error + m_4_cross1;
-  const double m_5 = q->z * beta_v_1, m_5_cross1 = q->z * beta_v_1_lo,
-      m_5_error = ksl_product_error(q->z, beta_v_1, m_5), m_5_lo = m_5_error + m_5_cross1;
-  const double others_0 = m_1 + m_2, others_0_error = ksl_sum_error(m_1, m_2, others_0),
-      others_0_lo1 = others_0_error + m_1_lo, others_0_lo = others_0_lo1 + m_2_lo;
-  const double others_1 = m_0 + m_2, others_1_error = ksl_sum_error(m_0, m_2, others_1),
-      others_1_lo1 = others_1_error + m_0_lo, others_1_lo = others_1_lo1 + m_2_lo;
-  const double others_2 = m_0 + m_1, others_2_error = ksl_sum_error(m_0, m_1, others_2),
-      others_2_lo1 = others_2_error + m_0_lo, others_2_lo = others_2_lo1 + m_1_lo;
-  const double alpha_v_0 = q->x * scale_w, alpha_v_0_cross1 = q->x * scale_w_lo,
-      alpha_v_0_error = ksl_product_error(q->x, scale_w, alpha_v_0),
-      alpha_v_0_lo = alpha_v_0_error + alpha_v_0_cross1;
-  const double alpha_v_1 = q->y * scale_w, alpha_v_1_cross1 = q->y * scale_w_lo,
-      alpha_v_1_error = ksl_product_error(q->y, scale_w, alpha_v_1),
-      alpha_v_1_lo = alpha_v_1_error + alpha_v_1_cross1;
-  const double alpha_v_2 = q->z * scale_w, alpha_v_2_cross1 = q->z * scale_w_lo,
-      alpha_v_2_error = ksl_product_error(q->z, scale_w, alpha_v_2),
-      alpha_v_2_lo = alpha_v_2_error + alpha_v_2_cross1;
-  const double R_00 = 1.0 - others_0, R_00_error = ksl_difference_error(1.0, others_0, R_00),
-      R_00_lo = R_00_error - others_0_lo;
-  const double R_01 = m_3 - alpha_v_2, R_01_error = ksl_difference_error(m_3, alpha_v_2, R_01),
-      R_01_lo1 = R_01_error + m_3_lo, R_01_lo = R_01_lo1 - alpha_v_2_lo;
-  const double R_02 = m_4 + alpha_v_1, R_02_error = ksl_sum_error(m_4, alpha_v_1, R_02),
-      R_02_lo1 = R_02_error + m_4_lo, R_02_lo = R_02_lo1 + alpha_v_1_lo;
-  const double R_10 = m_3 + alpha_v_2, R_10_error = ksl_sum_error(m_3, alpha_v_2, R_10),
-      R_10_lo1 = R_10_error + m_3_lo, R_10_lo = R_10_lo1 + alpha_v_2_lo;
-  const double R_11 = 1.0 - others_1, R_11_error = ksl_difference_error(1.0, others_1, R_11),
-      R_11_lo = R_11_error - others_1_lo;
-  const double R_12 = m_5 - alpha_v_0, R_12_error = ksl_difference_error(m_5, alpha_v_0, R_12),
-      R_12_lo1 = R_12_error + m_5_lo, R_12_lo = R_12_lo1 - alpha_v_0_lo;
-  const double R_20 = m_4 - alpha_v_1, R_20_error = ksl_difference_error(m_4, alpha_v_1, R_20),
-      R_20_lo1 = R_20_error + m_4_lo, R_20_lo = R_20_lo1 - alpha_v_1_lo;
-  const double R_21 = m_5 + alpha_v_0, R_21_error = ksl_sum_error(m_5, alpha_v_0, R_21),
-      R_21_lo1 = R_21_error + m_5_lo, R_21_lo = R_21_lo1 + alpha_v_0_lo;
-  const double R_22 = 1.0 - others_2, R_22_error = ksl_difference_error(1.0, others_2, R_22),
-      R_22_lo = R_22_error - others_2_lo;
+  const double squares_0 = q->w * q->w, squares_0_lo = ksl_product_error(q->w, q->w, squares_0);
+  const double squares_1 = q->x * q->x, squares_1_lo = ksl_product_error(q->x, q->x, squares_1);
+  const double squares_2 = q->y * q->y, squares_2_lo = ksl_product_error(q->y, q->y, squares_2);
+  const double squares_3 = q->z * q->z, squares_3_lo = ksl_product_error(q->z, q->z, squares_3);
+  const double pairs_0 = squares_0 + squares_1,
+      pairs_0_error = ksl_sum_error(squares_0, squares_1, pairs_0),
+      pairs_0_lo1 = pairs_0_error + squares_0_lo, pairs_0_lo = pairs_0_lo1 + squares_1_lo;
+  const double pairs_1 = squares_2 + squares_3,
+      pairs_1_error = ksl_sum_error(squares_2, squares_3, pairs_1),
+      pairs_1_lo1 = pairs_1_error + squares_2_lo, pairs_1_lo = pairs_1_lo1 + squares_3_lo;
+  const double pairs_2 = squares_0 + squares_2,
+      pairs_2_error = ksl_sum_error(squares_0, squares_2, pairs_2),
+      pairs_2_lo1 = pairs_2_error + squares_0_lo, pairs_2_lo = pairs_2_lo1 + squares_2_lo;
+  const double pairs_3 = squares_1 + squares_3,
+      pairs_3_error = ksl_sum_error(squares_1, squares_3, pairs_3),
+      pairs_3_lo1 = pairs_3_error + squares_1_lo, pairs_3_lo = pairs_3_lo1 + squares_3_lo;
+  const double pairs_4 = squares_0 + squares_3,
+      pairs_4_error = ksl_sum_error(squares_0, squares_3, pairs_4),
+      pairs_4_lo1 = pairs_4_error + squares_0_lo, pairs_4_lo = pairs_4_lo1 + squares_3_lo;
+  const double pairs_5 = squares_1 + squares_2,
+      pairs_5_error = ksl_sum_error(squares_1, squares_2, pairs_5),
+      pairs_5_lo1 = pairs_5_error + squares_1_lo, pairs_5_lo = pairs_5_lo1 + squares_2_lo;
+  const double square = pairs_0 + pairs_1, square_error = ksl_sum_error(pairs_0, pairs_1, square),
+      square_lo1 = square_error + pairs_0_lo, square_lo = square_lo1 + pairs_1_lo;
+  const double factor_of_square = square + square_lo,
+      factor_of_square_lo = ksl_sum_error(square, square_lo, factor_of_square),
+      factor = 1.0 / factor_of_square, factor_cross = factor * factor_of_square_lo,
+      factor_product = factor * factor_of_square,
+      factor_product_error = ksl_product_error(factor, factor_of_square, factor_product),
+      factor_rest = 1.0 - factor_product, factor_exact = factor_rest - factor_product_error,
+      factor_residual = factor_exact - factor_cross, factor_lo = factor_residual / factor_of_square;
+  const double d0 = pairs_0 - pairs_1, d0_error = ksl_difference_error(pairs_0, pairs_1, d0),
+      d0_lo1 = d0_error + pairs_0_lo, d0_lo = d0_lo1 - pairs_1_lo;
+  const double d1 = pairs_2 - pairs_3, d1_error = ksl_difference_error(pairs_2, pairs_3, d1),
+      d1_lo1 = d1_error + pairs_2_lo, d1_lo = d1_lo1 - pairs_3_lo;
+  const double d2 = pairs_4 - pairs_5, d2_error = ksl_difference_error(pairs_4, pairs_5, d2),
+      d2_lo1 = d2_error + pairs_4_lo, d2_lo = d2_lo1 - pairs_5_lo;
+  const double twice = 2.0 * factor, twice_cross1 = 2.0 * factor_lo,
+      twice_error = ksl_product_error(2.0, factor, twice), twice_lo = twice_error + twice_cross1;
+  const double m_0a = q->x * q->y, m_0a_lo = ksl_product_error(q->x, q->y, m_0a),
+      m_0b = q->w * q->z, m_0b_lo = ksl_product_error(q->w, q->z, m_0b), m_0 = m_0a - m_0b,
+      m_0_error = ksl_difference_error(m_0a, m_0b, m_0), m_0_lo1 = m_0_error + m_0a_lo,
+      m_0_lo = m_0_lo1 - m_0b_lo;
+  const double m_1a = q->w * q->y, m_1a_lo = ksl_product_error(q->w, q->y, m_1a),
+      m_1b = q->x * q->z, m_1b_lo = ksl_product_error(q->x, q->z, m_1b), m_1 = m_1a + m_1b,
+      m_1_error = ksl_sum_error(m_1a, m_1b, m_1), m_1_lo1 = m_1_error + m_1a_lo,
+      m_1_lo = m_1_lo1 + m_1b_lo;
+  const double m_2a = q->y * q->z, m_2a_lo = ksl_product_error(q->y, q->z, m_2a),
+      m_2b = q->w * q->x, m_2b_lo = ksl_product_error(q->w, q->x, m_2b), m_2 = m_2a - m_2b,
+      m_2_error = ksl_difference_error(m_2a, m_2b, m_2), m_2_lo1 = m_2_error + m_2a_lo,
+      m_2_lo = m_2_lo1 - m_2b_lo;
+  const double m_3 = m_0b + m_0a, m_3_error = ksl_sum_error(m_0b, m_0a, m_3),
+      m_3_lo1 = m_3_error + m_0b_lo, m_3_lo = m_3_lo1 + m_0a_lo;
+  const double m_4 = m_1b - m_1a, m_4_error = ksl_difference_error(m_1b, m_1a, m_4),
+      m_4_lo1 = m_4_error + m_1b_lo, m_4_lo = m_4_lo1 - m_1a_lo;
+  const double m_5 = m_2b + m_2a, m_5_error = ksl_sum_error(m_2b, m_2a, m_5),
+      m_5_lo1 = m_5_error + m_2b_lo, m_5_lo = m_5_lo1 + m_2a_lo;
+  const double R_00 = factor * d0, R_00_cross1 = factor_lo * d0, R_00_cross2 = factor * d0_lo,
+      R_00_error = ksl_product_error(factor, d0, R_00), R_00_lo1 = R_00_error + R_00_cross1,
+      R_00_lo = R_00_lo1 + R_00_cross2;
+  const double R_01 = twice * m_0, R_01_cross1 = twice_lo * m_0, R_01_cross2 = twice * m_0_lo,
+      R_01_error = ksl_product_error(twice, m_0, R_01), R_01_lo1 = R_01_error + R_01_cross1,
+      R_01_lo = R_01_lo1 + R_01_cross2;
+  const double R_02 = twice * m_1, R_02_cross1 = twice_lo * m_1, R_02_cross2 = twice * m_1_lo,
+      R_02_error = ksl_product_error(twice, m_1, R_02), R_02_lo1 = R_02_error + R_02_cross1,
+      R_02_lo = R_02_lo1 + R_02_cross2;
+  const double R_10 = twice * m_3, R_10_cross1 = twice_lo * m_3, R_10_cross2 = twice * m_3_lo,
+      R_10_error = ksl_product_error(twice, m_3, R_10), R_10_lo1 = R_10_error + R_10_cross1,
+      R_10_lo = R_10_lo1 + R_10_cross2;
+  const double R_11 = factor * d1, R_11_cross1 = factor_lo * d1, R_11_cross2 = factor * d1_lo,
+      R_11_error = ksl_product_error(factor, d1, R_11), R_11_lo1 = R_11_error + R_11_cross1,
+      R_11_lo = R_11_lo1 + R_11_cross2;
+  const double R_12 = twice * m_2, R_12_cross1 = twice_lo * m_2, R_12_cross2 = twice * m_2_lo,
+      R_12_error = ksl_product_error(twice, m_2, R_12), R_12_lo1 = R_12_error + R_12_cross1,
+      R_12_lo = R_12_lo1 + R_12_cross2;
+  const double R_20 = twice * m_4, R_20_cross1 = twice_lo * m_4, R_20_cross2 = twice * m_4_lo,
+      R_20_error = ksl_product_error(twice, m_4, R_20), R_20_lo1 = R_20_error + R_20_cross1,
+      R_20_lo = R_20_lo1 + R_20_cross2;
+  const double R_21 = twice * m_5, R_21_cross1 = twice_lo * m_5, R_21_cross2 = twice * m_5_lo,
+      R_21_error = ksl_product_error(twice, m_5, R_21), R_21_lo1 = R_21_error + R_21_cross1,
+      R_21_lo = R_21_lo1 + R_21_cross2;
+  const double R_22 = factor * d2, R_22_cross1 = factor_lo * d2, R_22_cross2 = factor * d2_lo,
+      R_22_error = ksl_product_error(factor, d2, R_22), R_22_lo1 = R_22_error + R_22_cross1,
+      R_22_lo = R_22_lo1 + R_22_cross2;
   const double R_00_total = R_00 + R_00_lo,
       R_00_rounded = R_00_total == R_00_total ? R_00_total : R_00;
   const double R_01_total = R_01 + R_01_lo,
@@ -12295,39 +12305,43 @@ static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *q, cons
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-   17 mul, 15 add, 1 div. */
+   20 mul, 16 add, 1 div. */
 static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t *q,
     ksl_mat3x3f_t *R) {
-  const double square_a = (double)q->w * (double)q->w, square_b = (double)q->x * (double)q->x,
-      square_c = square_a + square_b, square_d = (double)q->y * (double)q->y,
-      square_e = square_c + square_d, square_f = (double)q->z * (double)q->z,
-      square = square_e + square_f;
-  const double scale = 2.0 / square;
-  const double scale_w = (double)q->w * scale;
-  const double beta_v_0 = (double)q->x * scale;
-  const double beta_v_1 = (double)q->y * scale;
-  const double beta_v_2 = (double)q->z * scale;
-  const double m_0 = (double)q->x * beta_v_0;
-  const double m_1 = (double)q->y * beta_v_1;
-  const double m_2 = (double)q->z * beta_v_2;
-  const double m_3 = (double)q->y * beta_v_0;
-  const double m_4 = (double)q->z * beta_v_0;
-  const double m_5 = (double)q->z * beta_v_1;
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
-  const double alpha_v_0 = (double)q->x * scale_w;
-  const double alpha_v_1 = (double)q->y * scale_w;
-  const double alpha_v_2 = (double)q->z * scale_w;
-  const double R_00 = 1.0 - others_0;
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_11 = 1.0 - others_1;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
-  const double R_22 = 1.0 - others_2;
+  const double squares_0 = (double)q->w * (double)q->w;
+  const double squares_1 = (double)q->x * (double)q->x;
+  const double squares_2 = (double)q->y * (double)q->y;
+  const double squares_3 = (double)q->z * (double)q->z;
+  const double pairs_0 = squares_0 + squares_1;
+  const double pairs_1 = squares_2 + squares_3;
+  const double pairs_2 = squares_0 + squares_2;
+  const double pairs_3 = squares_1 + squares_3;
+  const double pairs_4 = squares_0 + squares_3;
+  const double pairs_5 = squares_1 + squares_2;
+  const double square = pairs_0 + pairs_1;
+  const double factor = 1.0 / square;
+  const double d0 = pairs_0 - pairs_1;
+  const double d1 = pairs_2 - pairs_3;
+  const double d2 = pairs_4 - pairs_5;
+  const double twice = 2.0 * factor;
+  const double m_0a = (double)q->x * (double)q->y, m_0b = (double)q->w * (double)q->z,
+      m_0 = m_0a - m_0b;
+  const double m_1a = (double)q->w * (double)q->y, m_1b = (double)q->x * (double)q->z,
+      m_1 = m_1a + m_1b;
+  const double m_2a = (double)q->y * (double)q->z, m_2b = (double)q->w * (double)q->x,
+      m_2 = m_2a - m_2b;
+  const double m_3 = m_0b + m_0a;
+  const double m_4 = m_1b - m_1a;
+  const double m_5 = m_2b + m_2a;
+  const double R_00 = factor * d0;
+  const double R_01 = twice * m_0;
+  const double R_02 = twice * m_1;
+  const double R_10 = twice * m_3;
+  const double R_11 = factor * d1;
+  const double R_12 = twice * m_2;
+  const double R_20 = twice * m_4;
+  const double R_21 = twice * m_5;
+  const double R_22 = factor * d2;
   R->m00 = (float)R_00;
   R->m01 = (float)R_01;
   R->m02 = (float)R_02;

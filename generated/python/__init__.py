@@ -13,7 +13,7 @@ from pathlib import Path
 
 from coscrew import c, double, single
 
-_PROVENANCE = "8a70519f8919895e"
+_PROVENANCE = "e5e6aadba49a94a9"
 
 
 def _is_compiled() -> bool:
