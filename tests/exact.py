@@ -9,12 +9,16 @@ from fractions import Fraction
 from itertools import permutations
 from math import prod
 from random import Random
-from types import ModuleType
+from types import FunctionType, ModuleType
 
 import mpmath
 import numpy as np
 
+from coscrew_codegen.operations import OPERATIONS
+from tests.motions import TRUTHS
+
 Matrix = np.ndarray  # of objects
+TABLE = {op.name: op for op in OPERATIONS}
 JOINTS = ("tx", "ty", "tz", "rx", "ry", "rz")
 
 
@@ -112,6 +116,28 @@ def keeping(joint: int) -> Matrix:
     return eye(6) * eye(6)[joint]
 
 
+def product(p: Matrix, q: Matrix) -> Matrix:
+    """The product of the quaternions (w; v), by i² = j² = k² = i j k = -1."""
+    a, b, c, d = q
+    return array([[a, -b, -c, -d], [b, a, d, -c], [c, -d, a, b], [d, c, -b, a]]) @ p
+
+
+def conjugate(q: Matrix) -> Matrix:
+    """(w; -v)."""
+    return array([q[0], *-q[1:]])
+
+
+def rotation_of(q: Matrix) -> Matrix:
+    """((w² - v·v) I + 2 v v^T + 2 w v~) / q·q."""
+    w, v = q[0], q[1:]
+    return ((w * w - v @ v) * I3 + 2 * np.outer(v, v) + 2 * w * skew(v)) / (q @ q)
+
+
+def orthonormalized(R: Matrix) -> Matrix:
+    """R (3 I - R^T R) / 2."""
+    return R @ (3 * I3 - R.T @ R) / 2
+
+
 def determinant(R: Matrix) -> Fraction:
     """By permutations."""
     def sign(p: tuple[int, ...]) -> int:
@@ -181,13 +207,26 @@ FORMULAS: dict[str, Callable[..., Matrix | Fraction | tuple[Matrix, ...]]] = {
     "hsra": lambda D, axis: Ad(D) @ joined(O3, axis),
     "hsta": lambda D, axis: Ad(D) @ joined(axis, O3),
     "reciprocal_product": lambda c, x: c @ joined(x[3:], x[:3]),
+    "quaternion_copy": lambda q: q,
+    "quaternion_scale": lambda q, a: a * q,
+    "quaternion_setIdentity": lambda q: eye(4)[0],
+    "quaternion_conjugated": conjugate,
+    "product_qq": product,
+    "product_qconjq": lambda q1, q2: product(conjugate(q1), q2),
+    "product_qqconj": lambda q1, q2: product(q1, conjugate(q2)),
+    "product_qv": lambda q, v: rotation_of(q) @ v,
+    "product_qconjv": lambda q, v: rotation_of(q).T @ v,
+    "mat3x3_from_quaternion": rotation_of,
+    "mat3x3_orthonormalize": orthonormalized,
+    "mat3x3_orthonormalized": orthonormalized,
 }
 
 # Operations that leave the rationals, or round on them.
 IRRATIONAL = (
     "vec3_l2norm", "vec3_normalize", "vec3_normalized", "screw_norm", "screw_normalize",
     "screw_normalized", "coscrew_norm", "coscrew_normalize", "coscrew_normalized", "dc",
-    "product_ainvv")
+    "product_ainvv", "quaternion_norm", "quaternion_normalize", "quaternion_normalized",
+    *(name for name in TRUTHS if name not in FORMULAS))
 
 
 def _of_axis(i: int) -> dict[str, Callable[..., Matrix]]:
@@ -255,10 +294,13 @@ class Sample:
         return array([self.scalar() for _ in range(n)])
 
     def rotation(self) -> Matrix:
-        """Of an integer quaternion (w, u): ((w² - u·u) I + 2 u u^T + 2 w u~) / (w² + u·u)."""
-        w, u = self._random.randint(1, 9), self.vector()
-        R = (w * w - u @ u) * I3 + 2 * np.outer(u, u) + 2 * w * skew(u)
-        return R / (w * w + u @ u)
+        """Of a quaternion of any norm."""
+        return rotation_of(joined([self._random.randint(1, 9)], self.vector()))
+
+    def quaternion(self) -> Matrix:
+        """p² / |p|² of a quaternion p: of norm 1."""
+        p = self.vector(4)
+        return product(p, p) / (p @ p)
 
     def displacement(self) -> Matrix:
         return displacement(self.rotation(), self.vector())
@@ -271,27 +313,28 @@ class Sample:
     def of(self, kind: str) -> Matrix | Fraction:
         """The quantity of this name; a mat3x3 is a rotation."""
         return {"scalar": self.scalar, "vec3": self.vector, "dc": self.sine_cosine,
-                "mat3x3": self.rotation, "SE3": self.displacement,
+                "mat3x3": self.rotation, "SE3": self.displacement, "quaternion": self.quaternion,
                 "mat6x6": lambda: self.vector(36).reshape(6, 6)
                 }.get(kind, lambda: self.vector(6))()
 
 
 class Exact:
-    """The kernels as emitted for one precision, on Fractions; the 0.0 and 1.0 they return, too."""
+    """The kernels as emitted for one precision, on Fractions, their constants Fractions too."""
 
     def __init__(self, kernels: ModuleType):
         self._kernels = kernels
 
     def __getattr__(self, name: str) -> Callable[..., Matrix | Fraction | tuple[Matrix, ...]]:
-        kernel = getattr(self._kernels, name)
-        return lambda *values: _without_floats(kernel(*values))
+        operation, kernel = TABLE[name], getattr(self._kernels, name).__wrapped__
+        constants = tuple(Fraction(x) if isinstance(x, float) else x
+                          for x in kernel.__code__.co_consts)
+        exact = FunctionType(kernel.__code__.replace(co_consts=constants), kernel.__globals__)
 
+        def on_arrays(*values: Matrix | Fraction) -> Matrix | Fraction | tuple[Matrix, ...]:
+            found = exact(*(tuple(np.ravel(x)) if np.ndim(x) else x for x in values))
+            found = iter(found if isinstance(found, tuple) else (found,))
+            results = tuple(array([next(found) for _ in range(a.quantity.size)])
+                            .reshape(a.quantity.shape)[()] for a in operation.outputs)
+            return results if len(results) > 1 else results[0]
 
-def _without_floats(
-        x: Matrix | Fraction | tuple[Matrix, ...]) -> Matrix | Fraction | tuple[Matrix, ...]:
-    if isinstance(x, tuple):
-        return tuple(map(_without_floats, x))
-    array = np.array(x, dtype=object)
-    for place, component in np.ndenumerate(array):
-        array[place] = Fraction(component) if isinstance(component, float) else component
-    return array[()]
+        return on_arrays

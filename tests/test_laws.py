@@ -7,13 +7,11 @@ import coscrew
 import mpmath
 import numpy as np
 import pytest
-from coscrew_codegen.operations import OPERATIONS
 
 from tests import exact
-from tests.exact import (FORMULAS, IRRATIONAL, JOINTS, Exact, Matrix, Sample, array, displacement,
-                         eye)
+from tests.exact import (FORMULAS, IRRATIONAL, JOINTS, TABLE, Exact, Matrix, Sample, array,
+                         displacement, eye)
 
-TABLE = {op.name: op for op in OPERATIONS}
 INVERTED = tuple(name for name in TABLE if name + "inv" in TABLE)
 UNDONE = tuple(name for name in INVERTED  # these end in a factor that `inv` inverts;
                if re.fullmatch(r"product_d(rdr|d|dr|dt)[xyz]?|add_vv[xyz]", name))
@@ -180,6 +178,34 @@ def test_derivative_operator_is_the_derivative(k, sample, operator, derivative):
         error = np.abs((ahead - behind) / (2 * h) @ inverse - A).max()
         rounding = 100 * mpmath.eps / h * np.abs(ahead).max() * np.abs(inverse).max()
         assert error <= h**2 * np.abs(A).sum(axis=1).max()**3 / 6 + rounding
+
+
+# rotations
+
+
+def test_quaternions_are_a_group_of_rotations(k, sample):
+    p, q, r, v = (*(sample.vector(4) for _ in range(3)), sample.vector())
+    R, one = k.mat3x3_from_quaternion, k.quaternion_setIdentity(p)
+    assert same(k.product_qq(k.product_qq(p, q), r), k.product_qq(p, k.product_qq(q, r)))
+    assert same(k.product_qq(p, one), p) and same(k.product_qq(one, p), p)
+    assert same(k.product_qconjq(p, p), (p @ p) * one) and same(k.product_qqconj(p, p), (p @ p) * one)
+    assert same(R(k.product_qq(p, q)), R(p) @ R(q)) and same(R(-q), R(q))
+    assert same(R(k.quaternion_conjugated(q)), R(q).T) and same(R(q).T @ R(q), eye(3))
+    unit = sample.quaternion()
+    assert same(k.product_qv(unit, v), R(unit) @ v)
+    assert same(k.product_qconjv(unit, k.product_qv(unit, v)), v)
+    turned = k.product_qqconj(k.product_qq(unit, array([0, *v])), unit)
+    assert same(turned, array([0, *k.product_qv(unit, v)]))
+
+
+def test_orthonormalization_leaves_a_defect_of_the_second_order(k, sample):
+    """d = I - R^T R becomes (3 d² + d³) / 4, for any matrix."""
+    matrix = sample.vector(9).reshape(3, 3)
+    better = k.mat3x3_orthonormalized(matrix)
+    assert same(better, exact.orthonormalized(matrix))
+    assert same(k.mat3x3_orthonormalize(matrix), better)
+    d = eye(3) - matrix.T @ matrix
+    assert same(eye(3) - better.T @ better, (3 * d @ d + d @ d @ d) / 4)
 
 
 # joints

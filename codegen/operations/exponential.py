@@ -69,8 +69,9 @@ def _bound_jacobian_inverse(sign: int, let: Let, v: sp.Matrix) -> sp.Matrix:
 
 
 def _bound_turn(let: Let, axis: sp.Matrix, angle: sp.Expr) -> sp.Matrix:
-    half_sine = let("h", sp.sin(let("half", angle / 2)))
-    return rodrigues(let, axis, let("sine", sp.sin(angle)), let("versine", 2 * half_sine**2))
+    half_sine, cosine = let("h", sp.sin(let("half", angle / 2))), let("cosine", sp.cos(angle))
+    versine = let("versine", sp.Piecewise((1 - cosine, cosine < 0), (2 * half_sine**2, True)))
+    return rodrigues(let, axis, let("sine", sp.sin(angle)), versine)
 
 
 def _newton(let: Let, R: sp.Matrix) -> sp.Matrix:

@@ -70,8 +70,17 @@ _PRODUCTS = (
 
 
 def _matrix_of(let: Let, q: sp.Matrix) -> sp.Matrix:
-    d = let("scale", 2 / let("square", q.dot(q)))
-    return rodrigues(let, q[1:, :], let("scale_w", d * q[0]), d)
+    """Of the squares a, b, c, d both the diagonal's entries and q·q are made: where an entry is near
+    1, their roundings cancel."""
+    w, x, y, z = q
+    a, b, c, d = let("squares", sp.Matrix([w * w, x * x, y * y, z * z]))
+    pairs = let("pairs", sp.Matrix([a + b, c + d, a + c, b + d, a + d, b + c]))
+    factor = let("factor", 1 / let("square", pairs[0] + pairs[1]))
+    diagonal = [factor * let(f"d{i}", pairs[2 * i] - pairs[2 * i + 1]) for i in range(3)]
+    twice = let("twice", 2 * factor)
+    xy, xz, yz, yx, zx, zy = twice * let("m", sp.Matrix([
+        x * y - w * z, x * z + w * y, y * z - w * x, x * y + w * z, x * z - w * y, y * z + w * x]))
+    return sp.Matrix([[diagonal[0], xy, xz], [yx, diagonal[1], yz], [zx, zy, diagonal[2]]])
 
 
 def _of_matrix(let: Let, R: sp.Matrix) -> sp.Matrix:

@@ -10010,37 +10010,39 @@ static inline void ksl_product_qconjv(const ksl_quaternion_t *q, const ksl_vec3_
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-   17 mul, 15 add, 1 div. */
+   20 mul, 16 add, 1 div. */
 static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
-  const double square_a = q->w * q->w, square_b = q->x * q->x, square_c = square_a + square_b,
-      square_d = q->y * q->y, square_e = square_c + square_d, square_f = q->z * q->z,
-      square = square_e + square_f;
-  const double scale = 2.0 / square;
-  const double scale_w = q->w * scale;
-  const double beta_v_0 = q->x * scale;
-  const double beta_v_1 = q->y * scale;
-  const double beta_v_2 = q->z * scale;
-  const double m_0 = q->x * beta_v_0;
-  const double m_1 = q->y * beta_v_1;
-  const double m_2 = q->z * beta_v_2;
-  const double m_3 = q->y * beta_v_0;
-  const double m_4 = q->z * beta_v_0;
-  const double m_5 = q->z * beta_v_1;
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
-  const double alpha_v_0 = q->x * scale_w;
-  const double alpha_v_1 = q->y * scale_w;
-  const double alpha_v_2 = q->z * scale_w;
-  const double R_00 = 1.0 - others_0;
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_11 = 1.0 - others_1;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
-  const double R_22 = 1.0 - others_2;
+  const double squares_0 = q->w * q->w;
+  const double squares_1 = q->x * q->x;
+  const double squares_2 = q->y * q->y;
+  const double squares_3 = q->z * q->z;
+  const double pairs_0 = squares_0 + squares_1;
+  const double pairs_1 = squares_2 + squares_3;
+  const double pairs_2 = squares_0 + squares_2;
+  const double pairs_3 = squares_1 + squares_3;
+  const double pairs_4 = squares_0 + squares_3;
+  const double pairs_5 = squares_1 + squares_2;
+  const double square = pairs_0 + pairs_1;
+  const double factor = 1.0 / square;
+  const double d0 = pairs_0 - pairs_1;
+  const double d1 = pairs_2 - pairs_3;
+  const double d2 = pairs_4 - pairs_5;
+  const double twice = 2.0 * factor;
+  const double m_0a = q->x * q->y, m_0b = q->w * q->z, m_0 = m_0a - m_0b;
+  const double m_1a = q->w * q->y, m_1b = q->x * q->z, m_1 = m_1a + m_1b;
+  const double m_2a = q->y * q->z, m_2b = q->w * q->x, m_2 = m_2a - m_2b;
+  const double m_3 = m_0b + m_0a;
+  const double m_4 = m_1b - m_1a;
+  const double m_5 = m_2b + m_2a;
+  const double R_00 = factor * d0;
+  const double R_01 = twice * m_0;
+  const double R_02 = twice * m_1;
+  const double R_10 = twice * m_3;
+  const double R_11 = factor * d1;
+  const double R_12 = twice * m_2;
+  const double R_20 = twice * m_4;
+  const double R_21 = twice * m_5;
+  const double R_22 = factor * d2;
   R->m00 = R_00;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -10610,37 +10612,39 @@ static inline void ksl_product_qconjvf(const ksl_quaternionf_t *q, const ksl_vec
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-   17 mul, 15 add, 1 div. */
+   20 mul, 16 add, 1 div. */
 static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_mat3x3f_t *R) {
-  const float square_a = q->w * q->w, square_b = q->x * q->x, square_c = square_a + square_b,
-      square_d = q->y * q->y, square_e = square_c + square_d, square_f = q->z * q->z,
-      square = square_e + square_f;
-  const float scale = 2.0f / square;
-  const float scale_w = q->w * scale;
-  const float beta_v_0 = q->x * scale;
-  const float beta_v_1 = q->y * scale;
-  const float beta_v_2 = q->z * scale;
-  const float m_0 = q->x * beta_v_0;
-  const float m_1 = q->y * beta_v_1;
-  const float m_2 = q->z * beta_v_2;
-  const float m_3 = q->y * beta_v_0;
-  const float m_4 = q->z * beta_v_0;
-  const float m_5 = q->z * beta_v_1;
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
-  const float alpha_v_0 = q->x * scale_w;
-  const float alpha_v_1 = q->y * scale_w;
-  const float alpha_v_2 = q->z * scale_w;
-  const float R_00 = 1.0f - others_0;
-  const float R_01 = m_3 - alpha_v_2;
-  const float R_02 = m_4 + alpha_v_1;
-  const float R_10 = m_3 + alpha_v_2;
-  const float R_11 = 1.0f - others_1;
-  const float R_12 = m_5 - alpha_v_0;
-  const float R_20 = m_4 - alpha_v_1;
-  const float R_21 = m_5 + alpha_v_0;
-  const float R_22 = 1.0f - others_2;
+  const float squares_0 = q->w * q->w;
+  const float squares_1 = q->x * q->x;
+  const float squares_2 = q->y * q->y;
+  const float squares_3 = q->z * q->z;
+  const float pairs_0 = squares_0 + squares_1;
+  const float pairs_1 = squares_2 + squares_3;
+  const float pairs_2 = squares_0 + squares_2;
+  const float pairs_3 = squares_1 + squares_3;
+  const float pairs_4 = squares_0 + squares_3;
+  const float pairs_5 = squares_1 + squares_2;
+  const float square = pairs_0 + pairs_1;
+  const float factor = 1.0f / square;
+  const float d0 = pairs_0 - pairs_1;
+  const float d1 = pairs_2 - pairs_3;
+  const float d2 = pairs_4 - pairs_5;
+  const float twice = 2.0f * factor;
+  const float m_0a = q->x * q->y, m_0b = q->w * q->z, m_0 = m_0a - m_0b;
+  const float m_1a = q->w * q->y, m_1b = q->x * q->z, m_1 = m_1a + m_1b;
+  const float m_2a = q->y * q->z, m_2b = q->w * q->x, m_2 = m_2a - m_2b;
+  const float m_3 = m_0b + m_0a;
+  const float m_4 = m_1b - m_1a;
+  const float m_5 = m_2b + m_2a;
+  const float R_00 = factor * d0;
+  const float R_01 = twice * m_0;
+  const float R_02 = twice * m_1;
+  const float R_10 = twice * m_3;
+  const float R_11 = factor * d1;
+  const float R_12 = twice * m_2;
+  const float R_20 = twice * m_4;
+  const float R_21 = twice * m_5;
+  const float R_22 = factor * d2;
   R->m00 = R_00;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -11478,13 +11482,15 @@ static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_
 
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
-   15 mul, 12 add, 2 sin. */
+   15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select. */
 static inline void ksl_mat3x3_from_axis_angle(const ksl_vec3_t *axis, const double angle,
     ksl_mat3x3_t *R) {
   const double half = 0.5 * angle;
   const double h = sin(half);
+  const double cosine = cos(angle);
+  const double versine_a = h * h, versine_b = 2.0 * versine_a, versine_c = 1.0 - cosine,
+      versine = cosine < 0.0 ? versine_c : versine_b;
   const double sine = sin(angle);
-  const double versine_a = h * h, versine = 2.0 * versine_a;
   const double beta_v_0 = axis->x * versine;
   const double beta_v_1 = axis->y * versine;
   const double beta_v_2 = axis->z * versine;
@@ -13627,13 +13633,15 @@ static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x
 
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
-   15 mul, 12 add, 2 sin. */
+   15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select. */
 static inline void ksl_mat3x3f_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
     ksl_mat3x3f_t *R) {
   const float half = 0.5f * angle;
   const float h = sinf(half);
+  const float cosine = cosf(angle);
+  const float versine_a = h * h, versine_b = 2.0f * versine_a, versine_c = 1.0f - cosine,
+      versine = cosine < 0.0f ? versine_c : versine_b;
   const float sine = sinf(angle);
-  const float versine_a = h * h, versine = 2.0f * versine_a;
   const float beta_v_0 = axis->x * versine;
   const float beta_v_1 = axis->y * versine;
   const float beta_v_2 = axis->z * versine;

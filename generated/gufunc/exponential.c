@@ -1423,7 +1423,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.\n"
     "\n"
     "(3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.\n"
-    "15 mul, 12 add, 2 sin.\n",
+    "15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.\n",
    2, 1, mat3x3_from_axis_angle_loops},
   {"axis_angle_from_mat3x3", "(3,3)->(),(3)",
     "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.\n"

@@ -1515,7 +1515,7 @@ def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.float64] | None = ...) 
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-    17 mul, 15 add, 1 div.
+    20 mul, 16 add, 1 div.
     """
 
 def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1611,7 +1611,7 @@ def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.fl
     """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
 
     (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
-    15 mul, 12 add, 2 sin.
+    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -622,13 +622,14 @@ def mat3x3_from_axis_angle(axis, angle):
     """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
 
     (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
-    15 mul, 12 add, 2 sin.
+    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
     """
     axis_0, axis_1, axis_2 = axis
     half = 0.5 * angle
     h = sin(half)
+    cosine = cos(angle)
+    versine = where(cosine < 0, 1 - cosine, 2 * (h * h))
     sine = sin(angle)
-    versine = 2 * (h * h)
     beta_v_0 = axis_0 * versine
     beta_v_1 = axis_1 * versine
     beta_v_2 = axis_2 * versine

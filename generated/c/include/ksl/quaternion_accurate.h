@@ -710,131 +710,139 @@ static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const 
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-   32 mul, 113 add, 5 product error, 22 product rest, 2 div, 9 equal, 9 select. */
+   41 mul, 117 add, 11 product error, 24 product rest, 2 div, 9 equal, 9 select. */
 static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
-  const double square_a = q->w * q->w, square_b = q->x * q->x, square_c = square_a + square_b,
-      square_c_right = square_c - square_a, square_c_left = square_c - square_c_right,
-      square_c_left_rest = ksl_product_rest(q->w, q->w, square_a, square_c_left),
-      square_c_right_rest = ksl_product_rest(q->x, q->x, square_b, square_c_right),
-      square_c_lo = square_c_left_rest + square_c_right_rest, square_d = q->y * q->y,
-      square_e = square_c + square_d, square_e_right = square_e - square_c,
-      square_e_left = square_e - square_e_right, square_e_left_rest = square_c - square_e_left,
-      square_e_right_rest = ksl_product_rest(q->y, q->y, square_d, square_e_right),
-      square_e_lo1 = square_e_left_rest + square_e_right_rest,
-      square_e_lo = square_e_lo1 + square_c_lo, square_f = q->z * q->z,
-      square = square_e + square_f, square_right = square - square_e,
-      square_left = square - square_right, square_left_rest = square_e - square_left,
-      square_right_rest = ksl_product_rest(q->z, q->z, square_f, square_right),
-      square_lo1 = square_left_rest + square_right_rest, square_lo = square_lo1 + square_e_lo;
-  const double scale_of_square = square + square_lo,
-      scale_of_square_right = scale_of_square - square,
-      scale_of_square_left = scale_of_square - scale_of_square_right,
-      scale_of_square_left_rest = square - scale_of_square_left,
-      scale_of_square_right_rest = square_lo - scale_of_square_right,
-      scale_of_square_lo = scale_of_square_left_rest + scale_of_square_right_rest,
-      scale = 2.0 / scale_of_square, scale_product = scale * scale_of_square,
-      scale_product_error = ksl_product_error(scale, scale_of_square, scale_product),
-      scale_rest = 2.0 - scale_product, scale_exact = scale_rest - scale_product_error,
-      scale_cross = scale * scale_of_square_lo, scale_residual = scale_exact - scale_cross,
-      scale_lo = scale_residual / scale_of_square;
-  const double scale_w = q->w * scale, scale_w_cross2 = q->w * scale_lo;
-  const double beta_v_0 = q->x * scale, beta_v_0_cross2 = q->x * scale_lo;
-  const double beta_v_1 = q->y * scale, beta_v_1_cross2 = q->y * scale_lo;
-  const double beta_v_2 = q->z * scale, beta_v_2_cross2 = q->z * scale_lo;
-  const double beta_v_0_error = ksl_product_error(q->x, scale, beta_v_0),
-      beta_v_0_lo = beta_v_0_error + beta_v_0_cross2, m_0 = q->x * beta_v_0,
-      m_0_cross2 = q->x * beta_v_0_lo;
-  const double beta_v_1_error = ksl_product_error(q->y, scale, beta_v_1),
-      beta_v_1_lo = beta_v_1_error + beta_v_1_cross2, m_1 = q->y * beta_v_1,
-      m_1_cross2 = q->y * beta_v_1_lo;
-  const double beta_v_2_error = ksl_product_error(q->z, scale, beta_v_2),
-      beta_v_2_lo = beta_v_2_error + beta_v_2_cross2, m_2 = q->z * beta_v_2,
-      m_2_cross2 = q->z * beta_v_2_lo;
-  const double m_3 = q->y * beta_v_0, m_3_cross2 = q->y * beta_v_0_lo;
-  const double m_4 = q->z * beta_v_0, m_4_cross2 = q->z * beta_v_0_lo;
-  const double m_5 = q->z * beta_v_1, m_5_cross2 = q->z * beta_v_1_lo;
-  const double others_0 = m_1 + m_2, others_0_right = others_0 - m_1,
-      others_0_left = others_0 - others_0_right,
-      others_0_left_rest = ksl_product_rest(q->y, beta_v_1, m_1, others_0_left),
-      others_0_right_rest = ksl_product_rest(q->z, beta_v_2, m_2, others_0_right),
-      others_0_cross = m_1_cross2 + m_2_cross2,
-      others_0_lo1 = others_0_left_rest + others_0_right_rest,
-      others_0_lo = others_0_lo1 + others_0_cross;
-  const double others_1 = m_0 + m_2, others_1_right = others_1 - m_0,
-      others_1_left = others_1 - others_1_right,
-      others_1_left_rest = ksl_product_rest(q->x, beta_v_0, m_0, others_1_left),
-      others_1_right_rest = ksl_product_rest(q->z, beta_v_2, m_2, others_1_right),
-      others_1_cross = m_0_cross2 + m_2_cross2,
-      others_1_lo1 = others_1_left_rest + others_1_right_rest,
-      others_1_lo = others_1_lo1 + others_1_cross;
-  const double others_2 = m_0 + m_1, others_2_right = others_2 - m_0,
-      others_2_left = others_2 - others_2_right,
-      others_2_left_rest = ksl_product_rest(q->x, beta_v_0, m_0, others_2_left),
-      others_2_right_rest = ksl_product_rest(q->y, beta_v_1, m_1, others_2_right),
-      others_2_cross = m_0_cross2 + m_1_cross2,
-      others_2_lo1 = others_2_left_rest + others_2_right_rest,
-      others_2_lo = others_2_lo1 + others_2_cross;
-  const double scale_w_error = ksl_product_error(q->w, scale, scale_w),
-      scale_w_lo = scale_w_error + scale_w_cross2, alpha_v_0 = q->x * scale_w,
-      alpha_v_0_cross2 = q->x * scale_w_lo;
-  const double alpha_v_1 = q->y * scale_w, alpha_v_1_cross2 = q->y * scale_w_lo;
-  const double alpha_v_2 = q->z * scale_w, alpha_v_2_cross2 = q->z * scale_w_lo;
-  const double R_00 = 1.0 - others_0, R_00_right = 1.0 - R_00, R_00_left = R_00 + R_00_right,
-      R_00_left_rest = 1.0 - R_00_left, R_00_right_rest = others_0 - R_00_right,
-      R_00_lo1 = R_00_left_rest - R_00_right_rest, R_00_lo = R_00_lo1 - others_0_lo;
-  const double R_01 = m_3 - alpha_v_2, R_01_right = m_3 - R_01, R_01_left = R_01 + R_01_right,
-      R_01_left_rest = ksl_product_rest(q->y, beta_v_0, m_3, R_01_left),
-      R_01_right_rest = ksl_product_rest(q->z, scale_w, alpha_v_2, R_01_right),
-      R_01_cross = m_3_cross2 - alpha_v_2_cross2, R_01_lo1 = R_01_left_rest - R_01_right_rest,
-      R_01_lo = R_01_lo1 + R_01_cross;
-  const double R_02 = m_4 + alpha_v_1, R_02_right = R_02 - m_4, R_02_left = R_02 - R_02_right,
-      R_02_left_rest = ksl_product_rest(q->z, beta_v_0, m_4, R_02_left),
-      R_02_right_rest = ksl_product_rest(q->y, scale_w, alpha_v_1, R_02_right),
-      R_02_cross = m_4_cross2 + alpha_v_1_cross2, R_02_lo1 = R_02_left_rest + R_02_right_rest,
-      R_02_lo = R_02_lo1 + R_02_cross;
-  const double R_10 = m_3 + alpha_v_2, R_10_right = R_10 - m_3, R_10_left = R_10 - R_10_right,
-      R_10_left_rest = ksl_product_rest(q->y, beta_v_0, m_3, R_10_left),
-      R_10_right_rest = ksl_product_rest(q->z, scale_w, alpha_v_2, R_10_right),
-      R_10_cross = m_3_cross2 + alpha_v_2_cross2, R_10_lo1 = R_10_left_rest + R_10_right_rest,
-      R_10_lo = R_10_lo1 + R_10_cross;
-  const double R_11 = 1.0 - others_1, R_11_right = 1.0 - R_11, R_11_left = R_11 + R_11_right,
-      R_11_left_rest = 1.0 - R_11_left, R_11_right_rest = others_1 - R_11_right,
-      R_11_lo1 = R_11_left_rest - R_11_right_rest, R_11_lo = R_11_lo1 - others_1_lo;
-  const double R_12 = m_5 - alpha_v_0, R_12_right = m_5 - R_12, R_12_left = R_12 + R_12_right,
-      R_12_left_rest = ksl_product_rest(q->z, beta_v_1, m_5, R_12_left),
-      R_12_right_rest = ksl_product_rest(q->x, scale_w, alpha_v_0, R_12_right),
-      R_12_cross = m_5_cross2 - alpha_v_0_cross2, R_12_lo1 = R_12_left_rest - R_12_right_rest,
-      R_12_lo = R_12_lo1 + R_12_cross;
-  const double R_20 = m_4 - alpha_v_1, R_20_right = m_4 - R_20, R_20_left = R_20 + R_20_right,
-      R_20_left_rest = ksl_product_rest(q->z, beta_v_0, m_4, R_20_left),
-      R_20_right_rest = ksl_product_rest(q->y, scale_w, alpha_v_1, R_20_right),
-      R_20_cross = m_4_cross2 - alpha_v_1_cross2, R_20_lo1 = R_20_left_rest - R_20_right_rest,
-      R_20_lo = R_20_lo1 + R_20_cross;
-  const double R_21 = m_5 + alpha_v_0, R_21_right = R_21 - m_5, R_21_left = R_21 - R_21_right,
-      R_21_left_rest = ksl_product_rest(q->z, beta_v_1, m_5, R_21_left),
-      R_21_right_rest = ksl_product_rest(q->x, scale_w, alpha_v_0, R_21_right),
-      R_21_cross = m_5_cross2 + alpha_v_0_cross2, R_21_lo1 = R_21_left_rest + R_21_right_rest,
-      R_21_lo = R_21_lo1 + R_21_cross;
-  const double R_22 = 1.0 - others_2, R_22_right = 1.0 - R_22, R_22_left = R_22 + R_22_right,
-      R_22_left_rest = 1.0 - R_22_left, R_22_right_rest = others_2 - R_22_right,
-      R_22_lo1 = R_22_left_rest - R_22_right_rest, R_22_lo = R_22_lo1 - others_2_lo;
-  const double R_00_rounded = R_00 + R_00_lo,
+  const double squares_0 = q->w * q->w;
+  const double squares_1 = q->x * q->x;
+  const double squares_2 = q->y * q->y;
+  const double squares_3 = q->z * q->z;
+  const double pairs_0 = squares_0 + squares_1, pairs_0_right = pairs_0 - squares_0,
+      pairs_0_left = pairs_0 - pairs_0_right,
+      pairs_0_left_rest = ksl_product_rest(q->w, q->w, squares_0, pairs_0_left),
+      pairs_0_right_rest = ksl_product_rest(q->x, q->x, squares_1, pairs_0_right),
+      pairs_0_lo = pairs_0_left_rest + pairs_0_right_rest;
+  const double pairs_1 = squares_2 + squares_3, pairs_1_right = pairs_1 - squares_2,
+      pairs_1_left = pairs_1 - pairs_1_right,
+      pairs_1_left_rest = ksl_product_rest(q->y, q->y, squares_2, pairs_1_left),
+      pairs_1_right_rest = ksl_product_rest(q->z, q->z, squares_3, pairs_1_right),
+      pairs_1_lo = pairs_1_left_rest + pairs_1_right_rest;
+  const double pairs_2 = squares_0 + squares_2, pairs_2_right = pairs_2 - squares_0,
+      pairs_2_left = pairs_2 - pairs_2_right,
+      pairs_2_left_rest = ksl_product_rest(q->w, q->w, squares_0, pairs_2_left),
+      pairs_2_right_rest = ksl_product_rest(q->y, q->y, squares_2, pairs_2_right),
+      pairs_2_lo = pairs_2_left_rest + pairs_2_right_rest;
+  const double pairs_3 = squares_1 + squares_3, pairs_3_right = pairs_3 - squares_1,
+      pairs_3_left = pairs_3 - pairs_3_right,
+      pairs_3_left_rest = ksl_product_rest(q->x, q->x, squares_1, pairs_3_left),
+      pairs_3_right_rest = ksl_product_rest(q->z, q->z, squares_3, pairs_3_right),
+      pairs_3_lo = pairs_3_left_rest + pairs_3_right_rest;
+  const double pairs_4 = squares_0 + squares_3, pairs_4_right = pairs_4 - squares_0,
+      pairs_4_left = pairs_4 - pairs_4_right,
+      pairs_4_left_rest = ksl_product_rest(q->w, q->w, squares_0, pairs_4_left),
+      pairs_4_right_rest = ksl_product_rest(q->z, q->z, squares_3, pairs_4_right),
+      pairs_4_lo = pairs_4_left_rest + pairs_4_right_rest;
+  const double pairs_5 = squares_1 + squares_2, pairs_5_right = pairs_5 - squares_1,
+      pairs_5_left = pairs_5 - pairs_5_right,
+      pairs_5_left_rest = ksl_product_rest(q->x, q->x, squares_1, pairs_5_left),
+      pairs_5_right_rest = ksl_product_rest(q->y, q->y, squares_2, pairs_5_right),
+      pairs_5_lo = pairs_5_left_rest + pairs_5_right_rest;
+  const double square = pairs_0 + pairs_1, square_right = square - pairs_0,
+      square_left = square - square_right, square_left_rest = pairs_0 - square_left,
+      square_right_rest = pairs_1 - square_right, square_lo1 = square_left_rest + square_right_rest,
+      square_lo2 = square_lo1 + pairs_1_lo, square_lo = square_lo2 + pairs_0_lo;
+  const double factor_of_square = square + square_lo,
+      factor_of_square_right = factor_of_square - square,
+      factor_of_square_left = factor_of_square - factor_of_square_right,
+      factor_of_square_left_rest = square - factor_of_square_left,
+      factor_of_square_right_rest = square_lo - factor_of_square_right,
+      factor_of_square_lo = factor_of_square_left_rest + factor_of_square_right_rest,
+      factor = 1.0 / factor_of_square, factor_product = factor * factor_of_square,
+      factor_product_error = ksl_product_error(factor, factor_of_square, factor_product),
+      factor_rest = 1.0 - factor_product, factor_exact = factor_rest - factor_product_error,
+      factor_cross = factor * factor_of_square_lo, factor_residual = factor_exact - factor_cross,
+      factor_lo = factor_residual / factor_of_square;
+  const double d0 = pairs_0 - pairs_1, d0_right = pairs_0 - d0, d0_left = d0 + d0_right,
+      d0_left_rest = pairs_0 - d0_left, d0_right_rest = pairs_1 - d0_right,
+      d0_lo1 = d0_left_rest - d0_right_rest, d0_lo2 = d0_lo1 - pairs_1_lo,
+      d0_lo = d0_lo2 + pairs_0_lo;
+  const double d1 = pairs_2 - pairs_3, d1_right = pairs_2 - d1, d1_left = d1 + d1_right,
+      d1_left_rest = pairs_2 - d1_left, d1_right_rest = pairs_3 - d1_right,
+      d1_lo1 = d1_left_rest - d1_right_rest, d1_lo2 = d1_lo1 - pairs_3_lo,
+      d1_lo = d1_lo2 + pairs_2_lo;
+  const double d2 = pairs_4 - pairs_5, d2_right = pairs_4 - d2, d2_left = d2 + d2_right,
+      d2_left_rest = pairs_4 - d2_left, d2_right_rest = pairs_5 - d2_right,
+      d2_lo1 = d2_left_rest - d2_right_rest, d2_lo2 = d2_lo1 - pairs_5_lo,
+      d2_lo = d2_lo2 + pairs_4_lo;
+  const double twice = 2.0 * factor, twice_cross2 = 2.0 * factor_lo;
+  const double m_0a = q->x * q->y, m_0b = q->w * q->z, m_0 = m_0a - m_0b, m_0_right = m_0a - m_0,
+      m_0_left = m_0 + m_0_right, m_0_left_rest = ksl_product_rest(q->x, q->y, m_0a, m_0_left),
+      m_0_right_rest = ksl_product_rest(q->w, q->z, m_0b, m_0_right),
+      m_0_lo = m_0_left_rest - m_0_right_rest;
+  const double m_1a = q->w * q->y, m_1b = q->x * q->z, m_1 = m_1a + m_1b, m_1_right = m_1 - m_1a,
+      m_1_left = m_1 - m_1_right, m_1_left_rest = ksl_product_rest(q->w, q->y, m_1a, m_1_left),
+      m_1_right_rest = ksl_product_rest(q->x, q->z, m_1b, m_1_right),
+      m_1_lo = m_1_left_rest + m_1_right_rest;
+  const double m_2a = q->y * q->z, m_2b = q->w * q->x, m_2 = m_2a - m_2b, m_2_right = m_2a - m_2,
+      m_2_left = m_2 + m_2_right, m_2_left_rest = ksl_product_rest(q->y, q->z, m_2a, m_2_left),
+      m_2_right_rest = ksl_product_rest(q->w, q->x, m_2b, m_2_right),
+      m_2_lo = m_2_left_rest - m_2_right_rest;
+  const double m_3 = m_0b + m_0a, m_3_right = m_3 - m_0b, m_3_left = m_3 - m_3_right,
+      m_3_left_rest = ksl_product_rest(q->w, q->z, m_0b, m_3_left),
+      m_3_right_rest = ksl_product_rest(q->x, q->y, m_0a, m_3_right),
+      m_3_lo = m_3_left_rest + m_3_right_rest;
+  const double m_4 = m_1b - m_1a, m_4_right = m_1b - m_4, m_4_left = m_4 + m_4_right,
+      m_4_left_rest = ksl_product_rest(q->x, q->z, m_1b, m_4_left),
+      m_4_right_rest = ksl_product_rest(q->w, q->y, m_1a, m_4_right),
+      m_4_lo = m_4_left_rest - m_4_right_rest;
+  const double m_5 = m_2b + m_2a, m_5_right = m_5 - m_2b, m_5_left = m_5 - m_5_right,
+      m_5_left_rest = ksl_product_rest(q->w, q->x, m_2b, m_5_left),
+      m_5_right_rest = ksl_product_rest(q->y, q->z, m_2a, m_5_right),
+      m_5_lo = m_5_left_rest + m_5_right_rest;
+  const double R_00 = factor * d0, R_00_cross1 = factor_lo * d0, R_00_cross2 = factor * d0_lo,
+      R_00_cross = R_00_cross1 + R_00_cross2;
+  const double twice_error = ksl_product_error(2.0, factor, twice),
+      twice_lo = twice_error + twice_cross2, R_01 = twice * m_0, R_01_cross1 = twice_lo * m_0,
+      R_01_cross2 = twice * m_0_lo, R_01_cross = R_01_cross1 + R_01_cross2;
+  const double R_02 = twice * m_1, R_02_cross1 = twice_lo * m_1, R_02_cross2 = twice * m_1_lo,
+      R_02_cross = R_02_cross1 + R_02_cross2;
+  const double R_10 = twice * m_3, R_10_cross1 = twice_lo * m_3, R_10_cross2 = twice * m_3_lo,
+      R_10_cross = R_10_cross1 + R_10_cross2;
+  const double R_11 = factor * d1, R_11_cross1 = factor_lo * d1, R_11_cross2 = factor * d1_lo,
+      R_11_cross = R_11_cross1 + R_11_cross2;
+  const double R_12 = twice * m_2, R_12_cross1 = twice_lo * m_2, R_12_cross2 = twice * m_2_lo,
+      R_12_cross = R_12_cross1 + R_12_cross2;
+  const double R_20 = twice * m_4, R_20_cross1 = twice_lo * m_4, R_20_cross2 = twice * m_4_lo,
+      R_20_cross = R_20_cross1 + R_20_cross2;
+  const double R_21 = twice * m_5, R_21_cross1 = twice_lo * m_5, R_21_cross2 = twice * m_5_lo,
+      R_21_cross = R_21_cross1 + R_21_cross2;
+  const double R_22 = factor * d2, R_22_cross1 = factor_lo * d2, R_22_cross2 = factor * d2_lo,
+      R_22_cross = R_22_cross1 + R_22_cross2;
+  const double R_00_error = ksl_product_error(factor, d0, R_00), R_00_lo = R_00_error + R_00_cross,
+      R_00_rounded = R_00 + R_00_lo,
       R_00_final = R_00_rounded == R_00_rounded ? R_00_rounded : R_00;
-  const double R_01_rounded = R_01 + R_01_lo,
+  const double R_01_error = ksl_product_error(twice, m_0, R_01), R_01_lo = R_01_error + R_01_cross,
+      R_01_rounded = R_01 + R_01_lo,
       R_01_final = R_01_rounded == R_01_rounded ? R_01_rounded : R_01;
-  const double R_02_rounded = R_02 + R_02_lo,
+  const double R_02_error = ksl_product_error(twice, m_1, R_02), R_02_lo = R_02_error + R_02_cross,
+      R_02_rounded = R_02 + R_02_lo,
       R_02_final = R_02_rounded == R_02_rounded ? R_02_rounded : R_02;
-  const double R_10_rounded = R_10 + R_10_lo,
+  const double R_10_error = ksl_product_error(twice, m_3, R_10), R_10_lo = R_10_error + R_10_cross,
+      R_10_rounded = R_10 + R_10_lo,
       R_10_final = R_10_rounded == R_10_rounded ? R_10_rounded : R_10;
-  const double R_11_rounded = R_11 + R_11_lo,
+  const double R_11_error = ksl_product_error(factor, d1, R_11), R_11_lo = R_11_error + R_11_cross,
+      R_11_rounded = R_11 + R_11_lo,
       R_11_final = R_11_rounded == R_11_rounded ? R_11_rounded : R_11;
-  const double R_12_rounded = R_12 + R_12_lo,
+  const double R_12_error = ksl_product_error(twice, m_2, R_12), R_12_lo = R_12_error + R_12_cross,
+      R_12_rounded = R_12 + R_12_lo,
       R_12_final = R_12_rounded == R_12_rounded ? R_12_rounded : R_12;
-  const double R_20_rounded = R_20 + R_20_lo,
+  const double R_20_error = ksl_product_error(twice, m_4, R_20), R_20_lo = R_20_error + R_20_cross,
+      R_20_rounded = R_20 + R_20_lo,
       R_20_final = R_20_rounded == R_20_rounded ? R_20_rounded : R_20;
-  const double R_21_rounded = R_21 + R_21_lo,
+  const double R_21_error = ksl_product_error(twice, m_5, R_21), R_21_lo = R_21_error + R_21_cross,
+      R_21_rounded = R_21 + R_21_lo,
       R_21_final = R_21_rounded == R_21_rounded ? R_21_rounded : R_21;
-  const double R_22_rounded = R_22 + R_22_lo,
+  const double R_22_error = ksl_product_error(factor, d2, R_22), R_22_lo = R_22_error + R_22_cross,
+      R_22_rounded = R_22 + R_22_lo,
       R_22_final = R_22_rounded == R_22_rounded ? R_22_rounded : R_22;
   R->m00 = R_00_final;
   R->m01 = R_01_final;
@@ -1480,39 +1488,43 @@ static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *q, cons
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-   17 mul, 15 add, 1 div. */
+   20 mul, 16 add, 1 div. */
 static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t *q,
     ksl_mat3x3f_t *R) {
-  const double square_a = (double)q->w * (double)q->w, square_b = (double)q->x * (double)q->x,
-      square_c = square_a + square_b, square_d = (double)q->y * (double)q->y,
-      square_e = square_c + square_d, square_f = (double)q->z * (double)q->z,
-      square = square_e + square_f;
-  const double scale = 2.0 / square;
-  const double scale_w = (double)q->w * scale;
-  const double beta_v_0 = (double)q->x * scale;
-  const double beta_v_1 = (double)q->y * scale;
-  const double beta_v_2 = (double)q->z * scale;
-  const double m_0 = (double)q->x * beta_v_0;
-  const double m_1 = (double)q->y * beta_v_1;
-  const double m_2 = (double)q->z * beta_v_2;
-  const double m_3 = (double)q->y * beta_v_0;
-  const double m_4 = (double)q->z * beta_v_0;
-  const double m_5 = (double)q->z * beta_v_1;
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
-  const double alpha_v_0 = (double)q->x * scale_w;
-  const double alpha_v_1 = (double)q->y * scale_w;
-  const double alpha_v_2 = (double)q->z * scale_w;
-  const double R_00 = 1.0 - others_0;
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_11 = 1.0 - others_1;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
-  const double R_22 = 1.0 - others_2;
+  const double squares_0 = (double)q->w * (double)q->w;
+  const double squares_1 = (double)q->x * (double)q->x;
+  const double squares_2 = (double)q->y * (double)q->y;
+  const double squares_3 = (double)q->z * (double)q->z;
+  const double pairs_0 = squares_0 + squares_1;
+  const double pairs_1 = squares_2 + squares_3;
+  const double pairs_2 = squares_0 + squares_2;
+  const double pairs_3 = squares_1 + squares_3;
+  const double pairs_4 = squares_0 + squares_3;
+  const double pairs_5 = squares_1 + squares_2;
+  const double square = pairs_0 + pairs_1;
+  const double factor = 1.0 / square;
+  const double d0 = pairs_0 - pairs_1;
+  const double d1 = pairs_2 - pairs_3;
+  const double d2 = pairs_4 - pairs_5;
+  const double twice = 2.0 * factor;
+  const double m_0a = (double)q->x * (double)q->y, m_0b = (double)q->w * (double)q->z,
+      m_0 = m_0a - m_0b;
+  const double m_1a = (double)q->w * (double)q->y, m_1b = (double)q->x * (double)q->z,
+      m_1 = m_1a + m_1b;
+  const double m_2a = (double)q->y * (double)q->z, m_2b = (double)q->w * (double)q->x,
+      m_2 = m_2a - m_2b;
+  const double m_3 = m_0b + m_0a;
+  const double m_4 = m_1b - m_1a;
+  const double m_5 = m_2b + m_2a;
+  const double R_00 = factor * d0;
+  const double R_01 = twice * m_0;
+  const double R_02 = twice * m_1;
+  const double R_10 = twice * m_3;
+  const double R_11 = factor * d1;
+  const double R_12 = twice * m_2;
+  const double R_20 = twice * m_4;
+  const double R_21 = twice * m_5;
+  const double R_22 = factor * d2;
   R->m00 = (float)R_00;
   R->m01 = (float)R_01;
   R->m02 = (float)R_02;

@@ -1216,7 +1216,7 @@ def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.float32] | None = ...) 
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-    17 mul, 15 add, 1 div.
+    20 mul, 16 add, 1 div.
     """
 
 def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
