@@ -7,13 +7,16 @@ and formats; nothing of programs, tiers or languages.
 import functools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 
 import mpmath
 import numpy as np
 import sympy as sp
 from gmpy2 import mpq
 
-from coscrew_codegen.operations import NORM_THRESHOLD, Operation
+from coscrew_codegen.operations import PER_PRECISION, Operation
+from coscrew_codegen.program import Constant
+from coscrew_codegen.special import SPECIAL
 from coscrew_codegen.targets.precision import Precision
 
 UNIT = {"double": mpq(1, 2**53), "single": mpq(1, 2**24)}
@@ -21,10 +24,6 @@ CONDITION = {"double": mpq(9 * 10**14), "single": mpq(16 * 10**6)}
 DIGITS = 120
 
 _LEAST = {"double": mpq(1, 2**1074), "single": mpq(1, 2**149)}  # the subnormals' spacing
-_THRESHOLD = {"double": 1e-9, "single": float(np.float32(1e-6))}
-
-# Functions that formulas hold beside SymPy's own: name → how mpmath computes it.
-_SPECIAL: dict[str, Callable[..., mpmath.mpf]] = {}
 
 
 @dataclass(frozen=True)
@@ -62,7 +61,7 @@ def formula(operation: Operation) -> tuple[sp.Expr, ...]:
 @functools.cache
 def is_polynomial(operation: Operation) -> bool:
     """Whether every component is a polynomial in the inputs."""
-    return all(x.is_polynomial(*_symbols(operation)) and not x.has(NORM_THRESHOLD)
+    return all(x.is_polynomial(*_symbols(operation)) and not x.has(*PER_PRECISION)
                for x in formula(operation))
 
 
@@ -124,19 +123,26 @@ def _evaluator(operation: Operation,
             return [mpq(exact(*values)) for exact in functions]
 
         return rational
-    function, threshold = _multiprecise(operation), _THRESHOLD[precision.name]
+    function, constants = _multiprecise(operation), _constants(precision)
 
     def multiprecise(row: Sequence[float]) -> list[mpq]:
         with mpmath.workdps(DIGITS):
-            found = function(*map(mpmath.mpf, (*row, threshold)))
+            found = function(*map(mpmath.mpf, (*row, *constants)))
             return [_rational(mpmath.mpf(x)) for x in found]
 
     return multiprecise
 
 
+def _constants(precision: Precision) -> list[mpmath.mpf]:
+    """The values of PER_PRECISION, as numbers of this precision."""
+    values = (Constant(*(Fraction(int(x.p), int(x.q)) for x in pair))
+              for pair in PER_PRECISION.values())
+    return [mpmath.mpf(float(precision.rounded(precision.value(x)))) for x in values]
+
+
 def _multiprecise(operation: Operation) -> Callable[..., Sequence[mpmath.mpf]]:
-    return sp.lambdify([*_symbols(operation), NORM_THRESHOLD], formula(operation),
-                       [_SPECIAL, "mpmath"], cse=True)
+    return sp.lambdify([*_symbols(operation), *PER_PRECISION], formula(operation),
+                       [SPECIAL, "mpmath"], cse=True)
 
 
 def _rational(x: mpmath.mpf) -> mpq:
