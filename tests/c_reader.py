@@ -7,7 +7,7 @@ one scalar each; the unions' layouts come from their typedefs, so that `D->t.y`,
 
 import operator
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -19,12 +19,23 @@ INCLUDE = Path(__file__).parent.parent / "generated" / "c" / "include" / "ksl"
 FAMILIES = tuple(sorted(path.stem for path in INCLUDE.glob("*.h")
                         if not re.match(r"ksl|.*_(fused|accurate)$", path.stem)))  # plain kernels
 
-_MATH = {"fabs": sp.Abs, "sqrt": sp.sqrt, "sin": sp.sin, "cos": sp.cos}
+_MATH = {"fabs": sp.Abs, "sqrt": sp.sqrt, "sin": sp.sin, "cos": sp.cos, "atan2": sp.atan2}
 _BINARY = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,
            "<": operator.lt, ">=": operator.ge, "==": sp.Eq, "&&": sp.And}
 _FUNCTION = re.compile(r"^\w[^;{}]*?\b(ksl_\w+)\([^;{}]*\) \{\n.*?^\}\n",
                        re.MULTILINE | re.DOTALL)
 _SIGNS = re.compile(r"(?<=\s)[+-](?=\s)|(?<=[=,(] )-(?=[\w(])|(?<=[(])-(?=[\w(])")
+
+
+@dataclass(frozen=True)
+class Arithmetic:
+    """What a literal (without its f), an operator and a function of <math.h> mean."""
+
+    literal: Callable[[str], object]
+    functions: Mapping[str, Callable]
+
+
+SYMBOLIC = Arithmetic(sp.Rational, _MATH | _BINARY)
 
 
 @dataclass(frozen=True)
@@ -144,13 +155,20 @@ def sign_flips(text: str) -> Iterator[str]:
 class Header:
     """Types and functions; each function is parsed when it is first needed."""
 
-    def __init__(self, types: dict[str, Type], texts: dict[str, str]):
-        self.types, self.texts = types, texts
+    def __init__(self, types: dict[str, Type], texts: dict[str, str],
+                 arithmetic: Arithmetic = SYMBOLIC):
+        self.types, self.texts, self.arithmetic = types, texts, arithmetic
         self._parsed: dict[str, c_ast.FuncDef] = {}
 
     def with_text(self, name: str, text: str) -> "Header":
         """The same functions, but for the text of one."""
-        return Header(self.types, self.texts | {name: text})
+        return Header(self.types, self.texts | {name: text}, self.arithmetic)
+
+    def with_arithmetic(self, arithmetic: Arithmetic) -> "Header":
+        """The same functions, evaluated otherwise."""
+        other = Header(self.types, self.texts, arithmetic)
+        other._parsed = self._parsed
+        return other
 
     def parameters(self, name: str) -> dict[str, Type]:
         """Name → type of what it is or points to, in order."""
@@ -227,7 +245,7 @@ class Header:
             case c_ast.Constant(type="int"):
                 return int(node.value)
             case c_ast.Constant():
-                return sp.Rational(node.value.rstrip("f"))
+                return self.arithmetic.literal(node.value.rstrip("f"))
             case c_ast.ID(name="NAN"):
                 return sp.nan
             case c_ast.ID():
@@ -238,12 +256,12 @@ class Header:
                 return -self._value(node.expr, scope)
             case c_ast.BinaryOp():
                 operands = (self._value(side, scope) for side in (node.left, node.right))
-                return _BINARY[node.op](*operands)
+                return self.arithmetic.functions[node.op](*operands)
             case c_ast.TernaryOp():
                 return self._choice(node, scope)
             case c_ast.FuncCall():
                 name, arguments = node.name.name, [self._value(a, scope) for a in node.args.exprs]
-                known = _MATH.get(name.removesuffix("f"))
+                known = self.arithmetic.functions.get(name.removesuffix("f"))
                 return known(*arguments) if known else self.call(name, *arguments)
             case _:
                 place = self._place(node, scope)

@@ -211,10 +211,10 @@ _DISPLACEMENTS = (
         _screw_of, _bound_screw_of, (("lin", 6), ("ang", 4))),
     *(_op(f"SE3_{side}Jacobian", f"M = J_{side[0]}(s) = Σ ({'-' * (sign < 0)}[ad](s))^k / (k+1)!",
           (_s,), (_M,), partial(_motion_jacobian, sign), partial(_bound_motion_jacobian, sign),
-          (("M", 8),)) for side, sign in (("left", 1), ("right", -1))),
+          (("M", 12),)) for side, sign in (("left", 1), ("right", -1))),
     *(_op(f"SE3_{side}JacobianInverse", f"M = J_{side[0]}(s)^-1; singular where |ω| is a multiple "
           "of 2π but 0", (_s,), (_M,), partial(_motion_jacobian_inverse, sign),
-          partial(_bound_motion_jacobian_inverse, sign), (("M", 10),))
+          partial(_bound_motion_jacobian_inverse, sign), (("M", 14),))
       for side, sign in (("left", 1), ("right", -1))),
     _op("SE3_interpolated", "Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 "
         "at k = 1", (_D1, _D2, _k), (_Do,), _interpolated, _bound_interpolated,

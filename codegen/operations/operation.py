@@ -64,7 +64,8 @@ class Operation:
     by_value: bool = False  # in C, arguments and result are passed by value
     remark: str = ""  # what unfused arithmetic makes true besides
     normwise: tuple[tuple[str, int], ...] = ()  # (part or output, k): the error of each component
-    # is at most k u of that part's largest component; found by search, not proved
+    # is at most k u of that part's largest component, in it or an input of its kind; found by
+    # search, not proved
 
     @property
     def signature(self) -> str:

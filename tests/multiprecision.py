@@ -1,0 +1,193 @@
+"""Emitted text and kernels evaluated in 60 digits, with their constants as emitted.
+
+In exact arithmetic the corrections of rounding errors vanish, and with them any mistake in them.  So,
+where asked for, roots, quotients, sums with GRID and squares of numbers as large are rounded as in
+the kernel's precision; all else never is.
+"""
+
+import operator
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import partial, reduce
+from types import FunctionType
+
+import mpmath as mp
+import numpy as np
+import sympy as sp
+
+from coscrew_codegen.kernel import Kernel
+from coscrew_codegen.operations import PER_PRECISION, scaled
+from coscrew_codegen.operations.operation import GRID
+from coscrew_codegen.targets.precision import PRECISIONS, Precision
+from tests.c_reader import Arithmetic
+
+DIGITS = 60
+
+
+@dataclass(frozen=True)
+class Rules:
+    """How numbers come to be: constants rounded to a precision or not, likewise some operations."""
+
+    precision: Precision
+    rounds: bool = False
+    exact: bool = False  # constants as the formulas have them
+
+    def number(self, value: object) -> "Number":
+        return value if isinstance(value, Number) else Number(mp.mpmathify(value), self)
+
+    def literal(self, text: str) -> "Number":
+        """The number of this precision the text stands for."""
+        return self.number(float(np.dtype(self.precision.numpy_type).type(text)))
+
+    def constant(self, value: sp.Rational) -> "Number":
+        if self.exact:
+            return self.number(mp.mpf(int(value.p)) / int(value.q))
+        fraction = Fraction(int(value.p), int(value.q))
+        return self.number(float(self.precision.rounded(fraction)))
+
+    def named(self, symbol: sp.Symbol) -> "Number":
+        return self.constant(PER_PRECISION[symbol][PRECISIONS.index(self.precision)])
+
+    def rounded(self, function: Callable, *values: mp.mpf) -> mp.mpf:
+        with mp.workprec(np.finfo(self.precision.numpy_type).nmant + 1 if self.rounds
+                         else mp.mp.prec):
+            return function(*values)
+
+    @property
+    def grid(self) -> int:
+        return int(PER_PRECISION[GRID][PRECISIONS.index(self.precision)])
+
+    def sum(self, function: Callable, x: mp.mpf, y: mp.mpf) -> mp.mpf:
+        return self.rounded(function, x, y) if self.grid in (x, y) else function(x, y)
+
+    def product(self, x: mp.mpf, y: mp.mpf) -> mp.mpf:
+        large_square = x == y and abs(x) > self.grid
+        return self.rounded(operator.mul, x, y) if large_square else x * y
+
+    def quotient(self, x: mp.mpf, y: mp.mpf) -> mp.mpf:
+        return self.rounded(operator.truediv, x, y)
+
+    def root(self, x: mp.mpf) -> mp.mpf:
+        return self.rounded(mp.sqrt, x) if x >= 0 else mp.nan
+
+
+class Number:
+    """A number under rules."""
+
+    def __init__(self, value: mp.mpf, rules: Rules):
+        self.value, self.rules = value, rules
+
+    def _with(self, function: Callable, *others: object) -> "Number":
+        return Number(function(self.value, *map(value_of, others)), self.rules)
+
+    def __add__(self, other): return self._with(partial(self.rules.sum, operator.add), other)
+    def __sub__(self, other): return self._with(partial(self.rules.sum, operator.sub), other)
+    def __rsub__(self, other): return -self + other
+    def __mul__(self, other): return self._with(self.rules.product, other)
+    def __truediv__(self, other): return self._with(self.rules.quotient, other)
+    def __rtruediv__(self, other): return self.rules.number(other) / self
+    def __neg__(self): return self._with(operator.neg)
+    def __lt__(self, other): return bool(self.value < value_of(other))
+    def __gt__(self, other): return bool(self.value > value_of(other))
+    def __eq__(self, other): return bool(self.value == value_of(other))
+    __radd__, __rmul__, __hash__ = __add__, __mul__, None
+
+    def sqrt(self) -> "Number":
+        return self._with(self.rules.root)
+
+
+def value_of(x: "Number | int") -> mp.mpf:
+    if not isinstance(x, (Number, int)):
+        raise TypeError(f"{x!r} came in beside the rules")
+    return x.value if isinstance(x, Number) else mp.mpf(x)
+
+
+_FUNCTIONS = {
+    "abs": lambda x: x._with(abs), "sqrt": Number.sqrt, "sin": lambda x: x._with(mp.sin),
+    "cos": lambda x: x._with(mp.cos), "atan2": lambda y, x: y._with(mp.atan2, x)}
+
+_SYMPY = {sp.Equality: operator.eq, scaled: operator.mul, sp.Abs: _FUNCTIONS["abs"],
+          sp.sin: _FUNCTIONS["sin"], sp.cos: _FUNCTIONS["cos"], sp.atan2: _FUNCTIONS["atan2"]}
+
+
+def can_evaluate(expression: sp.Expr) -> bool:
+    """Whether it holds no functions that only stand for something, as formulas may."""
+    return {type(f) for f in expression.atoms(sp.Function)} <= {*_SYMPY, sp.Piecewise}
+
+
+def c_arithmetic(rules: Rules) -> Arithmetic:
+    """C's operators and functions under these rules."""
+    operators = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,
+                 "<": operator.lt, "==": operator.eq, "fabs": _FUNCTIONS["abs"]}
+    return Arithmetic(rules.literal, operators | _FUNCTIONS)
+
+
+def python_function(function: FunctionType, rules: Rules) -> FunctionType:
+    """A kernel's Python function under these rules."""
+    names = {"absolute": _FUNCTIONS["abs"], "sqrt": Number.sqrt, "sin": _FUNCTIONS["sin"],
+             "cos": _FUNCTIONS["cos"], "arctan2": _FUNCTIONS["atan2"],
+             "where": lambda test, x, y: rules.number(x if test else y),
+             "float64": rules.number, "float32": rules.number, "nan": rules.number(mp.nan)}
+    constants = tuple(rules.literal(repr(x)) if isinstance(x, float) else x
+                      for x in function.__code__.co_consts)
+    return FunctionType(function.__code__.replace(co_consts=constants),
+                        function.__globals__ | names, function.__name__)
+
+
+class Evaluator:
+    """SymPy expressions under rules; `seen` collects the conditions met and how they came out."""
+
+    def __init__(self, rules: Rules, values: Mapping[sp.Symbol, Number]):
+        self.rules, self.values = rules, dict(values)
+        self.seen: set[tuple[sp.Basic, bool]] = set()
+
+    def kernel(self, kernel: Kernel) -> list[Number]:
+        """Every component of every output."""
+        for binding in kernel.bindings:
+            self.values[binding.symbol] = self(binding.expression)
+        return [self(x) for x in kernel.values]
+
+    def __call__(self, x: sp.Basic) -> Number | bool:
+        if x.is_Symbol:
+            return self.rules.named(x) if x in PER_PRECISION else self.values[x]
+        if x is sp.nan:
+            return self.rules.number(mp.nan)
+        if x.is_Rational:
+            return self.rules.constant(x)
+        if isinstance(x, sp.Piecewise):
+            return next(self(value) for value, test in x.args if test == sp.true or self.holds(test))
+        if x.is_Pow or x.is_Mul:
+            return self._product(x)
+        if isinstance(x, sp.ITE):
+            test, yes, no = x.args
+            return self(yes if self(test) else no)
+        if isinstance(x, (sp.StrictLessThan, sp.StrictGreaterThan)):
+            return self(x.lts) < self(x.gts)
+        return self._by_type(x, [self(argument) for argument in x.args])
+
+    def _by_type(self, x: sp.Basic, values: list) -> Number | bool:
+        kind = type(x)
+        if kind in (sp.Add, sp.And):
+            return reduce({sp.Add: operator.add, sp.And: operator.and_}[kind], values)
+        return _SYMPY[kind](*values)
+
+    def holds(self, test: sp.Basic) -> bool:
+        for part in sp.And.make_args(test):
+            result = self(part)
+            self.seen.add((part, result))
+            if not result:
+                return False
+        return True
+
+    def _product(self, x: sp.Expr) -> Number:
+        """Factors with negative exponents divide, all at once."""
+        factors = [factor.as_base_exp() for factor in sp.Mul.make_args(x)]
+        above = [self._power(*x) for x in factors if not x[1].is_negative] or [self.rules.number(1)]
+        below = [self._power(base, -exponent) for base, exponent in factors if exponent.is_negative]
+        product = reduce(operator.mul, above)
+        return product / reduce(operator.mul, below) if below else product
+
+    def _power(self, base: sp.Expr, exponent: sp.Rational) -> Number:
+        x = self(base)
+        return x.sqrt() if exponent == sp.Rational(1, 2) else reduce(operator.mul, [x] * int(exponent))

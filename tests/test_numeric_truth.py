@@ -1,0 +1,254 @@
+"""What emitted functions that no symbolic comparison reaches compute, in C and Python: in 60 digits.
+
+Their text equals their kernel, to the last of 50 digits; their text, with constants as emitted but
+nothing else rounded, is their truth but for a fraction of u.
+"""
+
+import ast
+import inspect
+import textwrap
+from collections.abc import Callable
+from functools import cache, partial
+from types import FunctionType
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy as sp
+
+import coscrew
+from coscrew_codegen.kernel import Kernel, kernel_of
+from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.passes import simplified
+from coscrew_codegen.program import Op
+from coscrew_codegen.targets.c import c_name
+from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, SINGLE, Precision
+from tests.attack import plain_program
+from tests.c_reader import Header, Place, header, sign_flips
+from tests.motion_errors import as_arrays, errors, multiprecise, truth_of, unit
+from tests.motion_inputs import motions_of
+from tests.motions import TRUTHS, matrix_of, nearest_quaternion, norm
+from tests.multiprecision import (DIGITS, Evaluator, Number, Rules, c_arithmetic, can_evaluate,
+                                  python_function)
+from tests.sampling import inputs_of
+
+SYMBOLIC = {Op.ADD, Op.SUB, Op.MUL, Op.DIV, Op.NEG, Op.SIN, Op.COS}
+NUMERIC = tuple(op for op in OPERATIONS if not set(plain_program(op).counts) <= SYMBOLIC)
+Row = tuple[list[mp.mpf], ...]  # components of every input
+Run = Callable[[Operation, Rules, Row], list[mp.mpf]]
+
+# The last row of L times its pivot enters only squared, so that its sign is free there.
+SIGNED = tuple(op for op in NUMERIC if op.name != "inertia_consistency")
+
+each_operation = pytest.mark.parametrize("operation", NUMERIC, ids=lambda op: op.name)
+each_precision = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+
+
+@pytest.fixture(autouse=True)
+def digits():
+    with mp.workdps(DIGITS):
+        yield
+
+
+def run_c(operation: Operation, rules: Rules, row: Row, functions: Header | None = None
+          ) -> list[mp.mpf]:
+    """Every component of every output of the C function."""
+    functions = (functions or header()).with_arithmetic(c_arithmetic(rules))
+    name = c_name(operation.name, rules.precision)
+    types = functions.parameters(name)
+    memory: dict[str, object] = {n: Place.new(kind) for n, kind in types.items()}
+    for argument, values in zip(operation.inputs, row, strict=True):
+        numbers = [rules.number(x) for x in values]
+        if not argument.quantity.shape:
+            memory[argument.name] = numbers[0]
+            continue
+        for index, number in zip(np.ndindex(argument.quantity.shape), numbers, strict=True):
+            memory[argument.name].entry(*index).write(number)
+    value = functions.call(name, *(memory[n] for n in types))
+    if value is not None:
+        memory[operation.outputs[0].name] = value
+    results = []
+    for output in operation.outputs:
+        place = memory[output.name]
+        results += ([place.entry(*index).read() for index in np.ndindex(output.quantity.shape)]
+                    if isinstance(place, Place) else [place])
+    return values_of(results, rules)
+
+
+def run_python(operation: Operation, rules: Rules, row: Row,
+               function: FunctionType | None = None) -> list[mp.mpf]:
+    """Every component of every output of the Python function."""
+    module = getattr(coscrew, rules.precision.name)
+    function = function or getattr(module, operation.name).__wrapped__
+    arguments = [tuple(map(rules.number, x)) if a.quantity.shape else rules.number(x[0])
+                 for a, x in zip(operation.inputs, row, strict=True)]
+    found = python_function(function, rules)(*arguments)
+    return values_of(found if isinstance(found, tuple) else (found,), rules)
+
+
+def values_of(results: list[Number | int | sp.Basic], rules: Rules) -> list[mp.mpf]:
+    return [mp.nan if x is sp.nan else rules.number(x).value for x in results]
+
+
+@cache
+def kernel(operation: Operation) -> Kernel:
+    return simplified(kernel_of(operation))
+
+
+def run_kernel(operation: Operation, rules: Rules, row: Row,
+               seen: set | None = None) -> list[mp.mpf]:
+    """Every component of every output of the kernel; adds the conditions met to `seen`."""
+    evaluator = evaluator_of(operation, rules, row)
+    results = evaluator.kernel(kernel(operation))
+    if seen is not None:
+        seen |= evaluator.seen
+    return [x.value for x in results]
+
+
+def evaluator_of(operation: Operation, rules: Rules, row: Row) -> Evaluator:
+    symbols = [s for a in operation.inputs for s in a.symbols]
+    numbers = [rules.number(x) for values in row for x in values]
+    return Evaluator(rules, dict(zip(symbols, numbers, strict=True)))
+
+
+@cache
+def rows(operation: Operation, precision: Precision) -> list[Row]:
+    """Floats in every branch: motions where the operation takes them, anything finite; zeros, and a
+    one among zeros."""
+    groups = [inputs_of(operation, precision, 55)]
+    if operation.name in TRUTHS:
+        motions = motions_of(operation, precision, 60)
+        groups += [motions, tuple(4 * x[:10] for x in motions)]
+    if operation.family == "symmetric":
+        A, *others = inputs_of(operation, precision, 220)
+        A, *others = (x[:20] for x in (A, *others))  # the ordinary ones
+        groups = [(A, *others), (A @ A.swapaxes(1, 2), *others)]
+    sizes = np.cumsum([a.quantity.size for a in operation.inputs])
+    units = np.vstack([np.zeros(sizes[-1]), np.eye(sizes[-1])])
+    groups.append(np.split(units, sizes[:-1], axis=1))
+    found = [tuple([mp.mpf(float(c)) for c in np.ravel(x)] for x in row)
+             for group in groups for row in zip(*group, strict=True)]
+    # Of the sine of larger angles 60 digits do not hold enough.
+    largest = [mp.mpf(10)**6 if a.name in ("v", "s", "k", "angle") and Op.SIN in
+               plain_program(operation).counts else mp.inf for a in operation.inputs]
+    return [row for row in found if all(abs(c) < limit for x, limit in zip(row, largest, strict=True)
+                                        for c in x)]
+
+
+def differs(found: list[mp.mpf], wanted: list[mp.mpf]) -> bool:
+    """By more than 1e-40 of the largest."""
+    size = max([abs(x) for x in wanted if not mp.isnan(x)], default=mp.mpf(0))
+    return any(mp.isnan(x) != mp.isnan(y) or abs(x - y) > size * mp.mpf(10)**-40
+               for x, y in zip(found, wanted, strict=True))
+
+
+RUNS = {"C": run_c, "Python": run_python}
+
+
+@pytest.mark.parametrize("language", RUNS)
+@each_operation
+@each_precision
+def test_text_is_its_kernel(operation, precision, language):
+    rules, seen = Rules(precision, rounds=True), set()
+    for row in rows(operation, precision):
+        wanted = run_kernel(operation, rules, row, seen)
+        found = RUNS[language](operation, rules, row)
+        assert not differs(found, wanted), [[float(x).hex() for x in part] for part in row]
+    conditions = {test for test, _ in seen}
+    assert {(test, value) for test in conditions for value in (True, False)} == seen
+
+
+def test_another_threshold_is_noticed():
+    operation, name = next(op for op in NUMERIC if op.name == "coscrew_norm"), "ksl_coscrew_norm"
+    rules, row = Rules(DOUBLE), ([mp.mpf(5e-9)] * 3 + [mp.mpf(1)] * 3,)
+    wrong = header().with_text(name, header().texts[name].replace("1e-09", "1e-08"))
+    wanted = run_kernel(operation, rules, row)
+    assert not fails(run_c, operation, rules, row, wanted)
+    assert fails(partial(run_c, functions=wrong), operation, rules, row, wanted)
+
+
+@pytest.mark.parametrize("operation", SIGNED, ids=lambda op: op.name)
+def test_any_flipped_sign_in_c_is_noticed(operation):
+    name = c_name(operation.name, DOUBLE)
+    for text in sign_flips(header().texts[name]):
+        wrong = header().with_text(name, text)
+        assert not is_kernel(operation, DOUBLE, partial(run_c, functions=wrong)), text
+
+
+@pytest.mark.parametrize("operation", SIGNED, ids=lambda op: op.name)
+def test_any_flipped_sign_in_python_is_noticed(operation):
+    function = getattr(coscrew.single, operation.name).__wrapped__
+    tree = ast.parse(textwrap.dedent(inspect.getsource(function))).body[0]
+    tree.decorator_list, tree.body = [], tree.body[1:]  # without its docstring
+    for text in sign_flips(ast.unparse(tree)):
+        scope = dict(function.__globals__)
+        exec(text, scope)
+        wrong = scope[operation.name]
+        assert not is_kernel(operation, SINGLE, partial(run_python, function=wrong)), text
+
+
+def is_kernel(operation: Operation, precision: Precision, run: Run) -> bool:
+    rules = Rules(precision, rounds=True)
+    return not any(fails(run, operation, rules, row, wanted) for row, wanted in
+                   zip(rows(operation, precision), results(operation, precision), strict=True))
+
+
+@cache
+def results(operation: Operation, precision: Precision) -> list[list[mp.mpf]]:
+    """Of the kernel, for each row."""
+    rules = Rules(precision, rounds=True)
+    return [run_kernel(operation, rules, row) for row in rows(operation, precision)]
+
+
+def fails(run: Run, operation: Operation, rules: Rules, row: Row, wanted: list[mp.mpf]) -> bool:
+    """Whether another result comes out, or a division by zero."""
+    try:
+        return differs(run(operation, rules, row), wanted)
+    except ZeroDivisionError:
+        return True
+
+
+# against the truth
+
+
+@each_precision
+@pytest.mark.parametrize("operation", [op for op in NUMERIC if op.name in TRUTHS],
+                         ids=lambda op: op.name)
+def test_series_and_text_are_their_truth(operation, precision):
+    """Of rotations and axes exact to the last digit.  With constants as they should be, what series
+    leave out is below u / 2; rounded constants add less than a third of the stated bound."""
+    u, bounds = unit(precision), dict(operation.normwise)
+    runs = [(run_kernel, Rules(precision, exact=True), lambda part: u / 2),
+            *((run, Rules(precision), lambda part: bounds[part] * u / 3) for run in RUNS.values())]
+    for given in zip(*motions_of(operation, precision, 30), strict=True):
+        arguments = [orthonormal(a.name, multiprecise(x))
+                     for a, x in zip(operation.inputs, given, strict=True)]
+        inputs = [as_arrays(x)[0] for x in arguments]
+        row = tuple(list(np.ravel(x)) for x in inputs)
+        truths = truth_of(operation, tuple(arguments), mp.mpf(10)**-40)
+        for run, rules, bound in runs:
+            found = iter(run(operation, rules, row))
+            outputs = [np.array([next(found) for _ in range(a.quantity.size)], dtype=object)
+                       .reshape(a.quantity.rows_columns) for a in operation.outputs]
+            for part, error in errors(operation, inputs, outputs, truths).items():
+                assert error <= bound(part), (part, float(error / u), given)
+
+
+def orthonormal(name: str, x: mp.matrix | mp.mpf) -> mp.matrix | mp.mpf:
+    """The rotation, displacement, quaternion or axis next to x, where the input stands for one."""
+    if name in ("R", "D", "D1", "D2"):
+        x[0:3, 0:3] = matrix_of(nearest_quaternion(x[0:3, 0:3]))
+    return x / norm(x) if name in ("q1", "q2", "axis") else x
+
+
+@pytest.mark.parametrize("language", RUNS)
+@each_precision
+@pytest.mark.parametrize("operation", [op for op in NUMERIC if op.name not in TRUTHS and
+                                       all(map(can_evaluate, op.truth()))], ids=lambda op: op.name)
+def test_text_is_its_formula(operation, precision, language):
+    """Norms and angles: what scaling does is undone to the last digit."""
+    rules = Rules(precision)
+    for row in rows(operation, precision):
+        evaluator = evaluator_of(operation, rules, row)
+        wanted = [evaluator(x).value for x in operation.truth()]
+        assert not differs(RUNS[language](operation, rules, row), wanted)
