@@ -665,8 +665,8 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
 
 /* angle = atan2(|v1 × v2|, v1·v2), in [0, π].
    v1, v2: vector.
-   41 mul, 95 add, 1 product error, 12 product rest, 4 div, 1 sqrt, 1 atan2, 9 abs, 14 less, 6
-     equal, 20 select. */
+   42 mul, 95 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 11 abs, 15 less, 7
+     equal, 23 select. */
 static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double s1_size_0 = fabs(v1->x);
   const double s1_size_1 = fabs(v1->y);
@@ -778,12 +778,16 @@ static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_
       angle_of_dot__left_rest = dot_ - angle_of_dot__left,
       angle_of_dot__right_rest = dot__lo - angle_of_dot__right,
       angle_of_dot__lo = angle_of_dot__left_rest + angle_of_dot__right_rest,
-      angle = atan2(angle_of_cross, angle_of_dot_),
-      angle_cross1 = angle_of_dot_ * angle_of_cross_lo,
-      angle_cross2 = angle_of_cross * angle_of_dot__lo,
-      angle_square1 = angle_of_dot_ * angle_of_dot_,
-      angle_square2 = angle_of_cross * angle_of_cross, angle_cross = angle_cross1 - angle_cross2,
-      angle_square = angle_square1 + angle_square2, angle_lo = angle_cross / angle_square;
+      angle = atan2(angle_of_cross, angle_of_dot_), angle_size0 = fabs(angle_of_cross),
+      angle_size1 = fabs(angle_of_dot_),
+      angle_most = angle_size0 < angle_size1 ? angle_size1 : angle_size0,
+      angle_divisor = angle_most == 0.0 ? 1.0 : angle_most,
+      angle_part0 = angle_of_cross / angle_divisor, angle_part1 = angle_of_dot_ / angle_divisor,
+      angle_cross1 = angle_part1 * angle_of_cross_lo, angle_cross2 = angle_part0 * angle_of_dot__lo,
+      angle_square1 = angle_part1 * angle_part1, angle_square2 = angle_part0 * angle_part0,
+      angle_cross = angle_cross1 - angle_cross2, angle_square = angle_square1 + angle_square2,
+      angle_divisor2 = angle_divisor * angle_square,
+      angle_safe = angle_most == 0.0 ? 1.0 : angle_divisor2, angle_lo = angle_cross / angle_safe;
   const double angle_rounded = angle + angle_lo,
       angle_final = angle_rounded == angle_rounded ? angle_rounded : angle;
   return angle_final;
@@ -13236,8 +13240,8 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where angle
      = 0; any multiple of a quaternion.
    q: quaternion (w; x, y, z), the scalar first; axis: vector.
-   22 mul, 56 add, 5 product error, 3 product rest, 9 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less,
-     7 equal, 20 select. */
+   23 mul, 56 add, 5 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
+     less, 8 equal, 23 select. */
 static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternion_t *q,
     ksl_vec3_t *axis) {
   const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
@@ -13284,10 +13288,14 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
       half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest, half = atan2(half_of_n, upper_0),
-      half_cross1 = upper_0 * half_of_n_lo, half_cross2 = half_of_n * 0.0,
-      half_square1 = upper_0 * upper_0, half_square2 = half_of_n * half_of_n,
-      half_cross = half_cross1 - half_cross2, half_square = half_square1 + half_square2,
-      half_lo = half_cross / half_square;
+      half_size0 = fabs(half_of_n), half_size1 = fabs(upper_0),
+      half_most = half_size0 < half_size1 ? half_size1 : half_size0,
+      half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
+      half_part1 = upper_0 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
+      half_cross2 = half_part0 * 0.0, half_square1 = half_part1 * half_part1,
+      half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
+      half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
+      half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
   const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
       divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
   const double unit_0_of_divisor = divisor + divisor_lo,
@@ -13331,8 +13339,8 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (w; x, y, z), the scalar first; vo: vector.
-   24 mul, 59 add, 6 product error, 3 product rest, 5 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less,
-     6 equal, 17 select. */
+   25 mul, 59 add, 6 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8 less,
+     7 equal, 20 select. */
 static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
   const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
   const double upper_1a = -q->x, upper_1 = q->w < 0.0 ? upper_1a : q->x;
@@ -13378,10 +13386,14 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
       half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest, half = atan2(half_of_n, upper_0),
-      half_cross1 = upper_0 * half_of_n_lo, half_cross2 = half_of_n * 0.0,
-      half_square1 = upper_0 * upper_0, half_square2 = half_of_n * half_of_n,
-      half_cross = half_cross1 - half_cross2, half_square = half_square1 + half_square2,
-      half_lo = half_cross / half_square;
+      half_size0 = fabs(half_of_n), half_size1 = fabs(upper_0),
+      half_most = half_size0 < half_size1 ? half_size1 : half_size0,
+      half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
+      half_part1 = upper_0 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
+      half_cross2 = half_part0 * 0.0, half_square1 = half_part1 * half_part1,
+      half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
+      half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
+      half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
   const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
       divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
   const double theta = 2.0 * half, theta_cross2 = 2.0 * half_lo;
@@ -13856,8 +13868,8 @@ static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   39 mul, 214 add, 6 product error, 3 product rest, 6 div, 1 sqrt, 1 atan2, 9 neg, 3 abs, 10
-     less, 9 equal, 48 select. */
+   40 mul, 214 add, 6 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+     less, 10 equal, 51 select. */
 static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
       p_0_left_rest = R->m21 - p_0_left, p_0_right_rest = R->m12 - p_0_right,
@@ -14016,11 +14028,15 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       half_of_upper_0_left_rest = upper_0 - half_of_upper_0_left,
       half_of_upper_0_right_rest = upper_0_lo - half_of_upper_0_right,
       half_of_upper_0_lo = half_of_upper_0_left_rest + half_of_upper_0_right_rest,
-      half = atan2(half_of_n, half_of_upper_0), half_cross1 = half_of_upper_0 * half_of_n_lo,
-      half_cross2 = half_of_n * half_of_upper_0_lo,
-      half_square1 = half_of_upper_0 * half_of_upper_0, half_square2 = half_of_n * half_of_n,
-      half_cross = half_cross1 - half_cross2, half_square = half_square1 + half_square2,
-      half_lo = half_cross / half_square;
+      half = atan2(half_of_n, half_of_upper_0), half_size0 = fabs(half_of_n),
+      half_size1 = fabs(half_of_upper_0),
+      half_most = half_size0 < half_size1 ? half_size1 : half_size0,
+      half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
+      half_part1 = half_of_upper_0 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
+      half_cross2 = half_part0 * half_of_upper_0_lo, half_square1 = half_part1 * half_part1,
+      half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
+      half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
+      half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
   const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
       divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
   const double theta = 2.0 * half, theta_cross2 = 2.0 * half_lo;
@@ -14062,8 +14078,8 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
    R: rotation or other 3×3 matrix; axis: vector.
-   34 mul, 211 add, 5 product error, 3 product rest, 10 div, 1 sqrt, 1 atan2, 9 neg, 3 abs, 10
-     less, 10 equal, 51 select. */
+   35 mul, 211 add, 5 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+     less, 11 equal, 54 select. */
 static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
       p_0_left_rest = R->m21 - p_0_left, p_0_right_rest = R->m12 - p_0_right,
@@ -14222,11 +14238,15 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       half_of_upper_0_left_rest = upper_0 - half_of_upper_0_left,
       half_of_upper_0_right_rest = upper_0_lo - half_of_upper_0_right,
       half_of_upper_0_lo = half_of_upper_0_left_rest + half_of_upper_0_right_rest,
-      half = atan2(half_of_n, half_of_upper_0), half_cross1 = half_of_upper_0 * half_of_n_lo,
-      half_cross2 = half_of_n * half_of_upper_0_lo,
-      half_square1 = half_of_upper_0 * half_of_upper_0, half_square2 = half_of_n * half_of_n,
-      half_cross = half_cross1 - half_cross2, half_square = half_square1 + half_square2,
-      half_lo = half_cross / half_square;
+      half = atan2(half_of_n, half_of_upper_0), half_size0 = fabs(half_of_n),
+      half_size1 = fabs(half_of_upper_0),
+      half_most = half_size0 < half_size1 ? half_size1 : half_size0,
+      half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
+      half_part1 = half_of_upper_0 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
+      half_cross2 = half_part0 * half_of_upper_0_lo, half_square1 = half_part1 * half_part1,
+      half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
+      half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
+      half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
   const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
       divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
   const double unit_0_of_divisor = divisor + divisor_lo,

@@ -8,8 +8,8 @@
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   39 mul, 214 add, 6 product error, 3 product rest, 6 div, 1 sqrt, 1 atan2, 9 neg, 3 abs, 10
-     less, 9 equal, 48 select. */
+   40 mul, 214 add, 6 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+     less, 10 equal, 51 select. */
 static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
       p_0_left_rest = R->m21 - p_0_left, p_0_right_rest = R->m12 - p_0_right,
@@ -168,11 +168,15 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       half_of_upper_0_left_rest = upper_0 - half_of_upper_0_left,
       half_of_upper_0_right_rest = upper_0_lo - half_of_upper_0_right,
       half_of_upper_0_lo = half_of_upper_0_left_rest + half_of_upper_0_right_rest,
-      half = atan2(half_of_n, half_of_upper_0), half_cross1 = half_of_upper_0 * half_of_n_lo,
-      half_cross2 = half_of_n * half_of_upper_0_lo,
-      half_square1 = half_of_upper_0 * half_of_upper_0, half_square2 = half_of_n * half_of_n,
-      half_cross = half_cross1 - half_cross2, half_square = half_square1 + half_square2,
-      half_lo = half_cross / half_square;
+      half = atan2(half_of_n, half_of_upper_0), half_size0 = fabs(half_of_n),
+      half_size1 = fabs(half_of_upper_0),
+      half_most = half_size0 < half_size1 ? half_size1 : half_size0,
+      half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
+      half_part1 = half_of_upper_0 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
+      half_cross2 = half_part0 * half_of_upper_0_lo, half_square1 = half_part1 * half_part1,
+      half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
+      half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
+      half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
   const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
       divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
   const double theta = 2.0 * half, theta_cross2 = 2.0 * half_lo;
@@ -214,8 +218,8 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
    R: rotation or other 3×3 matrix; axis: vector.
-   34 mul, 211 add, 5 product error, 3 product rest, 10 div, 1 sqrt, 1 atan2, 9 neg, 3 abs, 10
-     less, 10 equal, 51 select. */
+   35 mul, 211 add, 5 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+     less, 11 equal, 54 select. */
 static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
       p_0_left_rest = R->m21 - p_0_left, p_0_right_rest = R->m12 - p_0_right,
@@ -374,11 +378,15 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       half_of_upper_0_left_rest = upper_0 - half_of_upper_0_left,
       half_of_upper_0_right_rest = upper_0_lo - half_of_upper_0_right,
       half_of_upper_0_lo = half_of_upper_0_left_rest + half_of_upper_0_right_rest,
-      half = atan2(half_of_n, half_of_upper_0), half_cross1 = half_of_upper_0 * half_of_n_lo,
-      half_cross2 = half_of_n * half_of_upper_0_lo,
-      half_square1 = half_of_upper_0 * half_of_upper_0, half_square2 = half_of_n * half_of_n,
-      half_cross = half_cross1 - half_cross2, half_square = half_square1 + half_square2,
-      half_lo = half_cross / half_square;
+      half = atan2(half_of_n, half_of_upper_0), half_size0 = fabs(half_of_n),
+      half_size1 = fabs(half_of_upper_0),
+      half_most = half_size0 < half_size1 ? half_size1 : half_size0,
+      half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
+      half_part1 = half_of_upper_0 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
+      half_cross2 = half_part0 * half_of_upper_0_lo, half_square1 = half_part1 * half_part1,
+      half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
+      half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
+      half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
   const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
       divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
   const double unit_0_of_divisor = divisor + divisor_lo,

@@ -1047,8 +1047,8 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where angle
      = 0; any multiple of a quaternion.
    q: quaternion (w; x, y, z), the scalar first; axis: vector.
-   22 mul, 56 add, 5 product error, 3 product rest, 9 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less,
-     7 equal, 20 select. */
+   23 mul, 56 add, 5 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
+     less, 8 equal, 23 select. */
 static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternion_t *q,
     ksl_vec3_t *axis) {
   const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
@@ -1095,10 +1095,14 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
       half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest, half = atan2(half_of_n, upper_0),
-      half_cross1 = upper_0 * half_of_n_lo, half_cross2 = half_of_n * 0.0,
-      half_square1 = upper_0 * upper_0, half_square2 = half_of_n * half_of_n,
-      half_cross = half_cross1 - half_cross2, half_square = half_square1 + half_square2,
-      half_lo = half_cross / half_square;
+      half_size0 = fabs(half_of_n), half_size1 = fabs(upper_0),
+      half_most = half_size0 < half_size1 ? half_size1 : half_size0,
+      half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
+      half_part1 = upper_0 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
+      half_cross2 = half_part0 * 0.0, half_square1 = half_part1 * half_part1,
+      half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
+      half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
+      half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
   const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
       divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
   const double unit_0_of_divisor = divisor + divisor_lo,
@@ -1142,8 +1146,8 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (w; x, y, z), the scalar first; vo: vector.
-   24 mul, 59 add, 6 product error, 3 product rest, 5 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less,
-     6 equal, 17 select. */
+   25 mul, 59 add, 6 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8 less,
+     7 equal, 20 select. */
 static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
   const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
   const double upper_1a = -q->x, upper_1 = q->w < 0.0 ? upper_1a : q->x;
@@ -1189,10 +1193,14 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
       half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest, half = atan2(half_of_n, upper_0),
-      half_cross1 = upper_0 * half_of_n_lo, half_cross2 = half_of_n * 0.0,
-      half_square1 = upper_0 * upper_0, half_square2 = half_of_n * half_of_n,
-      half_cross = half_cross1 - half_cross2, half_square = half_square1 + half_square2,
-      half_lo = half_cross / half_square;
+      half_size0 = fabs(half_of_n), half_size1 = fabs(upper_0),
+      half_most = half_size0 < half_size1 ? half_size1 : half_size0,
+      half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
+      half_part1 = upper_0 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
+      half_cross2 = half_part0 * 0.0, half_square1 = half_part1 * half_part1,
+      half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
+      half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
+      half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
   const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
       divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
   const double theta = 2.0 * half, theta_cross2 = 2.0 * half_lo;

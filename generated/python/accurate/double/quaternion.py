@@ -1107,7 +1107,110 @@ def axis_angle_from_quaternion(q):
     angle = 0; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.
-    22 mul, 56 add, 5 product error, 3 product rest, 9 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7
+    23 mul, 56 add, 5 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
+    less, 8 equal, 23 select.
+    """
+    q_0, q_1, q_2, q_3 = q
+    upper_0 = where(q_0 < 0, -q_0, q_0)
+    upper_1 = where(q_0 < 0, -q_1, q_1)
+    upper_2 = where(q_0 < 0, -q_2, q_2)
+    upper_3 = where(q_0 < 0, -q_3, q_3)
+    v_s_size_0 = absolute(upper_1)
+    v_s_size_1 = absolute(upper_2)
+    v_s_size_2 = absolute(upper_3)
+    v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
+    v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
+    v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
+    v_s = where(v_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, v_s_b)
+    v_y_0 = upper_1 * v_s
+    v_y_1 = upper_2 * v_s
+    v_y_2 = upper_3 * v_s
+    v_n_a = v_y_0 * v_y_0
+    v_n_b = v_y_1 * v_y_1
+    v_n_c = v_n_a + v_n_b
+    v_n_c_right = v_n_c - v_n_a
+    v_n_c_left_rest = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right)
+    v_n_c_lo = v_n_c_left_rest + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right)
+    v_n_d = v_y_2 * v_y_2
+    v_n_e = v_n_c + v_n_d
+    v_n_e_right = v_n_e - v_n_c
+    v_n_e_lo1 = v_n_c - (v_n_e - v_n_e_right) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right)
+    v_n_e_lo = v_n_e_lo1 + v_n_c_lo
+    v_n_of_v_n_e = v_n_e + v_n_e_lo
+    v_n_of_v_n_e_right = v_n_of_v_n_e - v_n_e
+    v_n_of_v_n_e_lo = v_n_e - (v_n_of_v_n_e - v_n_of_v_n_e_right) + (v_n_e_lo - v_n_of_v_n_e_right)
+    v_n = sqrt(v_n_of_v_n_e)
+    v_n_product = v_n * v_n
+    v_n_exact = v_n_of_v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
+    v_n_residual = v_n_exact + v_n_of_v_n_e_lo
+    v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
+    v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
+    v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
+    n_of_v_n = v_n + v_n_lo
+    n_of_v_n_right = n_of_v_n - v_n
+    n = n_of_v_n * v_r
+    n_lost = n_of_v_n - n * (1 / v_r)
+    n_small = (n_lost + (v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right))) * v_r
+    n_lo = where(n_lost == 0, 0, n_small)
+    half_of_n = n + n_lo
+    half_of_n_right = half_of_n - n
+    half_of_n_lo = n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right)
+    half = arctan2(half_of_n, upper_0)
+    half_size0 = absolute(half_of_n)
+    half_size1 = absolute(upper_0)
+    half_most = where(half_size0 < half_size1, half_size1, half_size0)
+    half_divisor = where(half_most == 0, 1, half_most)
+    half_part0 = half_of_n / half_divisor
+    half_part1 = upper_0 / half_divisor
+    half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
+    half_safe = where(half_most == 0, 1, half_divisor2)
+    half_lo = (half_part1 * half_of_n_lo - half_part0 * 0) / half_safe
+    divisor = where(half_of_n == 0, 1, half_of_n)
+    divisor_lo = where(half_of_n == 0, 0, half_of_n_lo)
+    unit_0_of_divisor = divisor + divisor_lo
+    unit_0_of_divisor_right = unit_0_of_divisor - divisor
+    unit_0_of_divisor_left_rest = divisor - (unit_0_of_divisor - unit_0_of_divisor_right)
+    unit_0_of_divisor_lo = unit_0_of_divisor_left_rest + (divisor_lo - unit_0_of_divisor_right)
+    unit_0 = upper_1 / unit_0_of_divisor
+    unit_0_product = unit_0 * unit_0_of_divisor
+    unit_0_product_error = product_error(unit_0, unit_0_of_divisor, unit_0_product)
+    unit_0_exact = upper_1 - unit_0_product - unit_0_product_error
+    unit_0_residual = unit_0_exact - unit_0 * unit_0_of_divisor_lo
+    unit_0_lo = unit_0_residual / unit_0_of_divisor
+    unit_1 = upper_2 / unit_0_of_divisor
+    unit_1_product = unit_1 * unit_0_of_divisor
+    unit_1_product_error = product_error(unit_1, unit_0_of_divisor, unit_1_product)
+    unit_1_exact = upper_2 - unit_1_product - unit_1_product_error
+    unit_1_residual = unit_1_exact - unit_1 * unit_0_of_divisor_lo
+    unit_1_lo = unit_1_residual / unit_0_of_divisor
+    unit_2 = upper_3 / unit_0_of_divisor
+    unit_2_product = unit_2 * unit_0_of_divisor
+    unit_2_product_error = product_error(unit_2, unit_0_of_divisor, unit_2_product)
+    unit_2_exact = upper_3 - unit_2_product - unit_2_product_error
+    unit_2_residual = unit_2_exact - unit_2 * unit_0_of_divisor_lo
+    unit_2_lo = unit_2_residual / unit_0_of_divisor
+    angle = 2 * half
+    angle_cross2 = 2 * half_lo
+    axis_0 = where(half_of_n == 0, 1, unit_0)
+    axis_0_lo = where(half_of_n == 0, 0, unit_0_lo)
+    angle_lo = product_error(2, half, angle) + angle_cross2
+    angle_rounded = angle + angle_lo
+    axis_0_rounded = axis_0 + axis_0_lo
+    unit_1_rounded = unit_1 + unit_1_lo
+    unit_2_rounded = unit_2 + unit_2_lo
+    return (where(angle_rounded == angle_rounded, angle_rounded, angle),
+        where(axis_0_rounded == axis_0_rounded, axis_0_rounded, axis_0),
+        where(unit_1_rounded == unit_1_rounded, unit_1_rounded, unit_1),
+        where(unit_2_rounded == unit_2_rounded, unit_2_rounded, unit_2))
+
+
+@kernel("(4)->(3)")
+def quaternion_log(q):
+    """vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of
+    it.
+
+    (4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.
+    25 mul, 59 add, 6 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
     less, 7 equal, 20 select.
     """
     q_0, q_1, q_2, q_3 = q
@@ -1156,102 +1259,15 @@ def axis_angle_from_quaternion(q):
     half_of_n_right = half_of_n - n
     half_of_n_lo = n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right)
     half = arctan2(half_of_n, upper_0)
-    half_lo = (upper_0 * half_of_n_lo - half_of_n * 0) / (upper_0 * upper_0 + half_of_n * half_of_n)
-    divisor = where(half_of_n == 0, 1, half_of_n)
-    divisor_lo = where(half_of_n == 0, 0, half_of_n_lo)
-    unit_0_of_divisor = divisor + divisor_lo
-    unit_0_of_divisor_right = unit_0_of_divisor - divisor
-    unit_0_of_divisor_left_rest = divisor - (unit_0_of_divisor - unit_0_of_divisor_right)
-    unit_0_of_divisor_lo = unit_0_of_divisor_left_rest + (divisor_lo - unit_0_of_divisor_right)
-    unit_0 = upper_1 / unit_0_of_divisor
-    unit_0_product = unit_0 * unit_0_of_divisor
-    unit_0_product_error = product_error(unit_0, unit_0_of_divisor, unit_0_product)
-    unit_0_exact = upper_1 - unit_0_product - unit_0_product_error
-    unit_0_residual = unit_0_exact - unit_0 * unit_0_of_divisor_lo
-    unit_0_lo = unit_0_residual / unit_0_of_divisor
-    unit_1 = upper_2 / unit_0_of_divisor
-    unit_1_product = unit_1 * unit_0_of_divisor
-    unit_1_product_error = product_error(unit_1, unit_0_of_divisor, unit_1_product)
-    unit_1_exact = upper_2 - unit_1_product - unit_1_product_error
-    unit_1_residual = unit_1_exact - unit_1 * unit_0_of_divisor_lo
-    unit_1_lo = unit_1_residual / unit_0_of_divisor
-    unit_2 = upper_3 / unit_0_of_divisor
-    unit_2_product = unit_2 * unit_0_of_divisor
-    unit_2_product_error = product_error(unit_2, unit_0_of_divisor, unit_2_product)
-    unit_2_exact = upper_3 - unit_2_product - unit_2_product_error
-    unit_2_residual = unit_2_exact - unit_2 * unit_0_of_divisor_lo
-    unit_2_lo = unit_2_residual / unit_0_of_divisor
-    angle = 2 * half
-    angle_cross2 = 2 * half_lo
-    axis_0 = where(half_of_n == 0, 1, unit_0)
-    axis_0_lo = where(half_of_n == 0, 0, unit_0_lo)
-    angle_lo = product_error(2, half, angle) + angle_cross2
-    angle_rounded = angle + angle_lo
-    axis_0_rounded = axis_0 + axis_0_lo
-    unit_1_rounded = unit_1 + unit_1_lo
-    unit_2_rounded = unit_2 + unit_2_lo
-    return (where(angle_rounded == angle_rounded, angle_rounded, angle),
-        where(axis_0_rounded == axis_0_rounded, axis_0_rounded, axis_0),
-        where(unit_1_rounded == unit_1_rounded, unit_1_rounded, unit_1),
-        where(unit_2_rounded == unit_2_rounded, unit_2_rounded, unit_2))
-
-
-@kernel("(4)->(3)")
-def quaternion_log(q):
-    """vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of
-    it.
-
-    (4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.
-    24 mul, 59 add, 6 product error, 3 product rest, 5 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7
-    less, 6 equal, 17 select.
-    """
-    q_0, q_1, q_2, q_3 = q
-    upper_0 = where(q_0 < 0, -q_0, q_0)
-    upper_1 = where(q_0 < 0, -q_1, q_1)
-    upper_2 = where(q_0 < 0, -q_2, q_2)
-    upper_3 = where(q_0 < 0, -q_3, q_3)
-    v_s_size_0 = absolute(upper_1)
-    v_s_size_1 = absolute(upper_2)
-    v_s_size_2 = absolute(upper_3)
-    v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
-    v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    v_s = where(v_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, v_s_b)
-    v_y_0 = upper_1 * v_s
-    v_y_1 = upper_2 * v_s
-    v_y_2 = upper_3 * v_s
-    v_n_a = v_y_0 * v_y_0
-    v_n_b = v_y_1 * v_y_1
-    v_n_c = v_n_a + v_n_b
-    v_n_c_right = v_n_c - v_n_a
-    v_n_c_left_rest = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right)
-    v_n_c_lo = v_n_c_left_rest + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right)
-    v_n_d = v_y_2 * v_y_2
-    v_n_e = v_n_c + v_n_d
-    v_n_e_right = v_n_e - v_n_c
-    v_n_e_lo1 = v_n_c - (v_n_e - v_n_e_right) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right)
-    v_n_e_lo = v_n_e_lo1 + v_n_c_lo
-    v_n_of_v_n_e = v_n_e + v_n_e_lo
-    v_n_of_v_n_e_right = v_n_of_v_n_e - v_n_e
-    v_n_of_v_n_e_lo = v_n_e - (v_n_of_v_n_e - v_n_of_v_n_e_right) + (v_n_e_lo - v_n_of_v_n_e_right)
-    v_n = sqrt(v_n_of_v_n_e)
-    v_n_product = v_n * v_n
-    v_n_exact = v_n_of_v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
-    v_n_residual = v_n_exact + v_n_of_v_n_e_lo
-    v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
-    v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
-    v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
-    n_of_v_n = v_n + v_n_lo
-    n_of_v_n_right = n_of_v_n - v_n
-    n = n_of_v_n * v_r
-    n_lost = n_of_v_n - n * (1 / v_r)
-    n_small = (n_lost + (v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right))) * v_r
-    n_lo = where(n_lost == 0, 0, n_small)
-    half_of_n = n + n_lo
-    half_of_n_right = half_of_n - n
-    half_of_n_lo = n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right)
-    half = arctan2(half_of_n, upper_0)
-    half_lo = (upper_0 * half_of_n_lo - half_of_n * 0) / (upper_0 * upper_0 + half_of_n * half_of_n)
+    half_size0 = absolute(half_of_n)
+    half_size1 = absolute(upper_0)
+    half_most = where(half_size0 < half_size1, half_size1, half_size0)
+    half_divisor = where(half_most == 0, 1, half_most)
+    half_part0 = half_of_n / half_divisor
+    half_part1 = upper_0 / half_divisor
+    half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
+    half_safe = where(half_most == 0, 1, half_divisor2)
+    half_lo = (half_part1 * half_of_n_lo - half_part0 * 0) / half_safe
     divisor = where(half_of_n == 0, 1, half_of_n)
     divisor_lo = where(half_of_n == 0, 0, half_of_n_lo)
     theta = 2 * half
