@@ -74,7 +74,13 @@ def exact_functions(operation: Operation) -> tuple[tuple[Callable, Callable], ..
         expanded = sp.expand(expression)
         terms = [term.as_coeff_Mul() for term in sp.Add.make_args(expanded)]
         absolute = sp.Add(*(abs(coefficient) * rest for coefficient, rest in terms))
-        return (sp.lambdify(symbols, expanded, "math"), sp.lambdify(symbols, absolute, "math"))
+        return over_one_denominator(expanded), over_one_denominator(absolute)
+
+    def over_one_denominator(polynomial: sp.Expr) -> Callable:
+        """Printed as it is, 1/2 would be a float, and what it multiplies would be rounded."""
+        numerator, denominator = sp.fraction(sp.together(polynomial))
+        function = sp.lambdify(symbols, sp.expand(numerator), "math")
+        return lambda *values: function(*values) / int(denominator)
 
     return tuple(map(pair, formula(operation)))
 
