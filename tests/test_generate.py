@@ -170,7 +170,7 @@ def test_imports_run_one_way():
     """algebra < quantity < operations < kernel < passes < program < tiers < bounds < … < emit."""
     order = ["algebra", "quantity", "operations", "kernel", "passes", "program", "tiers", "bounds",
              "targets",
-             "exact", "selection", "render", "extension", "layout", "documentation", "emit",
+             "special", "exact", "selection", "render", "extension", "layout", "documentation", "emit",
              "report", "__main__"]
     package = ROOT / "codegen"
     allowed_elsewhere = {"build"}  # runs inside setuptools, on its own

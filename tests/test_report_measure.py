@@ -292,8 +292,8 @@ def test_wrong_options_are_refused_before_measuring(tmp_path: Path,
 
 
 def test_hard_cases_are_measured(tmp_path: Path):
-    """A line is tried beside the drawn ones: (1 + e) (1 + 3 e) - (1 + 4 e), e = 2^-12, is 3 e^2; the
-    product rounds to 1 + 4 e + 4 e^2, off by e^2, which is 2^22 spacings of 3 e^2."""
+    """A line is tried beside the drawn ones: (1 + e) (1 + 3 e) - (1 + 4 e), e = 2^-12, is 3 e^2;
+    the product rounds to 1 + 4 e + 4 e^2, off by e^2, which is 2^22 spacings of 3 e^2."""
     (tmp_path / "vec3.txt").write_text(
         "# a remark\ndot_vv single : 0x1.001p0 1 0 0x1.003p0 -0x1.004p0 0 : by hand\n")
     cases = inputs.corpus(tmp_path)
