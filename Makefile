@@ -4,9 +4,9 @@ PYTHON3 ?= python3
 VENV    := .venv
 PYTHON  := $(VENV)/bin/python
 PIP     := PYTHONWARNINGS=ignore $(PYTHON) -m pip --quiet --disable-pip-version-check
-SOURCES := $(wildcard generated/gufunc/*.c generated/gufunc/*.h) generated/c/coscrew.h
+SOURCES := $(wildcard $(addprefix generated/,gufunc/*.[ch] gufunc/*/*.[ch] c/coscrew*.h))
 
-.PHONY: all generate check build example test bench attack clean
+.PHONY: all generate check build example test bench attack report clean
 
 all: generate
 	@$(MAKE) --no-print-directory check example
@@ -33,7 +33,8 @@ build: $(VENV)/ready
 	@$(COMPILED) || echo "no working C compiler: coscrew runs in pure NumPy (gcc or clang, and the \
 	headers of Python, compile it)" >&2
 
-COMPILED = $(PYTHON) -c "import coscrew, sys; sys.exit(not coscrew.COMPILED)"
+COMPILED = $(PYTHON) -c "import sys, coscrew, coscrew.accurate as a, coscrew.certified as c; \
+    sys.exit(not (coscrew.COMPILED and a.COMPILED and c.COMPILED))"
 
 $(VENV)/built: $(SOURCES) codegen/build.py
 	$(PIP) install --no-build-isolation --no-deps --editable .
@@ -64,6 +65,10 @@ bench: $(VENV)/test-ready build
 # Every proven error bound against exact arithmetic, at length.
 attack: $(VENV)/test-ready build
 	$(PYTHON) -m tests.attack
+
+# Errors and times of everything on this machine, in about two minutes: build/report/.
+report: $(VENV)/test-ready build
+	$(PYTHON) -m coscrew_codegen report
 
 clean:
 	rm -rf $(VENV) build *.egg-info

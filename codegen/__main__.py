@@ -1,4 +1,4 @@
-"""The command line: `coscrew generate`, also `python -m coscrew_codegen`."""
+"""The command line: `coscrew generate`, `coscrew report`; also `python -m coscrew_codegen`."""
 
 import argparse
 import sys
@@ -11,6 +11,7 @@ try:
     from coscrew_codegen.emit import EmitError, differences, read, stale_files, write
     from coscrew_codegen.layout import Files, Programs, generated_files, program_of
     from coscrew_codegen.operations import FAMILIES
+    from coscrew_codegen.report import ReportError, command
     from coscrew_codegen.selection import LANGUAGES, Selection, SelectionError, select
 except ModuleNotFoundError as error:
     sys.exit(f"coscrew: the generator needs {error.name}; run `pip install 'coscrew[codegen]'`")
@@ -22,9 +23,8 @@ def main(arguments: list[str] | None = None) -> int:
     """Run the command line; returns the exit status: 0, or 1 out of date, 2 for an error."""
     options = _parser().parse_args(arguments)
     try:
-        selection = select(options.family or [], options.precision, options.language)
-        return _generate(selection, Path(options.output), options.check)
-    except (SelectionError, EmitError) as error:
+        return options.run(options)
+    except (SelectionError, EmitError, ReportError) as error:
         print(f"coscrew: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
@@ -48,10 +48,14 @@ def _parser() -> argparse.ArgumentParser:
                           help="double, single or both (default)")
     generate.add_argument("--language", metavar="NAME",
                           help=f"{' or '.join(LANGUAGES)} (default: both, and the extension)")
+    generate.set_defaults(run=_generate)
+    command.add_parser(commands)
     return parser
 
 
-def _generate(selection: Selection, folder: Path, check: bool) -> int:
+def _generate(options: argparse.Namespace) -> int:
+    selection = select(options.family or [], options.precision, options.language)
+    folder, check = Path(options.output), options.check
     programs = _programs(selection)
     files = generated_files(selection, programs)
     whole = selection == Selection()

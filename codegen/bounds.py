@@ -197,7 +197,8 @@ _RULES = {
     Op.FMA: lambda x, n: _rounded(_combined((1, _product(x[0], x[1])), (1, x[2])), n),
     Op.FMS: lambda x, n: _rounded(_combined((1, _product(x[0], x[1])), (-1, x[2])), n),
     Op.FNMA: lambda x, n: _rounded(_combined((1, x[2]), (-1, _product(x[0], x[1]))), n),
-    Op.SUM_ERROR: lambda x, n: _combined((1, x[0]), (1, x[1]), (-1, x[2])),
-    Op.DIFFERENCE_ERROR: lambda x, n: _combined((1, x[0]), (-1, x[1]), (-1, x[2])),
+    Op.EXACT_ADD: lambda x, n: _combined((1, x[0]), (1, x[1])),
+    Op.EXACT_SUB: lambda x, n: _combined((1, x[0]), (-1, x[1])),
     Op.PRODUCT_ERROR: lambda x, n: _combined((1, _product(x[0], x[1])), (-1, x[2])),
+    Op.PRODUCT_REST: lambda x, n: _rounded(_combined((1, _product(x[0], x[1])), (-1, x[3])), n),
 }

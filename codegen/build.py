@@ -1,5 +1,7 @@
 """Builds the extension module with the flags its promises need."""
 
+import os
+
 from setuptools.command.build_ext import build_ext
 
 
@@ -9,6 +11,7 @@ class BuildExt(build_ext):
     def build_extensions(self) -> None:
         import numpy
 
+        self.parallel = self.parallel or os.cpu_count()
         microsoft = self.compiler.compiler_type == "msvc"
         for extension in self.extensions:
             extension.include_dirs.append(numpy.get_include())

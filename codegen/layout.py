@@ -1,20 +1,19 @@
 """Which files are generated, and what each holds: Selection → {path: text}."""
 
-import hashlib
 from collections.abc import Iterator
-from functools import partial
+from dataclasses import replace
 
+from coscrew_codegen.extension import extension_sources
 from coscrew_codegen.kernel import kernel_of
 from coscrew_codegen.operations import Operation, family_title
 from coscrew_codegen.passes import simplified
 from coscrew_codegen.program import Program
-from coscrew_codegen.quantity import QUANTITIES
 from coscrew_codegen.render import render
 from coscrew_codegen.selection import Selection
-from coscrew_codegen.targets import c, c_storage, gufunc, numpy
+from coscrew_codegen.targets import c, c_storage, numpy
 from coscrew_codegen.targets.precision import Precision
 from coscrew_codegen.tiers.plain import plain
-from coscrew_codegen.tiers.table import ACCURATE, TIERS, Tier
+from coscrew_codegen.tiers.table import TIERS, Tier
 
 Files = dict[str, str]  # by path in the output folder, with forward slashes
 Programs = dict[str, Program]
@@ -34,11 +33,6 @@ _ALIASES = (("SE3", "SE3_fromRt"), ("screw", "screw_from_lin_ang"),
 
 _UMBRELLAS = ("ksl", *(f"ksl_{tier.name}" for tier in TIERS))
 
-# NumPy's C names for the precisions: type number, DType.
-_NUMPY_C_NAMES = {"double": ("NPY_DOUBLE", "PyArray_DoubleDType"),
-                  "single": ("NPY_FLOAT", "PyArray_FloatDType")}
-
-
 def program_of(operation: Operation) -> Program:
     """The operation's program: kernel, passes, plain tier."""
     return plain(simplified(kernel_of(operation)))
@@ -48,31 +42,50 @@ def generated_files(selection: Selection, programs: Programs) -> Files:
     """Every file of the selection, by its path in the output folder."""
     files: Files = {}
     headers = _headers(selection, programs)
-    amalgamation = _amalgamation(selection, headers, "All headers of plain kernels")
-    extension = selection.languages == ("c", "python")
     if "c" in selection.languages:
         files |= {f"c/include/ksl/{name}.h": text for name, text in headers.items()}
-        files["c/coscrew.h"] = amalgamation
-        for tier in TIERS:
+    for tier in (None, *TIERS):
+        made = headers
+        if tier and "c" in selection.languages:
             made = _tier_headers(selection, programs, tier)
             files |= {f"c/include/ksl/{name}.h": text for name, text in made.items()}
-            files[f"c/coscrew_{tier.name}.h"] = _amalgamation(
-                selection, {"ksl_types": headers["ksl_types"], **made},
-                f"All headers of {tier.name} kernels")
-    sources = _extension(selection, programs) if extension else {}
-    provenance = _digest(amalgamation, *sources.values())
-    if extension:
+            made = {"ksl_types": headers["ksl_types"], **made}
+        files |= _tier_files(selection, programs, tier, _amalgamation(
+            selection, made, f"All headers of {tier.name if tier else 'plain'} kernels"))
+    if selection.languages == ("c", "python"):
         files["c/__init__.py"] = render("c/__init__.py", banner=selection.banner)
-        files |= {f"gufunc/{name}": text for name, text in sources.items()}
-        files["gufunc/module.c"] = _extension_module(selection, provenance)
-    if "python" in selection.languages:
-        package = _package(selection, programs, extension, provenance)
-        files |= {f"python/{name}": text for name, text in package.items()}
     return files
 
 
-def _digest(*texts: str) -> str:
-    return hashlib.sha256("\0".join(texts).encode()).hexdigest()[:16]
+def _tier_files(selection: Selection, programs: Programs, tier: Tier | None,
+                amalgamation: str) -> Files:
+    """The files of a tier, or of plain kernels: C in one file, the extension, the package."""
+    name, folder = (tier.name, f"{tier.name}/") if tier else ("", "")
+    files: Files = {}
+    if "c" in selection.languages:
+        files[f"c/coscrew_{name}.h" if tier else "c/coscrew.h"] = amalgamation
+    if tier and not tier.in_python:
+        return files
+    provenance = ""
+    if kernels := _documented(selection, programs, tier):
+        if selection.languages == ("c", "python"):
+            sources, provenance = extension_sources(selection, kernels, name, amalgamation)
+            files |= {f"gufunc/{folder}{file}": text for file, text in sources.items()}
+        if "python" in selection.languages:
+            package = _package(selection, programs, tier, provenance)
+            files |= {f"python/{folder}{file}": text for file, text in package.items()}
+    return files
+
+
+def _documented(selection: Selection, programs: Programs,
+                tier: Tier | None) -> dict[Operation, Program]:
+    """The operations of a tier with the programs that documentation describes: the first
+    precision's, which is double's where there are both."""
+    if tier is None:
+        return {op: programs[op.name] for op in selection.operations}
+    first = selection.precisions[0].name
+    return {tier.operation(op): tier.program(programs[op.name], first)
+            for op in selection.operations if tier.has(programs[op.name])}
 
 
 # C headers
@@ -132,7 +145,8 @@ def _tier_headers(selection: Selection, programs: Programs, tier: Tier) -> dict[
     headers = exact if tier.header == "ksl_exact" else {}
     for family in selection.families:
         functions = [
-            c.function(op, tier.program(programs[op.name], precision.name), precision, tier.name)
+            c.function(tier.operation(op), tier.program(programs[op.name], precision.name),
+                       precision, tier.name)
             for precision in selection.precisions for op in selection.operations
             if op.family == family and tier.has(programs[op.name])]
         if functions:
@@ -155,119 +169,73 @@ def _amalgamation(selection: Selection, headers: dict[str, str], title: str) -> 
     return render("c/coscrew.h", banner=selection.banner, sections=sections, title=title)
 
 
-# the extension module
-
-
-def _extension(selection: Selection, programs: Programs) -> dict[str, str]:
-    """The C sources of the gufuncs, by file name."""
-    accesses = [gufunc.access(quantity, precision)
-                for quantity in QUANTITIES for precision in selection.precisions]
-    sources = {"_gufunc.h": render("gufunc/_gufunc.h", banner=selection.banner, accesses=accesses,
-                                   families=selection.families,
-                                   amalgamation="../c/coscrew.h")}
-    dtypes = [_NUMPY_C_NAMES[precision.name][1] for precision in selection.precisions]
-    sources["promoter.c"] = render("gufunc/promoter.c", banner=selection.banner, dtypes=dtypes)
-    for family in selection.families:
-        gufuncs = [gufunc.gufunc(op, selection.precisions,
-                                 numpy.docstring_of(op, programs[op.name]))
-                   for op in selection.operations if op.family == family]
-        sources[f"{family}.c"] = render("gufunc/family.c", banner=selection.banner,
-                                        family=family, gufuncs=gufuncs)
-        sources[f"{family}_avx2.c"] = render("gufunc/family_avx2.c", banner=selection.banner,
-                                             family=family)
-    return sources
-
-
-def _table(selection: Selection, name: str, suffix: str) -> str:
-    entries = [f"coscrew_{family}_{suffix}" for family in selection.families]
-    return c.listed(f"static const coscrew_gufunc *const {name}[] = {{", entries, "};")
-
-
-def _extension_module(selection: Selection, provenance: str) -> str:
-    most = max(len(op.inputs) + len(op.outputs) for op in selection.operations)
-    return render("gufunc/module.c", banner=selection.banner, families=selection.families,
-                  most_arguments=most, provenance=provenance,
-                  baseline=_table(selection, "baseline", "gufuncs"),
-                  avx2=_table(selection, "avx2", "gufuncs_avx2"),
-                  types=[_NUMPY_C_NAMES[precision.name][0] for precision in selection.precisions])
-
-
 # the Python package
 
 
-def _package(selection: Selection, programs: Programs, extension: bool,
+def _package(selection: Selection, programs: Programs, tier: Tier | None,
              provenance: str) -> dict[str, str]:
-    """The files of the package `coscrew`, by path in it."""
-    names = [op.name for op in selection.operations]
-    aliases = [(alias, name) for alias, name in _ALIASES if name in names]
-    shared = {"banner": selection.banner, "names": names, "aliases": aliases,
+    """The files of the package `coscrew`, or of a tier's within it, by path in it."""
+    kernels = _documented(selection, programs, tier)
+    names = [op.name for op in kernels]
+    shared = {"banner": selection.banner, "names": names, "provenance": provenance,
+              "aliases": [] if tier else [(a, name) for a, name in _ALIASES if name in names],
+              "package": f"coscrew.{tier.name}" if tier else "coscrew",
+              "about": tier.in_words if tier else "",
               "precisions": [precision.name for precision in selection.precisions],
-              "extension": extension, "provenance": provenance,
-              "selfcheck": "coscrew" in selection.families}
-
-    package = {name: render(f"python/{name}", **shared)
-               for name in ("__init__.py", "_dispatch.py", "_arrays.py", "_kernel.py", "_exact.py")}
-    if "coscrew" in selection.families:
-        package["_selfcheck.py"] = render("python/_selfcheck.py", **shared)
-    stubs = partial(_stubs, selection.operations, programs, shared)
-    package["__init__.pyi"] = stubs("np.floating", top=True)
-    package["py.typed"] = ""
-    for precision in selection.precisions:
-        package[f"{precision.name}/__init__.pyi"] = stubs(f"np.{precision.numpy_type}")
-    package |= _twin_modules(selection, selection.operations, programs, None)
-    return package | _accurate_package(selection, programs, shared)
-
-
-def _accurate_package(selection: Selection, programs: Programs,
-                      shared: dict[str, object]) -> dict[str, str]:
-    """The files of coscrew.accurate: twins in both precisions, and the choice between them."""
-    operations = tuple(op for op in selection.operations if ACCURATE.has(programs[op.name]))
-    shared = {**shared, "names": [op.name for op in operations], "aliases": []}
-    package = {"__init__.py": render("python/accurate.py", **shared),
-               "__init__.pyi": _stubs(operations, programs, shared, "np.floating")}
+              "extension": bool(provenance),
+              "selfcheck": not tier and "coscrew" in selection.families}
+    shapes = ["__init__.py", "_dispatch.py", "_arrays.py", "_kernel.py", "_exact.py",
+              "_provenance.py", *(["_selfcheck.py"] if shared["selfcheck"] else [])]
+    package = {"_dispatch.py": render("python/_dispatch.py", **shared),
+               "__init__.py": render("python/tier.py", **shared)} if tier else {
+        name: render(f"python/{name}", **shared) for name in shapes}
+    package["__init__.pyi"] = _stubs(kernels, shared, "np.floating", top=True)
+    if not tier:
+        package["py.typed"] = ""
     for precision in selection.precisions:
         package[f"{precision.name}/__init__.pyi"] = _stubs(
-            operations, programs, shared, f"np.{precision.numpy_type}")
-    package |= _twin_modules(selection, operations, programs, ACCURATE)
-    return {f"accurate/{name}": text for name, text in package.items()}
+            _kernels(selection, programs, tier, precision), shared, f"np.{precision.numpy_type}")
+    return package | _twin_modules(selection, programs, tier)
 
 
-def _stubs(operations: tuple[Operation, ...], programs: Programs, shared: dict[str, object],
-           scalar: str, top: bool = False) -> str:
-    stubs = [numpy.stub(op, programs[op.name], scalar) for op in operations]
+def _kernels(selection: Selection, programs: Programs, tier: Tier | None,
+             precision: Precision) -> dict[Operation, Program]:
+    """The operations of a tier with their programs in this precision."""
+    return _documented(replace(selection, precisions=(precision,)), programs, tier)
+
+
+def _stubs(kernels: dict[Operation, Program], shared: dict[str, object], scalar: str,
+           top: bool = False) -> str:
+    stubs = [numpy.stub(op, program, scalar) for op, program in kernels.items()]
     return render("python/operations.pyi", stubs=stubs, top=top, **shared)
 
 
-def _twin_modules(selection: Selection, operations: tuple[Operation, ...], programs: Programs,
-                  tier: Tier | None) -> dict[str, str]:
+def _twin_modules(selection: Selection, programs: Programs, tier: Tier | None) -> dict[str, str]:
     """The modules of both precisions, one per family, and what gathers them."""
     modules: dict[str, str] = {}
-    families = tuple(f for f in selection.families if any(op.family == f for op in operations))
-    names = [op.name for op in operations]
     for precision in selection.precisions:
-        folder = precision.name
-        by_family = [{"name": family, "operations": [op.name for op in operations
-                                                     if op.family == family]}
-                     for family in families]
-        modules[f"{folder}/__init__.py"] = render(
+        kernels = _kernels(selection, programs, tier, precision)
+        names = [op.name for op in kernels]
+        families = {f: {op: p for op, p in kernels.items() if op.family == f}
+                    for f in selection.families}
+        families = {family: members for family, members in families.items() if members}
+        modules[f"{precision.name}/__init__.py"] = render(
             "python/precision.py", banner=selection.banner, precision=precision,
-            package=f"coscrew.{tier.name}" if tier else "coscrew", families=by_family,
+            package=f"coscrew.{tier.name}" if tier else "coscrew",
+            families=[{"name": family, "operations": [op.name for op in members]}
+                      for family, members in families.items()],
             aliases=[(alias, name) for alias, name in _ALIASES if name in names])
-        for family in families:
-            modules[f"{folder}/{family}.py"] = _twins(
-                selection, [op for op in operations if op.family == family], programs, precision,
-                tier)
+        for family, members in families.items():
+            modules[f"{precision.name}/{family}.py"] = _twins(
+                selection, family, members, precision, tier.name if tier else "plain")
     return modules
 
 
-def _twins(selection: Selection, operations: list[Operation], programs: Programs,
-           precision: Precision, tier: Tier | None) -> str:
-    plain = [programs[op.name] for op in operations]
-    chosen = [tier.program(p, precision.name) for p in plain] if tier else plain
-    functions = [numpy.function(op, program, precision)
-                 for op, program in zip(operations, chosen, strict=True)]
-    return render("python/family.py", banner=selection.banner,
-                  title=family_title(operations[0].family), precision=precision,
-                  functions=functions, imports=numpy.imports(tuple(chosen), precision),
-                  kernel="wide_kernel" if chosen[0].wide else f"{precision.name}_kernel",
-                  tier=tier.name if tier else "plain")
+def _twins(selection: Selection, family: str, kernels: dict[Operation, Program],
+           precision: Precision, tier: str) -> str:
+    programs = tuple(kernels.values())
+    return render("python/family.py", banner=selection.banner, title=family_title(family),
+                  precision=precision, imports=numpy.imports(programs, precision), tier=tier,
+                  functions=[numpy.function(op, program, precision)
+                             for op, program in kernels.items()],
+                  kernel="wide_kernel" if programs[0].wide else f"{precision.name}_kernel")

@@ -6,7 +6,7 @@ single precision, on NumPy arrays, on exact rationals or on symbols alike.
 
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from fractions import Fraction
 from itertools import groupby
@@ -31,9 +31,10 @@ class Op(Enum):
     FMA = "fma"  # a b + c, rounded once
     FMS = "fms"  # a b - c, rounded once
     FNMA = "fnma"  # c - a b, rounded once
-    SUM_ERROR = "sum error"  # a + b - s exactly, s the rounded sum
-    DIFFERENCE_ERROR = "difference error"  # a - b - s exactly, s the rounded difference
+    EXACT_ADD = "exact add"  # a + b where that is a number of the precision
+    EXACT_SUB = "exact sub"  # a - b where that is a number of the precision
     PRODUCT_ERROR = "product error"  # a b - p exactly, p the rounded product
+    PRODUCT_REST = "product rest"  # a b - h rounded once, where p - h is exact, p as above
     LESS = "less"  # a < b
     EQUAL = "equal"  # a == b
     SELECT = "select"  # a ? b : c
@@ -102,6 +103,17 @@ class Program:
         return frozenset(x for x in (*operands, *self.results) if isinstance(x, Input))
 
 
+def without_dead_steps(program: Program) -> Program:
+    """The program without instructions that no result depends on."""
+    used = {x.name for x in program.results if isinstance(x, Ref)}
+    kept: list[Instruction] = []
+    for step in reversed(program.instructions):
+        if step.name in used:
+            kept.append(step)
+            used |= {x.name for x in step.operands if isinstance(x, Ref)}
+    return replace(program, instructions=tuple(reversed(kept)))
+
+
 def by_component(program: Program) -> Iterator[tuple[Instruction, ...]]:
     """The instructions, those of each component together: the lines a reader expects."""
     for _, steps in groupby(program.instructions, key=lambda step: step.component):
@@ -114,8 +126,9 @@ def counts_in_words(program: Program) -> str:
     counts[Op.ADD] += counts.pop(Op.SUB, 0)
     counts[Op.MUL] += counts.pop(Op.SCALE, 0)
     counts[Op.FMA] += counts.pop(Op.FMS, 0) + counts.pop(Op.FNMA, 0)
-    counts[Op.SUM_ERROR] += counts.pop(Op.DIFFERENCE_ERROR, 0)
-    order = (Op.MUL, Op.ADD, Op.FMA, Op.PRODUCT_ERROR, Op.SUM_ERROR, Op.DIV, Op.SQRT, Op.SIN,
+    for op in (Op.EXACT_ADD, Op.EXACT_SUB):
+        counts[Op.ADD] += counts.pop(op, 0)
+    order = (Op.MUL, Op.ADD, Op.FMA, Op.PRODUCT_ERROR, Op.PRODUCT_REST, Op.DIV, Op.SQRT, Op.SIN,
              Op.COS, Op.ATAN2, Op.NEG, Op.ABS, Op.LESS, Op.EQUAL, Op.SELECT)
     words = [f"{counts[op]} {op.value}" for op in order if counts[op]]
     return ", ".join(words) if words else "no arithmetic"

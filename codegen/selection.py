@@ -58,6 +58,16 @@ def select(families: list[str], precision: str, language: str | None) -> Selecti
     )
 
 
+def operations_named(names: list[str]) -> tuple[Operation, ...]:
+    """The operations of these names, in the table's order; of none, all.  Raises SelectionError."""
+    known = [operation.name for operation in OPERATIONS]
+    for name in names:
+        if name not in known:
+            near = get_close_matches(name, known, n=1, cutoff=0.0)
+            raise SelectionError(f"unknown operation {name!r}: did you mean {near[0]!r}?")
+    return tuple(op for op in OPERATIONS if not names or op.name in names)
+
+
 def _known(kind: str, name: str, names: tuple[str, ...]) -> None:
     if name not in names:
         near = get_close_matches(name, names, n=1, cutoff=0.0)

@@ -4,31 +4,30 @@
 tier, how close the worst error found comes to the bound; the tests run a small sample of the same.
 
 Truth is the operation's formula, expanded by SymPy and evaluated in exact rationals.  Attacked are
-the NumPy twins (whose bits the C kernels share) and, for the fused tier, compiled C.
+the NumPy twins (whose bits the C kernels share) and, for the fused tier, compiled C.  What the
+certified tier returns as bounds is attacked with numbers of any size, too.
 """
 
 import functools
-import math
 import random
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import sympy as sp
 from gmpy2 import mpq
 
 from coscrew_codegen.bounds import Bound, bounds_of
+from coscrew_codegen.exact import CONDITION, UNIT, exact_functions, ulp
 from coscrew_codegen.layout import program_of
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Program
+from coscrew_codegen.report.inputs import cancel
 from coscrew_codegen.targets.precision import Precision
 from coscrew_codegen.tiers.table import TIERS, has_tiers
+from tests.sampling import inputs_of
 
 Arrays = tuple[np.ndarray, ...]
 Implementation = Callable[[Operation, Precision, Arrays], Arrays]
-
-UNIT = {"double": mpq(1, 2**53), "single": mpq(1, 2**24)}
-CONDITION = {"double": mpq(9 * 10**14), "single": mpq(16 * 10**6)}
 
 
 @functools.cache
@@ -49,20 +48,6 @@ def bounds(operation: Operation, precision: Precision, tier: str) -> tuple[Bound
     return bounds_of(program)
 
 
-@functools.cache
-def exact_functions(operation: Operation) -> tuple[tuple[Callable, Callable], ...]:
-    """(x, S) of each result as functions of all input components, from the formula's terms."""
-    symbols = [symbol for a in operation.inputs for symbol in a.symbols]
-
-    def pair(expression: sp.Expr) -> tuple[Callable, Callable]:
-        expanded = sp.expand(expression)
-        terms = [term.as_coeff_Mul() for term in sp.Add.make_args(expanded)]
-        absolute = sp.Add(*(abs(coefficient) * rest for coefficient, rest in terms))
-        return (sp.lambdify(symbols, expanded, "math"), sp.lambdify(symbols, absolute, "math"))
-
-    return tuple(map(pair, operation.truth()))
-
-
 def rows(operation: Operation, precision: Precision, count: int, seed: int) -> Arrays:
     """Inputs: ordinary, of very different sizes, and such that one result nearly cancels."""
     numbers = np.random.default_rng([seed, len(operation.name), precision.bytes])
@@ -74,25 +59,26 @@ def rows(operation: Operation, precision: Precision, count: int, seed: int) -> A
     flat = flat.astype(real)
     chooser = random.Random(seed)
     for row in flat[2 * count // 3:]:
-        _cancel(operation, row, chooser)
+        cancel(operation, row, chooser)
     edges = np.cumsum([a.quantity.size for a in operation.inputs])[:-1]
     return tuple(part.reshape(count, *a.quantity.shape) for part, a in
                  zip(np.split(flat, edges, axis=1), operation.inputs, strict=True))
 
 
-def _cancel(operation: Operation, row: np.ndarray, chooser: random.Random) -> None:
-    """Change one input so that one result, linear in it, nearly vanishes: to the input's last bit
-    or so, or to any part of that."""
-    exact, _ = chooser.choice(exact_functions(operation))
-    values = [mpq(float(x)) for x in row]
-    for place in chooser.sample(range(len(values)), len(values)):
-        at = {t: exact(*values[:place], mpq(t), *values[place + 1:]) for t in (0, 1, 2)}
-        slope = at[1] - at[0]
-        if slope and at[2] - at[1] == slope:
-            root = -at[0] / slope
-            if root and abs(root) < 2**60 and abs(root) > mpq(1, 2**60):
-                row[place] = float(root * (1 + mpq(1, 2**chooser.randrange(1, 64))))
-                return
+def extreme_rows(operation: Operation, precision: Precision, count: int, seed: int) -> Arrays:
+    """Inputs of every kind floating point has, and such that a product of two underflows and meets
+    a third that is huge."""
+    numbers = np.random.default_rng([seed, len(operation.name), precision.bytes])
+    size = sum(a.quantity.size for a in operation.inputs)
+    least, most = {"double": (-1074, 1020), "single": (-149, 124)}[precision.name]
+    exponents = numbers.choice((least // 2 - 2, least // 2, least // 2 + 3, 0, most, least + 20),
+                               (count, size), p=(.2, .2, .2, .1, .2, .1))
+    flat = np.ldexp(numbers.uniform(-1, 1, (count, size)), exponents).astype(precision.numpy_type)
+    edges = np.cumsum([a.quantity.size for a in operation.inputs])[:-1]
+    parts = [part.reshape(count, *a.quantity.shape) for part, a in
+             zip(np.split(flat, edges, axis=1), operation.inputs, strict=True)]
+    return tuple(map(np.concatenate, zip(parts, inputs_of(operation, precision, count),
+                                         strict=True)))
 
 
 @dataclass
@@ -115,6 +101,9 @@ def attack(operation: Operation, precision: Precision, tier: str, inputs: Arrays
                          for arrays in (inputs, outputs))
     worst = Worst()
     for given, got in zip(flat_in.tolist(), flat_out.tolist(), strict=True):
+        if tier == "certified":
+            _compare_certified(operation, given, got, worst)
+            continue
         _compare(operation, precision, tier, given, got, worst)
     return worst
 
@@ -138,17 +127,25 @@ def _compare(operation: Operation, precision: Precision, tier: str, given: Seque
         if ratio > worst.ratio:
             worst.ratio, worst.witness = ratio, tuple(x.hex() for x in given)
         if terms < CONDITION[precision.name] * abs(truth):
-            ulps = float(error / _ulp(truth, precision))
+            ulps = float(error / ulp(truth, precision))
             if ulps > worst.ulps:
                 worst.ulps, worst.ulps_witness = ulps, tuple(x.hex() for x in given)
 
 
-def _ulp(truth: mpq, precision: Precision) -> mpq:
-    """The spacing of the numbers around `truth`, of the binade it lies in."""
-    _, exponent = math.frexp(truth)
-    if abs(truth) < mpq(2)**(exponent - 1):  # the conversion to float rounded up to a power of two
-        exponent -= 1
-    return mpq(2)**exponent * UNIT[precision.name]
+def _compare_certified(operation: Operation, given: Sequence[float], got: Sequence[float],
+                       worst: Worst) -> None:
+    """`got` holds the results, then their bounds; where one is not finite it claims nothing."""
+    if not all(map(math.isfinite, given)):
+        return
+    values, half = [mpq(x) for x in given], len(got) // 2
+    for (exact, _), result, bound in zip(exact_functions(operation), got[:half], got[half:],
+                                         strict=True):
+        if math.isfinite(bound):
+            worst.outputs += 1
+            error = abs(mpq(result) - exact(*values))
+            ratio = float(error / mpq(bound)) if bound else float("inf") if error else 0.0
+            if ratio > worst.ratio:
+                worst.ratio, worst.witness = ratio, tuple(x.hex() for x in given)
 
 
 def attacks(names: Sequence[str], count: int, seed: int,
@@ -161,7 +158,11 @@ def attacks(names: Sequence[str], count: int, seed: int,
         for precision in precisions:
             inputs = rows(operation, precision, count, seed)
             for tier, implementation in implementations.items():
-                yield operation, precision, tier, attack(operation, precision, tier, inputs,
+                more = inputs
+                if tier == "certified":
+                    extreme = extreme_rows(operation, precision, count, seed)
+                    more = tuple(map(np.concatenate, zip(inputs, extreme, strict=True)))
+                yield operation, precision, tier, attack(operation, precision, tier, more,
                                                          implementation)
 
 
@@ -187,7 +188,7 @@ def main() -> None:
                         implementations(Path(folder)), PRECISIONS)
         lines = [(operation.name, precision.name, tier, worst.outputs, worst.ratio, worst.ulps)
                  for operation, precision, tier, worst in
-                 tqdm(found, total=6 * len(options.operation or TIERED), disable=None)]
+                 tqdm(found, total=8 * len(options.operation or TIERED), disable=None)]
     print(tabulate(lines, ("operation", "precision", "tier", "outputs", "error / bound",
                            "ulps, well conditioned"), floatfmt=".3f"))
     violations = sum(line[4] > 1 for line in lines)

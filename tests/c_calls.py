@@ -14,6 +14,8 @@ from coscrew_codegen.quantity import MAT3X3, MAT6X6, SE3, Argument, Quantity
 from coscrew_codegen.targets.c import c_type, parameters
 from coscrew_codegen.targets.c_storage import TYPES
 from coscrew_codegen.targets.precision import Precision
+from coscrew_codegen.tiers.table import TIERS
+from tests.attack import TIERED
 from tests.c_harness import call_of, distinct, is_array
 
 # Where a quantity can lie inside another: whole → part → C members.
@@ -26,6 +28,9 @@ PLACES = {
 
 _HEAD = """\
 #include <ksl/ksl.h>
+#include <ksl/ksl_accurate.h>
+#include <ksl/ksl_certified.h>
+#include <ksl/ksl_fused.h>
 #include <limits.h>
 #include <stdio.h>
 
@@ -92,11 +97,13 @@ hold({stem}_alloc(0) == NULL, "{stem}_alloc(0)");
 hold({stem}_alloc(-1) == NULL, "{stem}_alloc(-1)");"""
 
 
-def program(precision: Precision) -> str:
-    """The program for one precision."""
-    tests = [*((op.name, lines) for op in OPERATIONS
-               for lines in (_alone(op, precision), *_aliased(op, precision))),
-             *_storage(precision)]
+def program(precision: Precision, tier: str = "") -> str:
+    """The program for one precision: plain kernels and storage, or the kernels of a tier."""
+    made = [t.operation for t in TIERS if t.name == tier]
+    operations = [made[0](op) for op in TIERED] if made else OPERATIONS
+    tests = [(op.name, lines) for op in operations
+             for lines in (_alone(op, precision, tier), *_aliased(op, precision, tier))]
+    tests += [] if tier else _storage(precision)
     functions, names = [], []
     for number, (name, lines) in enumerate(tests):
         body = "\n".join(f"  {line}" for text in lines for line in text.splitlines())
@@ -107,29 +114,33 @@ def program(precision: Precision) -> str:
                       "static void (*const tests[])(void) = {", *names, "};", _MAIN])
 
 
-def _alone(operation: Operation, precision: Precision) -> list[str]:
+def _alone(operation: Operation, precision: Precision, tier: str) -> list[str]:
     """A test: one call with objects of their own."""
     arguments = distinct(operation)
     return [*_objects(arguments, precision),
-            call_of(operation, precision, {a.name: a.name for a in arguments})]
+            call_of(operation, precision, {a.name: a.name for a in arguments}, tier)]
 
 
-def _aliased(operation: Operation, precision: Precision) -> Iterator[list[str]]:
+def _aliased(operation: Operation, precision: Precision, tier: str) -> Iterator[list[str]]:
     """Tests: each pair of an output and another argument in each place they can share; then, for
     each output, all arguments in it at once."""
     if operation.by_value:
         return
     outputs = {a.name for a in operation.outputs}
     passed = [a for a in parameters(operation) if a.quantity.shape]
+    bounds = {a.name for a in operation.outputs if a.name.endswith("_bound")}
     for whole, part in permutations(passed, 2):
+        if outputs >= {whole.name, part.name} and bounds & {whole.name, part.name}:
+            continue  # two results cannot be one object
         if whole.name in outputs or part.name in outputs and whole.quantity != part.quantity:
             for place in _places(whole.quantity, part.quantity):
-                yield _shared(operation, precision, whole, {part: place})
+                yield _shared(operation, precision, tier, whole, {part: place})
     for whole in operation.outputs:
         within = {a: _places(whole.quantity, a.quantity)[0] for a in passed
-                  if a != whole and _places(whole.quantity, a.quantity)}
+                  if a != whole and _places(whole.quantity, a.quantity)
+                  and not (a in operation.outputs and bounds & {a.name, whole.name})}
         if len(within) > 1:
-            yield _shared(operation, precision, whole, within)
+            yield _shared(operation, precision, tier, whole, within)
 
 
 def _places(whole: Quantity, part: Quantity) -> tuple[str, ...]:
@@ -139,21 +150,25 @@ def _places(whole: Quantity, part: Quantity) -> tuple[str, ...]:
     return tuple(f".{member}" for member in PLACES.get(whole.name, {}).get(part.name, ()))
 
 
-def _shared(operation: Operation, precision: Precision, whole: Argument,
+def _shared(operation: Operation, precision: Precision, tier: str, whole: Argument,
             parts: dict[Argument, str]) -> list[str]:
     """`whole` and, inside it, `parts`: once as objects of their own, once as one, `shared`."""
     arguments = distinct(operation)
     alone = {a.name: a.name for a in arguments}
     shared = alone | {whole.name: "shared"} | {a.name: f"shared{at}" for a, at in parts.items()}
     results = {a: at for a, at in parts.items() if a in operation.outputs}
+    updated = [a for a in operation.inputs  # by both calls
+               if a in operation.outputs and a not in (whole, *parts)]
     what = ", ".join(f"{a.name} is {whole.name}{at}" for a, at in parts.items())
     return [
         *_objects(arguments, precision),
         *(f"memcpy(&{a.name}, &{whole.name}{at}, sizeof {a.name});" for a, at in parts.items()),
         f"{c_type(whole.quantity, precision)} shared{_size(whole)};",
         f"memcpy(&shared, &{whole.name}, sizeof shared);",
-        call_of(operation, precision, shared),
-        call_of(operation, precision, alone),
+        *(f"{c_type(a.quantity, precision)} {a.name}_before = {a.name};" for a in updated),
+        call_of(operation, precision, shared, tier),
+        *(f"{a.name} = {a.name}_before;" for a in updated),
+        call_of(operation, precision, alone, tier),
         *(f"memcpy(&{whole.name}{at}, &{a.name}, sizeof {a.name});" for a, at in results.items()),
         f'same(&shared, &{whole.name}, sizeof shared, "{operation.name}: {what}");',
     ]

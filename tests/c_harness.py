@@ -18,7 +18,7 @@ import pytest
 
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.quantity import Argument
-from coscrew_codegen.targets.c import STRUCTS, c_name, c_type, parameters, returned
+from coscrew_codegen.targets.c import STRUCTS, c_name, c_type, is_pointer, parameters, returned
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
 
 C_FOLDER = Path(__file__).resolve().parents[1] / "generated" / "c"
@@ -101,8 +101,8 @@ def _loop(operation: Operation, precision: Precision, tier: str) -> str:
 def call_of(operation: Operation, precision: Precision, values: dict[str, str],
             tier: str = "") -> str:
     """The C statement that calls the kernel; `values` gives the lvalue of each argument."""
-    passed = ", ".join(values[a.name] if operation.by_value or not is_struct(a)
-                       else f"&{values[a.name]}" for a in parameters(operation))
+    passed = ", ".join(f"&{values[a.name]}" if is_pointer(operation, a) else values[a.name]
+                       for a in parameters(operation))
     value = returned(operation)
     result = f"{values[value.name]} = " if value else ""
     name = c_name(operation.name, precision) + (f"_{tier}" if tier else "")

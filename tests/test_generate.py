@@ -86,9 +86,11 @@ def test_one_family_in_one_precision_and_language(tmp_path):
     assert main(["generate", "--family", "coscrew", "--precision", "single", "--language", "c",
                  "--output", str(tmp_path)]) == 0
     made = contents(tmp_path)
-    headers = ("coscrew", "coscrew_accurate", "coscrew_fused", "ksl", "ksl_accurate", "ksl_exact",
-               "ksl_fused", "ksl_selfcheck", "ksl_types")
-    assert sorted(made) == ["c/coscrew.h", "c/coscrew_accurate.h", "c/coscrew_fused.h",
+    headers = ("coscrew", "coscrew_accurate", "coscrew_certified", "coscrew_fused", "ksl",
+               "ksl_accurate", "ksl_certified", "ksl_exact", "ksl_fused", "ksl_selfcheck",
+               "ksl_types")
+    assert sorted(made) == ["c/coscrew.h", "c/coscrew_accurate.h", "c/coscrew_certified.h",
+                            "c/coscrew_fused.h",
                             *(f"c/include/ksl/{name}.h" for name in headers)]
     for path, text in made.items():
         assert b"ksl_product_CoAdc(" not in text and b"ksl_coscrew_t" not in text
@@ -168,7 +170,7 @@ def test_imports_run_one_way():
     """algebra < quantity < operations < kernel < passes < program < tiers < bounds < … < emit."""
     order = ["algebra", "quantity", "operations", "kernel", "passes", "program", "tiers", "bounds",
              "targets",
-             "selection", "render", "layout", "documentation", "emit", "__main__"]
+             "selection", "render", "extension", "layout", "documentation", "emit", "__main__"]
     package = ROOT / "codegen"
     allowed_elsewhere = {"build"}  # runs inside setuptools, on its own
 
@@ -200,6 +202,9 @@ def test_templates_hold_shapes_only():
 def test_pyproject_compiles_every_family():
     import tomllib
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())
-    (extension,) = project["tool"]["setuptools"]["ext-modules"]
-    expected = {f"generated/gufunc/{p.name}" for p in (ROOT / "generated/gufunc").glob("*.c")}
-    assert set(extension["sources"]) == expected
+    for extension in project["tool"]["setuptools"]["ext-modules"]:
+        tier = extension["name"].removeprefix("coscrew.").removesuffix("_gufunc").rstrip(".")
+        folder = ROOT / "generated/gufunc" / tier
+        expected = {p.relative_to(ROOT).as_posix() for p in folder.glob("*.c")}
+        assert expected and set(extension["sources"]) == expected
+    assert len(project["tool"]["setuptools"]["ext-modules"]) == 3

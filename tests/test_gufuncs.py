@@ -13,6 +13,7 @@ import pytest
 
 import coscrew
 from coscrew_codegen.operations import OPERATIONS, Operation
+from tests.attack import TIERED
 
 pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")
 
@@ -259,7 +260,7 @@ def test_constructors_and_angular_first_order():
 def test_the_loops_for_every_processor_give_the_same_bits():
     """The extension takes AVX2 loops where it can; COSCREW_BASELINE asks for the others."""
     program = """
-import hashlib, numpy as np, coscrew
+import hashlib, numpy as np, coscrew, coscrew.accurate, coscrew.certified
 from coscrew_codegen.operations import OPERATIONS
 random = np.random.default_rng(11)
 for op in OPERATIONS:
@@ -267,14 +268,17 @@ for op in OPERATIONS:
     for dtype in (np.float64, np.float32):
         for fixed in (slice(None), 5):
             first, *rest = (a.astype(dtype) for a in arguments)
-            result = np.asarray(getattr(coscrew, op.name)(first[fixed], *rest))
-            print(op.name, dtype.__name__, fixed, hashlib.sha256(result.tobytes()).hexdigest())
+            for tier in (coscrew, coscrew.accurate, coscrew.certified):
+                if hasattr(tier, op.name):
+                    result = np.asarray(getattr(tier, op.name)(first[fixed], *rest))
+                    digest = hashlib.sha256(result.tobytes()).hexdigest()
+                    print(tier.__name__, op.name, dtype.__name__, fixed, digest)
 """
     best, baseline = (
         subprocess.run([sys.executable, "-c", program], env={**os.environ, **environment},
                        capture_output=True, text=True, check=True).stdout
         for environment in ({}, {"COSCREW_BASELINE": "1"}))
-    assert best.count("\n") == 4 * len(OPERATIONS)
+    assert best.count("\n") == 4 * (len(OPERATIONS) + 2 * len(TIERED))
     assert best == baseline
 
 

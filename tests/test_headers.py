@@ -22,6 +22,8 @@ ALL_FUNCTIONS = """\
 #include <string.h>
 #define inline __attribute__((used))
 #include <ksl/ksl.h>
+#include <ksl/ksl_certified.h>
+#include <ksl/ksl_fused.h>
 """
 DOUBLE_INSTRUCTION = re.compile(r"v?((add|sub|mul|div|sqrt|min|max|round|hadd|hsub|addsub|u?comi|"
                                 r"cmp\w*|fn?m(add|sub)\w*)[sp]d|cvt\w*[sp]d\w*)")

@@ -87,3 +87,10 @@ def test_functions_can_be_pickled_without_a_compiler(without_compiler):
                "        f = getattr(module, op.name, None)\n"
                "        assert f is pickle.loads(pickle.dumps(f)), op.name\nprint('all')")
     assert run(program, without_compiler) == "all\n"
+
+
+def test_the_wheel_holds_every_template(without_compiler):
+    templates = {path.relative_to(ROOT / "templates").as_posix()
+                 for path in (ROOT / "templates").rglob("*.*") if path.suffix != ".pyc"}
+    installed = without_compiler / "coscrew_codegen" / "templates"
+    assert {name for name in templates if not (installed / name).is_file()} == set()

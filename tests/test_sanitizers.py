@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
+from coscrew_codegen.tiers.table import TIERS
 from tests import c_calls
 from tests.c_harness import C11, COMPILERS, EXACT, INCLUDE, run
 
@@ -25,27 +26,34 @@ def _links(compiler: str) -> bool:
                               capture_output=True).returncode
 
 
+TIER_NAMES = ("", *(tier.name for tier in TIERS))
+
 # Optimised without sanitizers as well: there a compiler acts on what it assumes of aliases.
 BUILDS = (*((name, SANITIZERS) for name in COMPILERS if _links(name)),
           *((name, ("-O2",)) for name in COMPILERS))
 
+# The tiers' kernels are written by the same printer as plain's: one compiler with sanitizers, one that
+# optimises, for each.
+RUNS = (*(("", *build) for build in BUILDS),
+        *((tier, *build) for tier in TIER_NAMES[1:] for build in (BUILDS[0], BUILDS[-1])))
 
-@pytest.mark.parametrize("compiler, flags", BUILDS,
-                         ids=lambda x: x if isinstance(x, str) else x[0].strip("-"))
+
+@pytest.mark.parametrize("tier, compiler, flags", RUNS, ids=lambda x: (
+    x or "plain" if isinstance(x, str) else x[0].strip("-")))
 @pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
-def test_aliased_arguments_give_the_same_bits(precision: Precision, compiler: str,
+def test_aliased_arguments_give_the_same_bits(precision: Precision, compiler: str, tier: str,
                                               flags: tuple[str, ...], tmp_path: Path):
     """The sanitizers stop at the first access outside an object and at undefined behaviour."""
     source, binary = tmp_path / "calls.c", tmp_path / "calls"
-    source.write_text(c_calls.program(precision))
+    source.write_text(c_calls.program(precision, tier))
     run((compiler, *C11, *flags, EXACT, "-I", INCLUDE, source, "-o", binary, "-lm"))
     assert run([binary]) == ""
 
 
 def test_every_function_is_called():
     defined = {name for header in sorted((INCLUDE / "ksl").glob("*.h"))
-               if not re.search("_(fused|accurate|exact|selfcheck)$", header.stem)
+               if not re.search("_(exact|selfcheck)$", header.stem)
                for name in DEFINED.findall(header.read_text(encoding="utf-8"))}
-    text = "".join(map(c_calls.program, PRECISIONS))
+    text = "".join(c_calls.program(p, tier) for p in PRECISIONS for tier in TIER_NAMES)
     called = set(re.findall(r"\b(ksl_\w+)\(", text))
     assert defined and defined <= called, sorted(defined - called)

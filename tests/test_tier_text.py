@@ -1,8 +1,8 @@
 """What the emitted text of each tier computes is identically its operation's truth.
 
 In exact arithmetic rounding errors are zero, so a compensated kernel must reduce to the formula; and
-when each result whose error it computes is off by some h, its own must be off by h² only.  C is read
-here as the few forms it has: `const double a = …, b = …;`, `out->m0 = …;`, `return …;`.
+when each result whose error it computes is off by some h, its own must be off by h² only.  A certified
+bound must be C S, and C count the roundings, but for what covers underflow.  C is read here as the few forms it has: `const double a = …, b = …;`, `out->m0 = …;`, `return …;`.
 """
 
 import random
@@ -14,20 +14,29 @@ import pytest
 import sympy as sp
 
 import coscrew.accurate
+from coscrew_codegen.exact import exact_functions
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.targets.c import c_name, member, returned
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
-from tests.attack import TIERED, exact_functions
+from coscrew_codegen.tiers.table import TIERS
+from tests.attack import TIERED, bounds
 from tests.c_reader import INCLUDE
 
 EXACTLY = {
-    "ksl_sum_error": lambda a, b, s: a + b - s, "ksl_difference_error": lambda a, b, s: a - b - s,
-    "ksl_product_error": lambda a, b, p: a * b - p, "fma": lambda a, b, c: a * b + c,
-    "fmaf": lambda a, b, c: a * b + c,
+    "ksl_product_error": lambda a, b, p: a * b - p,
+    "ksl_product_rest": lambda a, b, p, h: a * b - h,
+    "exactly": Fraction, "fabs": abs, "fabsf": abs,
+    "fma": lambda a, b, c: a * b + c, "fmaf": lambda a, b, c: a * b + c,
 }
+# Results that have their error computed: p of product_error(…, p) and product_rest(…, p, h), and
+# sums of which a summand's share is taken.
+COMPENSATED = re.compile(r"_error\([^()]*, (\w+)\)|_rest\([^()]*, (\w+), \w+\)|(\w+)_right =")
+ERROR = re.compile(r"\w+_(error|rest|lo\d?) = ")
 TEXT = {tier: "".join(path.read_text() for path in INCLUDE.glob(f"*_{tier}.h"))
-        for tier in ("fused", "accurate")}
+        for tier in ("fused", "accurate", "certified")}
+
+TAU = sp.Symbol("tau", positive=True)  # what is added for underflow
 
 operations = pytest.mark.parametrize("operation", TIERED, ids=lambda op: op.name)
 precisions = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
@@ -47,11 +56,16 @@ def names(argument: Argument) -> list[str]:
 
 
 def identifier(text: str) -> str:
-    """D->m03, M->at[1][2], dc[0] as identifiers; casts and the f of literals removed."""
+    """D->m03, M->at[1][2], dc[0] as identifiers; casts removed, literals exact."""
     text = re.sub(r"\((double|float)\)", "", text)
-    text = re.sub(r"(?<!\w)(\d+\.\d+)f", r"\1", text)
+    text = re.sub(r"(?<![\w.])(\d+\.\d*(?:e[-+]?\d+)?|\d+e[-+]?\d+)f?\b", r"exactly(\1)", text)
     text = re.sub(r"(\w+)->(\w+)", r"\1__\2", text)
     return re.sub(r"(?<=\w)\[(\d)\](?:\[(\d)\])?", r"_\1\2", text)
+
+
+def made(operation: Operation, tier: str) -> Operation:
+    """The operation as the tier has it: a certified one has bounds among its outputs."""
+    return next(t for t in TIERS if t.name == tier).operation(operation)
 
 
 def evaluated(text: str, operation: Operation, inputs: Sequence[object],
@@ -63,7 +77,7 @@ def evaluated(text: str, operation: Operation, inputs: Sequence[object],
     components = iter(inputs)
     for argument in operation.inputs:
         memory |= {name: next(components) for name in names(argument)}
-    compensated = set(re.findall(r"_error\([^()]*, (\w+)\)", text))
+    compensated = {name for names in COMPENSATED.findall(text) for name in names if name}
     result = None
     for statement in filter(None, (part.strip() for part in text.split(";"))):
         statement = identifier(re.sub(r"\s+", " ", statement))
@@ -71,20 +85,63 @@ def evaluated(text: str, operation: Operation, inputs: Sequence[object],
             result = eval(statement.removeprefix("return "), memory)
             continue
         for assignment in re.split(r", (?=\w+ = )", re.sub(r"^const (double|float) ", "", statement)):
-            exec(assignment, memory)
+            exec(assignment.lstrip("*"), memory)
             name = assignment.split(" ")[0]
             if name in compensated:
                 memory[name] += errors()
-            if largest_error and re.match(r"\w+ = ksl", assignment):
+            if largest_error and ERROR.match(assignment):
                 if abs(memory[name]) > largest_error:
                     return None
-    if returned(operation):
-        return (result,)
-    return tuple(memory[name] for argument in operation.outputs for name in names(argument))
+    value = returned(operation)
+    return tuple(result if argument == value else memory[name]
+                 for argument in operation.outputs for name in names(argument))
 
 
 def is_truth(found: tuple[sp.Expr, ...], operation: Operation) -> bool:
     return all(sp.expand(x - y) == 0 for x, y in zip(found, operation.truth(), strict=True))
+
+
+class Size:
+    """A sum of absolute values: what arithmetic makes of it when no sign counts."""
+
+    def __init__(self, value: sp.Expr):
+        self.value = value
+
+    def __add__(self, other: "Size | Fraction") -> "Size":
+        return Size(self.value + (other.value if isinstance(other, Size) else TAU))
+
+    def __mul__(self, other: "Size") -> "Size":
+        return Size(self.value * other.value)
+
+    def __rmul__(self, constant: Fraction) -> "Size":
+        return Size(sp.Rational(constant) * self.value)
+
+    def __abs__(self) -> "Size":
+        return self
+
+    __sub__, __neg__ = __add__, __abs__
+
+
+@precisions
+@operations
+def test_a_certified_bound_is_a_multiple_of_the_terms(operation: Operation, precision: Precision):
+    """C S for τ = 0; C / u is plain's c1 and the last rounding, and hardly more.  Where products are
+    summed, something is left for all inputs 0."""
+    u = sp.Rational(1, {"double": 2**53, "single": 2**24}[precision.name])
+    symbols = [symbol for a in operation.inputs for symbol in a.symbols]
+    found = evaluated(body(operation, precision, "certified"), made(operation, "certified"),
+                      list(map(Size, symbols)))
+    plain_bounds = bounds(operation, precision, "plain")
+    for bound, (_, terms), plain in zip(found[len(found) // 2:], exact_functions(operation),
+                                        plain_bounds, strict=True):
+        S = sp.expand(terms(*symbols))
+        if not plain.rounded:
+            assert bound == 0
+            continue
+        C = sp.cancel(sp.expand(bound.value.subs(TAU, 0)) / S)
+        roundings = sp.Rational(plain.c1.numerator, plain.c1.denominator) + 1
+        assert C.is_Rational and roundings * u < C < roundings * u * (1 + 16 * u)
+        assert bound.value.has(TAU) or all(len(m) == 1 for m in plain.terms)
 
 
 @tiers
@@ -92,7 +149,8 @@ def is_truth(found: tuple[sp.Expr, ...], operation: Operation) -> bool:
 @operations
 def test_c_is_its_truth(operation: Operation, precision: Precision, tier: str):
     symbols = [symbol for a in operation.inputs for symbol in a.symbols]
-    assert is_truth(evaluated(body(operation, precision, tier), operation, symbols), operation)
+    found = evaluated(body(operation, precision, tier), made(operation, tier), symbols)
+    assert is_truth(found[:len(operation.truth())], operation)
 
 
 def first_order_error(text: str, operation: Operation) -> bool:
@@ -106,7 +164,19 @@ def first_order_error(text: str, operation: Operation) -> bool:
                for x, (exact, _) in zip(found, exact_functions(operation), strict=True))
 
 
-@tiers
+@operations
+def test_a_flipped_sign_in_a_bound_is_noticed(operation: Operation):
+    """Any of them changes a result or a bound for positive inputs."""
+    text, numbers = body(operation, PRECISIONS[0], "certified"), random.Random(operation.name)
+    inputs = [Fraction(numbers.randrange(1, 1000), 8)
+              for a in operation.inputs for _ in range(a.quantity.size)]
+    right = evaluated(text, made(operation, "certified"), inputs)
+    for sign in re.finditer(r"(?<= )[+-](?= )", text):
+        flipped = text[:sign.start()] + {"+": "-", "-": "+"}[sign[0]] + text[sign.end():]
+        assert evaluated(flipped, made(operation, "certified"), inputs) != right, flipped
+
+
+@pytest.mark.parametrize("tier", ("fused", "accurate"))
 @operations
 def test_a_flipped_sign_is_noticed(operation: Operation, tier: str):
     text = body(operation, PRECISIONS[0], tier)
@@ -121,7 +191,7 @@ def test_a_flipped_sign_is_noticed(operation: Operation, tier: str):
 def test_python_is_its_truth(operation: Operation, precision: Precision,
                              monkeypatch: pytest.MonkeyPatch):
     kernel: Callable = getattr(getattr(coscrew.accurate, precision.name), operation.name).__wrapped__
-    for name in ("sum_error", "difference_error", "product_error"):
+    for name in ("product_error", "product_rest"):
         if name in kernel.__globals__:
             monkeypatch.setitem(kernel.__globals__, name, EXACTLY[f"ksl_{name}"])
     found = kernel(*(a.symbols if a.quantity.shape else a.value for a in operation.inputs))

@@ -8,13 +8,15 @@ from functools import partial
 
 import sympy as sp
 
-from coscrew_codegen.algebra import (I3, O3, ang, blocks, compose, displacement, inverse, lin,
+from coscrew_codegen.algebra import (I3, O3, ang, blocks, compose, displacement, lin,
                                      rotation, skew, stack, translation)
+from coscrew_codegen.operations import special
 from coscrew_codegen.operations.norm import Let, prefixed, unnamed
 from coscrew_codegen.operations.operation import Operation
-from coscrew_codegen.operations.quaternion import ANGLE, UNIT_AXIS, axis_angle
+from coscrew_codegen.operations.quaternion import ANGLE, UNIT_AXIS, axis_and_angle, axis_angle
 from coscrew_codegen.operations.rotation import quaternion_of, rodrigues, rotation_vector, upper
-from coscrew_codegen.operations.series import Angle, b, g
+from coscrew_codegen.operations.series import Angle
+from coscrew_codegen.operations.special import b, g, vector
 from coscrew_codegen.quantity import MAT3X3, MAT6X6, SCALAR, SCREW, SE3, VEC3, Argument
 
 FAMILY = "exponential"
@@ -49,6 +51,10 @@ def _bound_exp(let: Let, v: sp.Matrix) -> sp.Matrix:
 
 def _log(let: Let, R: sp.Matrix) -> tuple[sp.Matrix, Angle]:
     return rotation_vector(let, upper(let, quaternion_of(let, R)))
+
+
+def _log_of(R: sp.Matrix) -> sp.Matrix:
+    return vector(special.quaternion_log, 3, *vector(special.quaternion_of, 4, *R))
 
 
 def _jacobian(sign: int, v: sp.Matrix) -> sp.Matrix:
@@ -89,7 +95,8 @@ _ROTATIONS = (
     _op("SO3_exp", "R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|", (_v,), (_R,),
         _exp, _bound_exp, (("R", 5),)),
     _op("SO3_log", "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as "
-        "much as R", (_R,), (_vo,), lambda R: _log(unnamed, R)[0], lambda let, R: _log(let, R)[0],
+        "much as R", (_R,), (_vo,), _log_of,
+        lambda let, R: _log(let, R)[0],
         (("vo", 4),)),
     *(_op(f"SO3_{side}Jacobian", f"R = J_{side[0]}(v) = I {'+-'[sign < 0]} (1 - cos θ)/θ^2 v~ + "
           "(θ - sin θ)/θ^3 v~^2, θ = |v|", (_v,), (_R,), partial(_jacobian, sign),
@@ -103,7 +110,7 @@ _ROTATIONS = (
         (_axis, _angle), (_R,), lambda a, t: _matrix(a, sp.sin(t), 1 - sp.cos(t)), _bound_turn,
         (("R", 5),)),
     _op("axis_angle_from_mat3x3", f"angle and axis of the rotation R; {ANGLE}", (_R,),
-        (_angle, _axis), lambda R: axis_angle(unnamed, quaternion_of(unnamed, R)),
+        (_angle, _axis), lambda R: axis_and_angle(_log_of(R)),
         lambda let, R: axis_angle(let, quaternion_of(let, R)), (("angle", 4), ("axis", 4))),
     _op("mat3x3_orthonormalize", f"self = {_NEWTON}", (_self,), (_self,),
         lambda R: _newton(unnamed, R), _newton),
@@ -128,8 +135,8 @@ def _bound_move(let: Let, s: sp.Matrix) -> sp.Matrix:
 
 
 def _screw_of(D: sp.Matrix) -> sp.Matrix:
-    w, angle = _log(unnamed, rotation(D))
-    return stack(_matrix(w, -sp.Rational(1, 2), b(angle.square)) * translation(D), w)
+    w = _log_of(rotation(D))
+    return stack(_jacobian_inverse(1, w) * translation(D), w)
 
 
 def _bound_screw_of(let: Let, D: sp.Matrix) -> sp.Matrix:
@@ -186,7 +193,7 @@ def _orders(w: sp.Matrix) -> tuple[sp.Expr, ...]:
 
 
 def _interpolated(D1: sp.Matrix, D2: sp.Matrix, k: sp.Expr) -> sp.Matrix:
-    return compose(D1, _move(k * _screw_of(compose(inverse(D1), D2))))
+    return sp.Matrix(3, 4, lambda i, j: special.interpolated(i, j, *D1, *D2, k))
 
 
 def _bound_interpolated(let: Let, D1: sp.Matrix, D2: sp.Matrix, k: sp.Expr) -> sp.Matrix:

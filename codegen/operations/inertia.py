@@ -10,8 +10,9 @@ from coscrew_codegen.algebra import (I3, ang, blocks, lin, rotation, skew, stack
 from coscrew_codegen.operations.linear import linear_space
 from coscrew_codegen.operations.norm import Let, unnamed
 from coscrew_codegen.operations.operation import Operation
-from coscrew_codegen.operations.symmetric import (bound_smallest_pivot, factored, lower_triangle,
-                                                  smallest_pivot)
+from coscrew_codegen.operations.special import smallest_pivot
+from coscrew_codegen.operations.symmetric import (bound_smallest_pivot, factored,
+                                                  lower_triangle)
 from coscrew_codegen.quantity import (COSCREW, INERTIA, MAT3X3, MAT6X6, SCALAR, SCREW, SE3, VEC3,
                                       Argument)
 

@@ -6,6 +6,7 @@ Those of norm 1 are rotations, q and -q the same one.
 import sympy as sp
 
 
+from coscrew_codegen.operations import special
 from coscrew_codegen.operations.linear import linear_space
 from coscrew_codegen.operations.norm import (Let, divided, l2, nonzero, prefixed, safe_norm,
                                              safe_normalized, unnamed)
@@ -13,6 +14,7 @@ from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.operations.rotation import (conjugate, half_angle, quaternion_of,
                                                  quaternion_product, rodrigues, rotation_vector,
                                                  upper, versor)
+from coscrew_codegen.operations.special import vector
 from coscrew_codegen.quantity import MAT3X3, QUATERNION, SCALAR, VEC3, Argument
 
 FAMILY = "quaternion"
@@ -101,6 +103,18 @@ def axis_angle(let: Let, q: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
     return 2 * half, sp.Matrix([sp.Piecewise((1, sp.Eq(n, 0)), (x, True)), y, z])
 
 
+def axis_and_angle(v: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
+    """|v|, v / |v| of a rotation vector; 0, (1, 0, 0) of zero."""
+    angle, still = l2(v), sp.Eq(l2(v), 0)
+    return angle, sp.Matrix([sp.Piecewise((int(i == 0), still), (x / angle, True))
+                             for i, x in enumerate(v)])
+
+
+def _exp(v: sp.Matrix) -> sp.Matrix:
+    x = v.dot(v) / 4
+    return sp.Matrix([special.g(0, x), *(special.g(1, x) * v / 2)])
+
+
 def _log(let: Let, q: sp.Matrix) -> sp.Matrix:
     return rotation_vector(let, upper(let, q))[0]
 
@@ -117,21 +131,23 @@ _CONVERSIONS = (
         "neither over- nor underflows", (_q,), (_R,), lambda q: _matrix_of(unnamed, q), _matrix_of,
         (("R", 5),)),
     _op("quaternion_from_mat3x3", "qo with R(qo) = R and w >= 0; of an R that is not quite a "
-        "rotation, off by as much as R", (_R,), (_qo,), lambda R: _of_matrix(unnamed, R),
+        "rotation, off by as much as R", (_R,), (_qo,), lambda R: vector(special.quaternion_of, 4, *R),
         _of_matrix, (("qo", 5),)),
     _op("quaternion_from_axis_angle", f"qo = (cos angle/2; axis sin angle/2); {UNIT_AXIS}",
         (_axis, _angle), (_qo,), lambda a, angle: _of_axis_angle(unnamed, a, angle),
         _of_axis_angle, (("qo", 3),)),
     _op("axis_angle_from_quaternion", f"angle = 2 atan2(|v|, |w|), axis = ±v / |v|; {ANGLE}; any "
         "multiple of a quaternion", (_q,), (_angle, _axis),
-        lambda q: axis_angle(unnamed, q), axis_angle, (("angle", 4), ("axis", 4))),
+        lambda q: axis_and_angle(vector(special.quaternion_log, 3, *q)), axis_angle, (("angle", 4), ("axis", 4))),
     _op("quaternion_exp", "qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the "
-        "rotation vector v", (_v,), (_qo,), lambda v: versor(unnamed, v / 2),
+        "rotation vector v", (_v,), (_qo,), _exp,
         lambda let, v: versor(let, let("h", v / 2)), (("qo", 4),)),
     _op("quaternion_log", "vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or "
-        "of any multiple of it", (_q,), (_vo,), lambda q: _log(unnamed, q), _log, (("vo", 4),)),
+        "of any multiple of it", (_q,), (_vo,), 
+        lambda q: vector(special.quaternion_log, 3, *q), _log, (("vo", 4),)),
     _op("quaternion_slerp", "qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; "
-        "|q1| = |q2| = 1", (_q1, _q2, _k), (_qo,), lambda p, q, k: _slerp(unnamed, p, q, k),
+        "|q1| = |q2| = 1", (_q1, _q2, _k), (_qo,), 
+        lambda p, q, k: vector(special.slerp, 4, *p, *q, k),
         _slerp, (("qo", 8),)),
 )
 

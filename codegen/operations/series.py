@@ -17,18 +17,6 @@ _NEAR = sp.Integer(4)  # θ² where the series end
 _TAYLOR_TERMS, _BERNOULLI_TERMS = 13, 17  # what is left out is below u / 4 there, in double
 
 
-class g(sp.Function):
-    """g(k, θ²), as formulas write it."""
-
-    nargs = 2
-
-
-class b(sp.Function):
-    """b(θ²), as formulas write it; singular at θ = 2π."""
-
-    nargs = 1
-
-
 @dataclass(frozen=True)
 class Angle:
     """θ, θ², and where θ > 2 what the closed forms need of it; smaller, they are any numbers."""

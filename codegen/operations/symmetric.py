@@ -10,22 +10,11 @@ import sympy as sp
 
 from coscrew_codegen.operations.norm import Let, prefixed, unnamed
 from coscrew_codegen.operations.operation import PIVOT_THRESHOLD, Operation
+from coscrew_codegen.operations.special import factor, smallest_pivot, solution, vector
 from coscrew_codegen.quantity import (COSCREW, MAT3X3, MAT6X6, SCALAR, SCREW, VEC3, Argument,
                                       Quantity)
 
 FAMILY = "symmetric"
-
-
-class smallest_pivot(sp.Function):
-    """smallest_pivot(a00, a10, a11, a20, …): of the lower triangle's L D L^T, min d_i / a_ii."""
-
-
-class factor(sp.Function):
-    """factor(i, j, a00, a10, a11, …): entry of L, on the diagonal of D."""
-
-
-class solution(sp.Function):
-    """solution(i, b0, b1, …, a00, a10, a11, …): component i of A^-1 b."""
 
 
 def lower_triangle(A: sp.Matrix) -> list[sp.Expr]:
@@ -107,7 +96,7 @@ def _operations(matrix: Quantity, right: Quantity, left: Quantity) -> tuple[Oper
 
     def solved(A, b):
         triangle = lower_triangle(A)
-        return smallest_pivot(*triangle), sp.Matrix([solution(i, *b, *triangle) for i in range(n)])
+        return smallest_pivot(*triangle), vector(solution, n, *b, *triangle)
 
     def by_factor(let, L, b):
         unit = sp.Matrix(n, n, lambda i, j: 1 if i == j else L[i, j] if j < i else 0)

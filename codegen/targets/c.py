@@ -28,8 +28,9 @@ _MEMBERS = {
 _SPELLING = {
     Op.ADD: "{} + {}", Op.SUB: "{} - {}", Op.MUL: "{} * {}", Op.DIV: "{} / {}", Op.NEG: "-{}",
     Op.FMA: "fma{f}({}, {}, {})", Op.FMS: "fma{f}({}, {}, -{})", Op.FNMA: "fma{f}(-{}, {}, {})",
-    Op.SUM_ERROR: "ksl_sum_error({}, {}, {})", Op.PRODUCT_ERROR: "ksl_product_error({}, {}, {})",
-    Op.DIFFERENCE_ERROR: "ksl_difference_error({}, {}, {})",
+    Op.EXACT_ADD: "{} + {}", Op.EXACT_SUB: "{} - {}",
+    Op.PRODUCT_ERROR: "ksl_product_error({}, {}, {})",
+    Op.PRODUCT_REST: "ksl_product_rest({}, {}, {}, {})",
     Op.ABS: "fabs{f}({})", Op.SQRT: "sqrt{f}({})", Op.SIN: "sin{f}({})", Op.COS: "cos{f}({})",
     Op.ATAN2: "atan2{f}({}, {})", Op.SCALE: "{} * {}",
     Op.LESS: "{} < {}", Op.EQUAL: "{} == {}", Op.SELECT: "{} ? {} : {}",
@@ -93,6 +94,13 @@ def parameters(operation: Operation) -> tuple[Argument, ...]:
     return tuple(arguments[name] for name in names)
 
 
+def is_pointer(operation: Operation, argument: Argument) -> bool:
+    """Whether C passes the argument's address: structs, and numbers that are written."""
+    if argument.quantity.name in STRUCTS:
+        return not operation.by_value
+    return not argument.quantity.shape and argument in operation.outputs
+
+
 def function(operation: Operation, program: Program, precision: Precision,
              tier: str = "") -> CFunction:
     """The operation as a C function, `_tier` behind its name."""
@@ -146,11 +154,10 @@ class _Writer:
     def _parameter(self, argument: Argument) -> str:
         kind = c_type(argument.quantity, self.precision)
         const = "" if argument.name in self.written else "const "
-        if argument.quantity.name in STRUCTS:
-            star = "" if self.operation.by_value else "*"
-            return f"{const}{kind} {star}{argument.name}"
-        size = f"[{argument.quantity.size}]" if argument.quantity.shape else ""
-        return f"{const}{kind} {argument.name}{size}"
+        star = "*" if is_pointer(self.operation, argument) else ""
+        array = argument.quantity.shape and argument.quantity.name not in STRUCTS
+        size = f"[{argument.quantity.size}]" if array else ""
+        return f"{const}{kind} {star}{argument.name}{size}"
 
     def _body(self) -> list[str]:
         lines = [f"(void){a.name};" for n, a in enumerate(self.program.inputs)
@@ -189,13 +196,17 @@ class _Writer:
 
     def _access(self, argument: Argument, index: int) -> str:
         path = member(argument.quantity, index)
-        pointed = argument.quantity.name in STRUCTS and not self.operation.by_value
-        return argument.name + (path.replace(".", "->", 1) if pointed else path)
+        if not is_pointer(self.operation, argument):
+            return argument.name + path
+        return argument.name + path.replace(".", "->", 1) if path else f"*{argument.name}"
 
     def _stores(self) -> list[str]:
         results = [self._result(x) for x in self.program.results]
         targets = [self._access(a, i) for a in self.operation.outputs
                    for i in range(a.quantity.size)]
+        if self.value and not self.value.quantity.shape:
+            return [*(f"{t} = {r};" for t, r in zip(targets[1:], results[1:], strict=True)),
+                    f"return {results[0]};"]
         pairs = list(zip(targets, results, strict=True))
         last = []
         if self.value and not self.value.quantity.shape:

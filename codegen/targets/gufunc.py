@@ -8,7 +8,8 @@ from dataclasses import dataclass
 
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.quantity import Argument, Quantity
-from coscrew_codegen.targets.c import STRUCTS, c_name, c_type, member, parameters, returned
+from coscrew_codegen.targets.c import (STRUCTS, c_name, c_type, is_pointer, member, parameters,
+                                       returned)
 from coscrew_codegen.targets.precision import Precision
 
 
@@ -59,13 +60,14 @@ class Access:
     places: tuple[tuple[str, str], ...]  # (member, byte offset)
 
 
-def gufunc(operation: Operation, precisions: tuple[Precision, ...], docstring: str) -> Gufunc:
-    """The operation as a gufunc with one loop per precision."""
+def gufunc(operation: Operation, precisions: tuple[Precision, ...], docstring: str,
+           tier: str = "") -> Gufunc:
+    """The operation as a gufunc with one loop per precision; it calls a tier's kernel."""
     lines = docstring.replace("\\", "\\\\").replace('"', '\\"').splitlines()
     literal = "\n".join(f'    "{line}\\n"' for line in lines)
     return Gufunc(operation.name, operation.signature, len(operation.inputs),
                   len(operation.outputs), literal,
-                  tuple(_loop(operation, precision) for precision in precisions))
+                  tuple(_loop(operation, precision, tier) for precision in precisions))
 
 
 def access(quantity: Quantity, precision: Precision) -> Access:
@@ -81,7 +83,7 @@ def access(quantity: Quantity, precision: Precision) -> Access:
                   tuple(places))
 
 
-def _loop(operation: Operation, precision: Precision) -> Loop:
+def _loop(operation: Operation, precision: Precision, tier: str) -> Loop:
     arguments = (*operation.inputs, *operation.outputs)
     ranks = [len(a.quantity.shape) for a in arguments]
     starts = [sum(ranks[:n]) for n in range(len(ranks))]
@@ -103,19 +105,20 @@ def _loop(operation: Operation, precision: Precision) -> Loop:
                          *moving("load", range(1))) if fixed else None,
         declarations=tuple(_declared(a, precision) for a in distinct[fixed:]),
         loads=moving("load", range(int(fixed), inputs)),
-        call=_call(operation, precision),
+        call=_call(operation, precision, tier),
         stores=moving("store", range(inputs, len(arguments))),
         dense=tuple(_dense(arguments, precision, n) for n in range(1 + fixed)),
         core=len(arguments),
     )
 
 
-def _call(operation: Operation, precision: Precision) -> str:
-    passed = ", ".join(a.name if operation.by_value or not a.quantity.name in STRUCTS
-                       else f"&{a.name}" for a in parameters(operation))
+def _call(operation: Operation, precision: Precision, tier: str) -> str:
+    passed = ", ".join(f"&{a.name}" if is_pointer(operation, a) else a.name
+                       for a in parameters(operation))
     value = returned(operation)
     result = f"{value.name} = " if value else ""
-    return f"{result}{c_name(operation.name, precision)}({passed});"
+    name = c_name(operation.name, precision) + (f"_{tier}" if tier else "")
+    return f"{result}{name}({passed});"
 
 
 def _declared(argument: Argument, precision: Precision) -> str:

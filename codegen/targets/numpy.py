@@ -19,8 +19,9 @@ from coscrew_codegen.targets.precision import DOUBLE, Precision
 # spelling, and how tightly it binds
 _SPELLING = {
     Op.ADD: ("{} + {}", 1), Op.SUB: ("{} - {}", 1), Op.MUL: ("{} * {}", 2), Op.DIV: ("{} / {}", 2),
-    Op.SUM_ERROR: ("sum_error({}, {}, {})", 4), Op.PRODUCT_ERROR: ("product_error({}, {}, {})", 4),
-    Op.DIFFERENCE_ERROR: ("difference_error({}, {}, {})", 4), Op.NEG: ("-{}", 3),
+    Op.EXACT_ADD: ("{} + {}", 1), Op.EXACT_SUB: ("{} - {}", 1), Op.NEG: ("-{}", 3),
+    Op.PRODUCT_ERROR: ("product_error({}, {}, {})", 4),
+    Op.PRODUCT_REST: ("product_rest({}, {}, {}, {})", 4),
     Op.ABS: ("absolute({})", 4), Op.SQRT: ("sqrt({})", 4),
     Op.SIN: ("sin({})", 4), Op.COS: ("cos({})", 4), Op.ATAN2: ("arctan2({}, {})", 4),
     Op.SCALE: ("{} * {}", 2), Op.LESS: ("{} < {}", 0), Op.EQUAL: ("{} == {}", 0),
@@ -30,8 +31,7 @@ _CALLS = 4
 
 _NUMPY = {Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SIN: "sin", Op.COS: "cos", Op.ATAN2: "arctan2",
           Op.SELECT: "where"}
-_EXACT = {Op.SUM_ERROR: "sum_error", Op.DIFFERENCE_ERROR: "difference_error",
-          Op.PRODUCT_ERROR: "product_error"}
+_EXACT = {Op.PRODUCT_ERROR: "product_error", Op.PRODUCT_REST: "product_rest"}
 
 
 @dataclass(frozen=True)
@@ -169,7 +169,7 @@ class _Writer:
         if _is_choice_of_constants(step):
             return self._choice_of_constants(step), _CALLS
         spelling, binding = _SPELLING[step.op]
-        needed = [0] * 3 if binding == _CALLS else [binding, binding + 1]
+        needed = [0] * 4 if binding == _CALLS else [binding, binding + 1]
         operands = [self._operand(x, n) for x, n in zip(step.operands, needed, strict=False)]
         return spelling.format(*operands), binding
 

@@ -3,27 +3,38 @@
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 
 import numpy as np
 
+from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import Constant, Op, Operand, Program
 from coscrew_codegen.tiers.accurate import COMPENSATED, accurate
+from coscrew_codegen.tiers.certified import DOUBLE, SINGLE, certified, certified_operation
 from coscrew_codegen.tiers.fused import fused
 
-_POLYNOMIAL = {Op.ADD, Op.SUB, Op.MUL, Op.NEG}
+_POLYNOMIAL = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG})
 _UNROUNDED = {Op.NEG, Op.ABS, Op.SELECT, Op.LESS, Op.EQUAL, Op.SCALE}
 
 
 @dataclass(frozen=True)
 class Tier:
-    """A tier behind plain: its name, its words, and what it does in each precision."""
+    """A tier behind plain: its name, its words, what it does in each precision, and what becomes of
+    the operation's arguments."""
 
     name: str
     title: str
     header: str  # what its C functions need
-    operations: frozenset[Op]  # what a program may hold
     double: Callable[[Program], Program]
     single: Callable[[Program], Program]
+    operation: Callable[[Operation], Operation] = lambda plain: plain
+    in_words: str = ""  # of the Python package; none where there is no such package
+    operations: frozenset[Op] = _POLYNOMIAL  # what a program may hold
+
+    @property
+    def in_python(self) -> bool:
+        """Whether Python has the tier."""
+        return bool(self.in_words)
 
     def has(self, program: Program) -> bool:
         """Whether the tier makes anything else of a plain program than it is."""
@@ -62,8 +73,16 @@ def has_tiers(program: Program) -> bool:
     return ops <= _POLYNOMIAL and bool(ops - {Op.NEG})
 
 
-FUSED = Tier("fused", "Fused tier: products fused into sums.", "ksl_types",
-             frozenset(_POLYNOMIAL), fused, fused)
+FUSED = Tier("fused", "Fused tier: products fused into sums.", "ksl_types", fused, fused)
 ACCURATE = Tier("accurate", "Accurate tier: double compensated, single computed in double.",
-                "ksl_exact", frozenset(COMPENSATED), accurate, widened)
-TIERS = (FUSED, ACCURATE)
+                "ksl_exact", accurate, widened, in_words="""\
+The accurate tier: float64 compensated, intermediate results carried as hi + lo; float32 computed in
+float64 and rounded once.  The same bits as the C kernels while nothing over- or underflows.""",
+                operations=COMPENSATED)
+CERTIFIED = Tier("certified", "Certified tier: plain results, and bounds of their errors that hold.",
+                 "ksl_types", partial(certified, number=DOUBLE), partial(certified, number=SINGLE),
+                 certified_operation, """\
+The certified tier: every operation returns the plain result, bit for bit, and a bound of each
+component's error, whatever the numbers are, under- and overflow included: (result, bound).  Where the
+bound is infinite or NaN, something overflowed, and it says nothing.""")
+TIERS = (FUSED, ACCURATE, CERTIFIED)

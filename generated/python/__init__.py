@@ -7,34 +7,12 @@ in float32 and compute anything else in float64.  Displacements are (…,3,4) ar
 names run in pure NumPy; `coscrew.double` and `coscrew.single` always do.  Error bounds are to
 first order in u: 2^-53 in float64, 2^-24 in float32.
 """
-import importlib
-import warnings
 from pathlib import Path
 
 from coscrew import c, double, single
+from coscrew._provenance import is_compiled
 
-_PROVENANCE = "e5e6aadba49a94a9"
-
-
-def _is_compiled() -> bool:
-    """Whether the extension is there and was built from these very kernels."""
-    try:
-        extension = importlib.import_module("coscrew._gufunc")
-    except ModuleNotFoundError:
-        return False
-    except ImportError as error:
-        reason = f"it cannot be loaded ({error})"
-    else:
-        if getattr(extension, "PROVENANCE", None) == _PROVENANCE:
-            return True
-        reason = "it was built from other kernels than these"
-    warnings.warn(f"coscrew runs in pure NumPy and not in its compiled extension: {reason}; "
-                  "reinstall coscrew or, in its source tree, run `make`", RuntimeWarning,
-                  stacklevel=3)
-    return False
-
-
-COMPILED: bool = _is_compiled()
+COMPILED: bool = is_compiled("coscrew._gufunc", "21d5a2197fa85c73")
 
 if COMPILED:
     from coscrew._gufunc import (

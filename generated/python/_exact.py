@@ -8,18 +8,6 @@ magnitude is above 2^-969.
 _SPLITTER = 134217729.0  # 2^27 + 1
 
 
-def sum_error(a, b, s):
-    """a + b - s exactly, s the rounded sum.  Source: Knuth, TwoSum."""
-    t = s - a
-    return (a - (s - t)) + (b - t)
-
-
-def difference_error(a, b, s):
-    """a - b - s exactly, s the rounded difference."""
-    t = s - a
-    return (a - (s - t)) - (b + t)
-
-
 def _halves(a):
     """a = high + low, each of at most 26 bits.  Source: Veltkamp."""
     c = _SPLITTER * a
@@ -32,3 +20,8 @@ def product_error(a, b, p):
     a_high, a_low = _halves(a)
     b_high, b_low = _halves(b)
     return ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low
+
+
+def product_rest(a, b, p, h):
+    """a b - h rounded once, where p is a b rounded and p - h is exact."""
+    return (p - h) + product_error(a, b, p)

@@ -2,6 +2,7 @@
    operation,precision,tier,minimum,median in ns per element. */
 #include <ksl/ksl.h>
 #include <ksl/ksl_accurate.h>
+#include <ksl/ksl_certified.h>
 #include <ksl/ksl_fused.h>
 
 #include <stdio.h>
@@ -40,13 +41,15 @@ static double samples[ROUNDS];
         const ksl_screw##f##_t s = {{{S[0][i], S[1][i], S[2][i], S[3][i], S[4][i], S[5][i]}}};   \
         const ksl_coscrew##f##_t c = {{{C[0][i], C[1][i], C[2][i], C[3][i], C[4][i], C[5][i]}}}; \
         ksl_coscrew##f##_t o = {{{0, 0, 0, 0, 0, 0}}};                                      \
+        ksl_coscrew##f##_t b = {{{0, 0, 0, 0, 0, 0}}};                                      \
         (void)s;                                                                            \
+        (void)b;                                                                            \
         statement;                                                                          \
         for (int k = 0; k < PLANES; k++) {                                                  \
           O[k][i] = o.at[k];                                                                \
         }                                                                                   \
       }                                                                                     \
-      __asm__ volatile("" ::"r"(O), "r"(S), "r"(C) : "memory");                             \
+      __asm__ volatile("" ::"r"(O), "r"(B), "r"(S), "r"(C) : "memory");                             \
       samples[round] = (double)(now_ns() - start) / COUNT;                                  \
     }                                                                                       \
     qsort(samples, ROUNDS, sizeof samples[0], ascending);                                   \
@@ -54,10 +57,13 @@ static double samples[ROUNDS];
         samples[ROUNDS / 2]);                                                               \
   } while (0)
 
+/* A certified kernel's bounds are scattered, too. */
+#define BOUNDS for (int k = 0; k < PLANES; k++) { B[k][i] = b.at[k]; }
+
 #define ALL(real, f, precision)                                                          \
   static void time_##precision(void) {                                                   \
     static real S[PLANES][COUNT + PADDING], C[PLANES][COUNT + PADDING];                  \
-    static real O[PLANES][COUNT + PADDING];                                              \
+    static real O[PLANES][COUNT + PADDING], B[PLANES][COUNT + PADDING];                  \
     for (int k = 0; k < PLANES; k++) {                                                   \
       for (int i = 0; i < COUNT; i++) {                                                  \
         S[k][i] = (real)(rand() % 2001 - 1000) / (real)100;                              \
@@ -74,15 +80,20 @@ static double samples[ROUNDS];
 #define COADC(real, f, precision)                                                        \
   TIME("product_CoAdc", f, #precision, "plain", ksl_product_CoAdc##f(&D, &c, &o));       \
   TIME("product_CoAdc", f, #precision, "fused", ksl_product_CoAdc##f##_fused(&D, &c, &o)); \
-  TIME("product_CoAdc", f, #precision, "accurate", ksl_product_CoAdc##f##_accurate(&D, &c, &o))
+  TIME("product_CoAdc", f, #precision, "accurate", ksl_product_CoAdc##f##_accurate(&D, &c, &o)); \
+  TIME("product_CoAdc", f, #precision, "certified",                                      \
+      ksl_product_CoAdc##f##_certified(&D, &c, &o, &b); BOUNDS)
 #define CROSS(real, f, precision)                                                        \
   TIME("cross_sc", f, #precision, "plain", ksl_cross_sc##f(&s, &c, &o));                 \
   TIME("cross_sc", f, #precision, "fused", ksl_cross_sc##f##_fused(&s, &c, &o));         \
-  TIME("cross_sc", f, #precision, "accurate", ksl_cross_sc##f##_accurate(&s, &c, &o))
+  TIME("cross_sc", f, #precision, "accurate", ksl_cross_sc##f##_accurate(&s, &c, &o)); \
+  TIME("cross_sc", f, #precision, "certified", ksl_cross_sc##f##_certified(&s, &c, &o, &b); BOUNDS)
 #define POWER(real, f, precision)                                                        \
   TIME("dot_cs", f, #precision, "plain", o.m0 = ksl_dot_cs##f(&c, &s));                  \
   TIME("dot_cs", f, #precision, "fused", o.m0 = ksl_dot_cs##f##_fused(&c, &s));          \
-  TIME("dot_cs", f, #precision, "accurate", o.m0 = ksl_dot_cs##f##_accurate(&c, &s))
+  TIME("dot_cs", f, #precision, "accurate", o.m0 = ksl_dot_cs##f##_accurate(&c, &s)); \
+  TIME("dot_cs", f, #precision, "certified",                                             \
+      o.m0 = ksl_dot_cs##f##_certified(&c, &s, &b.m0); BOUNDS)
 
 ALL(double, , double)
 ALL(float, f, single)

@@ -8,54 +8,54 @@
 
 /* self = self^-1 = [R^T | -R^T t].
    self: displacement [R | t], R rotation, t in m.
-   9 mul, 21 add, 9 product error, 6 sum error, 6 neg.
-   Error <= u |result| + (R: 0, t: 10) u^2 S, S the sum of the |terms| of the expanded formula;
+   9 mul, 33 add, 9 product rest, 6 neg.
+   Error <= u |result| + (R: 0, t: 11) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3_invert_accurate(ksl_SE3_t *self) {
-  const double self_03_new_a = self->m00 * self->m03,
-      self_03_new_a_lo = ksl_product_error(self->m00, self->m03, self_03_new_a),
-      self_03_new_b = self->m10 * self->m13,
-      self_03_new_b_lo = ksl_product_error(self->m10, self->m13, self_03_new_b),
+  const double self_03_new_a = self->m00 * self->m03, self_03_new_b = self->m10 * self->m13,
       self_03_new_c = self_03_new_a + self_03_new_b,
-      self_03_new_c_error = ksl_sum_error(self_03_new_a, self_03_new_b, self_03_new_c),
-      self_03_new_c_lo1 = self_03_new_c_error + self_03_new_a_lo,
-      self_03_new_c_lo = self_03_new_c_lo1 + self_03_new_b_lo,
-      self_03_new_d = self->m20 * self->m23,
-      self_03_new_d_lo = ksl_product_error(self->m20, self->m23, self_03_new_d),
-      self_03_new_e = self_03_new_c + self_03_new_d,
-      self_03_new_e_error = ksl_sum_error(self_03_new_c, self_03_new_d, self_03_new_e),
-      self_03_new_e_lo1 = self_03_new_e_error + self_03_new_c_lo,
-      self_03_new_e_lo = self_03_new_e_lo1 + self_03_new_d_lo, self_03_new = -self_03_new_e,
+      self_03_new_c_right = self_03_new_c - self_03_new_a,
+      self_03_new_c_left = self_03_new_c - self_03_new_c_right,
+      self_03_new_c_left_rest = ksl_product_rest(self->m00, self->m03, self_03_new_a, self_03_new_c_left),
+      self_03_new_c_right_rest = ksl_product_rest(self->m10, self->m13, self_03_new_b, self_03_new_c_right),
+      self_03_new_c_lo = self_03_new_c_left_rest + self_03_new_c_right_rest,
+      self_03_new_d = self->m20 * self->m23, self_03_new_e = self_03_new_c + self_03_new_d,
+      self_03_new_e_right = self_03_new_e - self_03_new_c,
+      self_03_new_e_left = self_03_new_e - self_03_new_e_right,
+      self_03_new_e_left_rest = self_03_new_c - self_03_new_e_left,
+      self_03_new_e_right_rest = ksl_product_rest(self->m20, self->m23, self_03_new_d, self_03_new_e_right),
+      self_03_new_e_lo1 = self_03_new_e_left_rest + self_03_new_e_right_rest,
+      self_03_new_e_lo = self_03_new_e_lo1 + self_03_new_c_lo, self_03_new = -self_03_new_e,
       self_03_new_lo = -self_03_new_e_lo;
-  const double self_13_new_a = self->m01 * self->m03,
-      self_13_new_a_lo = ksl_product_error(self->m01, self->m03, self_13_new_a),
-      self_13_new_b = self->m11 * self->m13,
-      self_13_new_b_lo = ksl_product_error(self->m11, self->m13, self_13_new_b),
+  const double self_13_new_a = self->m01 * self->m03, self_13_new_b = self->m11 * self->m13,
       self_13_new_c = self_13_new_a + self_13_new_b,
-      self_13_new_c_error = ksl_sum_error(self_13_new_a, self_13_new_b, self_13_new_c),
-      self_13_new_c_lo1 = self_13_new_c_error + self_13_new_a_lo,
-      self_13_new_c_lo = self_13_new_c_lo1 + self_13_new_b_lo,
-      self_13_new_d = self->m21 * self->m23,
-      self_13_new_d_lo = ksl_product_error(self->m21, self->m23, self_13_new_d),
-      self_13_new_e = self_13_new_c + self_13_new_d,
-      self_13_new_e_error = ksl_sum_error(self_13_new_c, self_13_new_d, self_13_new_e),
-      self_13_new_e_lo1 = self_13_new_e_error + self_13_new_c_lo,
-      self_13_new_e_lo = self_13_new_e_lo1 + self_13_new_d_lo, self_13_new = -self_13_new_e,
+      self_13_new_c_right = self_13_new_c - self_13_new_a,
+      self_13_new_c_left = self_13_new_c - self_13_new_c_right,
+      self_13_new_c_left_rest = ksl_product_rest(self->m01, self->m03, self_13_new_a, self_13_new_c_left),
+      self_13_new_c_right_rest = ksl_product_rest(self->m11, self->m13, self_13_new_b, self_13_new_c_right),
+      self_13_new_c_lo = self_13_new_c_left_rest + self_13_new_c_right_rest,
+      self_13_new_d = self->m21 * self->m23, self_13_new_e = self_13_new_c + self_13_new_d,
+      self_13_new_e_right = self_13_new_e - self_13_new_c,
+      self_13_new_e_left = self_13_new_e - self_13_new_e_right,
+      self_13_new_e_left_rest = self_13_new_c - self_13_new_e_left,
+      self_13_new_e_right_rest = ksl_product_rest(self->m21, self->m23, self_13_new_d, self_13_new_e_right),
+      self_13_new_e_lo1 = self_13_new_e_left_rest + self_13_new_e_right_rest,
+      self_13_new_e_lo = self_13_new_e_lo1 + self_13_new_c_lo, self_13_new = -self_13_new_e,
       self_13_new_lo = -self_13_new_e_lo;
-  const double self_23_new_a = self->m02 * self->m03,
-      self_23_new_a_lo = ksl_product_error(self->m02, self->m03, self_23_new_a),
-      self_23_new_b = self->m12 * self->m13,
-      self_23_new_b_lo = ksl_product_error(self->m12, self->m13, self_23_new_b),
+  const double self_23_new_a = self->m02 * self->m03, self_23_new_b = self->m12 * self->m13,
       self_23_new_c = self_23_new_a + self_23_new_b,
-      self_23_new_c_error = ksl_sum_error(self_23_new_a, self_23_new_b, self_23_new_c),
-      self_23_new_c_lo1 = self_23_new_c_error + self_23_new_a_lo,
-      self_23_new_c_lo = self_23_new_c_lo1 + self_23_new_b_lo,
-      self_23_new_d = self->m22 * self->m23,
-      self_23_new_d_lo = ksl_product_error(self->m22, self->m23, self_23_new_d),
-      self_23_new_e = self_23_new_c + self_23_new_d,
-      self_23_new_e_error = ksl_sum_error(self_23_new_c, self_23_new_d, self_23_new_e),
-      self_23_new_e_lo1 = self_23_new_e_error + self_23_new_c_lo,
-      self_23_new_e_lo = self_23_new_e_lo1 + self_23_new_d_lo, self_23_new = -self_23_new_e,
+      self_23_new_c_right = self_23_new_c - self_23_new_a,
+      self_23_new_c_left = self_23_new_c - self_23_new_c_right,
+      self_23_new_c_left_rest = ksl_product_rest(self->m02, self->m03, self_23_new_a, self_23_new_c_left),
+      self_23_new_c_right_rest = ksl_product_rest(self->m12, self->m13, self_23_new_b, self_23_new_c_right),
+      self_23_new_c_lo = self_23_new_c_left_rest + self_23_new_c_right_rest,
+      self_23_new_d = self->m22 * self->m23, self_23_new_e = self_23_new_c + self_23_new_d,
+      self_23_new_e_right = self_23_new_e - self_23_new_c,
+      self_23_new_e_left = self_23_new_e - self_23_new_e_right,
+      self_23_new_e_left_rest = self_23_new_c - self_23_new_e_left,
+      self_23_new_e_right_rest = ksl_product_rest(self->m22, self->m23, self_23_new_d, self_23_new_e_right),
+      self_23_new_e_lo1 = self_23_new_e_left_rest + self_23_new_e_right_rest,
+      self_23_new_e_lo = self_23_new_e_lo1 + self_23_new_c_lo, self_23_new = -self_23_new_e,
       self_23_new_lo = -self_23_new_e_lo;
   const double self_03_new_rounded = self_03_new + self_03_new_lo;
   const double self_13_new_rounded = self_13_new + self_13_new_lo;
@@ -79,34 +79,40 @@ static inline void ksl_SE3_invert_accurate(ksl_SE3_t *self) {
 
 /* Do = D^-1 = [R^T | -R^T t].
    D, Do: displacement [R | t], R rotation, t in m.
-   9 mul, 21 add, 9 product error, 6 sum error, 6 neg.
-   Error <= u |result| + (R: 0, t: 10) u^2 S, S the sum of the |terms| of the expanded formula;
+   9 mul, 33 add, 9 product rest, 6 neg.
+   Error <= u |result| + (R: 0, t: 11) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3_inverted_accurate(const ksl_SE3_t *D, ksl_SE3_t *Do) {
-  const double Do_03a = D->m00 * D->m03, Do_03a_lo = ksl_product_error(D->m00, D->m03, Do_03a),
-      Do_03b = D->m10 * D->m13, Do_03b_lo = ksl_product_error(D->m10, D->m13, Do_03b),
-      Do_03c = Do_03a + Do_03b, Do_03c_error = ksl_sum_error(Do_03a, Do_03b, Do_03c),
-      Do_03c_lo1 = Do_03c_error + Do_03a_lo, Do_03c_lo = Do_03c_lo1 + Do_03b_lo,
-      Do_03d = D->m20 * D->m23, Do_03d_lo = ksl_product_error(D->m20, D->m23, Do_03d),
-      Do_03e = Do_03c + Do_03d, Do_03e_error = ksl_sum_error(Do_03c, Do_03d, Do_03e),
-      Do_03e_lo1 = Do_03e_error + Do_03c_lo, Do_03e_lo = Do_03e_lo1 + Do_03d_lo, Do_03 = -Do_03e,
-      Do_03_lo = -Do_03e_lo;
-  const double Do_13a = D->m01 * D->m03, Do_13a_lo = ksl_product_error(D->m01, D->m03, Do_13a),
-      Do_13b = D->m11 * D->m13, Do_13b_lo = ksl_product_error(D->m11, D->m13, Do_13b),
-      Do_13c = Do_13a + Do_13b, Do_13c_error = ksl_sum_error(Do_13a, Do_13b, Do_13c),
-      Do_13c_lo1 = Do_13c_error + Do_13a_lo, Do_13c_lo = Do_13c_lo1 + Do_13b_lo,
-      Do_13d = D->m21 * D->m23, Do_13d_lo = ksl_product_error(D->m21, D->m23, Do_13d),
-      Do_13e = Do_13c + Do_13d, Do_13e_error = ksl_sum_error(Do_13c, Do_13d, Do_13e),
-      Do_13e_lo1 = Do_13e_error + Do_13c_lo, Do_13e_lo = Do_13e_lo1 + Do_13d_lo, Do_13 = -Do_13e,
-      Do_13_lo = -Do_13e_lo;
-  const double Do_23a = D->m02 * D->m03, Do_23a_lo = ksl_product_error(D->m02, D->m03, Do_23a),
-      Do_23b = D->m12 * D->m13, Do_23b_lo = ksl_product_error(D->m12, D->m13, Do_23b),
-      Do_23c = Do_23a + Do_23b, Do_23c_error = ksl_sum_error(Do_23a, Do_23b, Do_23c),
-      Do_23c_lo1 = Do_23c_error + Do_23a_lo, Do_23c_lo = Do_23c_lo1 + Do_23b_lo,
-      Do_23d = D->m22 * D->m23, Do_23d_lo = ksl_product_error(D->m22, D->m23, Do_23d),
-      Do_23e = Do_23c + Do_23d, Do_23e_error = ksl_sum_error(Do_23c, Do_23d, Do_23e),
-      Do_23e_lo1 = Do_23e_error + Do_23c_lo, Do_23e_lo = Do_23e_lo1 + Do_23d_lo, Do_23 = -Do_23e,
-      Do_23_lo = -Do_23e_lo;
+  const double Do_03a = D->m00 * D->m03, Do_03b = D->m10 * D->m13, Do_03c = Do_03a + Do_03b,
+      Do_03c_right = Do_03c - Do_03a, Do_03c_left = Do_03c - Do_03c_right,
+      Do_03c_left_rest = ksl_product_rest(D->m00, D->m03, Do_03a, Do_03c_left),
+      Do_03c_right_rest = ksl_product_rest(D->m10, D->m13, Do_03b, Do_03c_right),
+      Do_03c_lo = Do_03c_left_rest + Do_03c_right_rest, Do_03d = D->m20 * D->m23,
+      Do_03e = Do_03c + Do_03d, Do_03e_right = Do_03e - Do_03c, Do_03e_left = Do_03e - Do_03e_right,
+      Do_03e_left_rest = Do_03c - Do_03e_left,
+      Do_03e_right_rest = ksl_product_rest(D->m20, D->m23, Do_03d, Do_03e_right),
+      Do_03e_lo1 = Do_03e_left_rest + Do_03e_right_rest, Do_03e_lo = Do_03e_lo1 + Do_03c_lo,
+      Do_03 = -Do_03e, Do_03_lo = -Do_03e_lo;
+  const double Do_13a = D->m01 * D->m03, Do_13b = D->m11 * D->m13, Do_13c = Do_13a + Do_13b,
+      Do_13c_right = Do_13c - Do_13a, Do_13c_left = Do_13c - Do_13c_right,
+      Do_13c_left_rest = ksl_product_rest(D->m01, D->m03, Do_13a, Do_13c_left),
+      Do_13c_right_rest = ksl_product_rest(D->m11, D->m13, Do_13b, Do_13c_right),
+      Do_13c_lo = Do_13c_left_rest + Do_13c_right_rest, Do_13d = D->m21 * D->m23,
+      Do_13e = Do_13c + Do_13d, Do_13e_right = Do_13e - Do_13c, Do_13e_left = Do_13e - Do_13e_right,
+      Do_13e_left_rest = Do_13c - Do_13e_left,
+      Do_13e_right_rest = ksl_product_rest(D->m21, D->m23, Do_13d, Do_13e_right),
+      Do_13e_lo1 = Do_13e_left_rest + Do_13e_right_rest, Do_13e_lo = Do_13e_lo1 + Do_13c_lo,
+      Do_13 = -Do_13e, Do_13_lo = -Do_13e_lo;
+  const double Do_23a = D->m02 * D->m03, Do_23b = D->m12 * D->m13, Do_23c = Do_23a + Do_23b,
+      Do_23c_right = Do_23c - Do_23a, Do_23c_left = Do_23c - Do_23c_right,
+      Do_23c_left_rest = ksl_product_rest(D->m02, D->m03, Do_23a, Do_23c_left),
+      Do_23c_right_rest = ksl_product_rest(D->m12, D->m13, Do_23b, Do_23c_right),
+      Do_23c_lo = Do_23c_left_rest + Do_23c_right_rest, Do_23d = D->m22 * D->m23,
+      Do_23e = Do_23c + Do_23d, Do_23e_right = Do_23e - Do_23c, Do_23e_left = Do_23e - Do_23e_right,
+      Do_23e_left_rest = Do_23c - Do_23e_left,
+      Do_23e_right_rest = ksl_product_rest(D->m22, D->m23, Do_23d, Do_23e_right),
+      Do_23e_lo1 = Do_23e_left_rest + Do_23e_right_rest, Do_23e_lo = Do_23e_lo1 + Do_23c_lo,
+      Do_23 = -Do_23e, Do_23_lo = -Do_23e_lo;
   const double Do_03_rounded = Do_03 + Do_03_lo;
   const double Do_13_rounded = Do_13 + Do_13_lo;
   const double Do_23_rounded = Do_23 + Do_23_lo;

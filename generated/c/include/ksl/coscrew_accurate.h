@@ -11,24 +11,24 @@
    6 mul, 6 add, 6 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_coscrew_scale_accurate(ksl_coscrew_t *self, const double a) {
-  const double self_0_new = self->m0 * a,
-      self_0_new_lo = ksl_product_error(self->m0, a, self_0_new);
-  const double self_1_new = self->m1 * a,
-      self_1_new_lo = ksl_product_error(self->m1, a, self_1_new);
-  const double self_2_new = self->m2 * a,
-      self_2_new_lo = ksl_product_error(self->m2, a, self_2_new);
-  const double self_3_new = self->m3 * a,
-      self_3_new_lo = ksl_product_error(self->m3, a, self_3_new);
-  const double self_4_new = self->m4 * a,
-      self_4_new_lo = ksl_product_error(self->m4, a, self_4_new);
-  const double self_5_new = self->m5 * a,
-      self_5_new_lo = ksl_product_error(self->m5, a, self_5_new);
-  const double self_0_new_rounded = self_0_new + self_0_new_lo;
-  const double self_1_new_rounded = self_1_new + self_1_new_lo;
-  const double self_2_new_rounded = self_2_new + self_2_new_lo;
-  const double self_3_new_rounded = self_3_new + self_3_new_lo;
-  const double self_4_new_rounded = self_4_new + self_4_new_lo;
-  const double self_5_new_rounded = self_5_new + self_5_new_lo;
+  const double self_0_new = self->m0 * a;
+  const double self_1_new = self->m1 * a;
+  const double self_2_new = self->m2 * a;
+  const double self_3_new = self->m3 * a;
+  const double self_4_new = self->m4 * a;
+  const double self_5_new = self->m5 * a;
+  const double self_0_new_lo = ksl_product_error(self->m0, a, self_0_new),
+      self_0_new_rounded = self_0_new + self_0_new_lo;
+  const double self_1_new_lo = ksl_product_error(self->m1, a, self_1_new),
+      self_1_new_rounded = self_1_new + self_1_new_lo;
+  const double self_2_new_lo = ksl_product_error(self->m2, a, self_2_new),
+      self_2_new_rounded = self_2_new + self_2_new_lo;
+  const double self_3_new_lo = ksl_product_error(self->m3, a, self_3_new),
+      self_3_new_rounded = self_3_new + self_3_new_lo;
+  const double self_4_new_lo = ksl_product_error(self->m4, a, self_4_new),
+      self_4_new_rounded = self_4_new + self_4_new_lo;
+  const double self_5_new_lo = ksl_product_error(self->m5, a, self_5_new),
+      self_5_new_rounded = self_5_new + self_5_new_lo;
   self->m0 = self_0_new_rounded;
   self->m1 = self_1_new_rounded;
   self->m2 = self_2_new_rounded;
@@ -39,28 +39,40 @@ static inline void ksl_coscrew_scale_accurate(ksl_coscrew_t *self, const double 
 
 /* y = a x + y.
    a: number; x, y: coscrew (f in N; τ in N m).
-   6 mul, 18 add, 6 product error, 6 sum error.
-   Error <= u |result| + 2 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+   6 mul, 36 add, 6 product rest.
+   Error <= u |result| + 3 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_cc_accurate(const double a, const ksl_coscrew_t *x, ksl_coscrew_t *y) {
-  const double y_0_new_a = a * x->m0, y_0_new_a_lo = ksl_product_error(a, x->m0, y_0_new_a),
-      y_0_new = y_0_new_a + y->m0, y_0_new_error = ksl_sum_error(y_0_new_a, y->m0, y_0_new),
-      y_0_new_lo = y_0_new_error + y_0_new_a_lo;
-  const double y_1_new_a = a * x->m1, y_1_new_a_lo = ksl_product_error(a, x->m1, y_1_new_a),
-      y_1_new = y_1_new_a + y->m1, y_1_new_error = ksl_sum_error(y_1_new_a, y->m1, y_1_new),
-      y_1_new_lo = y_1_new_error + y_1_new_a_lo;
-  const double y_2_new_a = a * x->m2, y_2_new_a_lo = ksl_product_error(a, x->m2, y_2_new_a),
-      y_2_new = y_2_new_a + y->m2, y_2_new_error = ksl_sum_error(y_2_new_a, y->m2, y_2_new),
-      y_2_new_lo = y_2_new_error + y_2_new_a_lo;
-  const double y_3_new_a = a * x->m3, y_3_new_a_lo = ksl_product_error(a, x->m3, y_3_new_a),
-      y_3_new = y_3_new_a + y->m3, y_3_new_error = ksl_sum_error(y_3_new_a, y->m3, y_3_new),
-      y_3_new_lo = y_3_new_error + y_3_new_a_lo;
-  const double y_4_new_a = a * x->m4, y_4_new_a_lo = ksl_product_error(a, x->m4, y_4_new_a),
-      y_4_new = y_4_new_a + y->m4, y_4_new_error = ksl_sum_error(y_4_new_a, y->m4, y_4_new),
-      y_4_new_lo = y_4_new_error + y_4_new_a_lo;
-  const double y_5_new_a = a * x->m5, y_5_new_a_lo = ksl_product_error(a, x->m5, y_5_new_a),
-      y_5_new = y_5_new_a + y->m5, y_5_new_error = ksl_sum_error(y_5_new_a, y->m5, y_5_new),
-      y_5_new_lo = y_5_new_error + y_5_new_a_lo;
+  const double y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0,
+      y_0_new_right = y_0_new - y_0_new_a, y_0_new_left = y_0_new - y_0_new_right,
+      y_0_new_left_rest = ksl_product_rest(a, x->m0, y_0_new_a, y_0_new_left),
+      y_0_new_right_rest = y->m0 - y_0_new_right,
+      y_0_new_lo = y_0_new_left_rest + y_0_new_right_rest;
+  const double y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1,
+      y_1_new_right = y_1_new - y_1_new_a, y_1_new_left = y_1_new - y_1_new_right,
+      y_1_new_left_rest = ksl_product_rest(a, x->m1, y_1_new_a, y_1_new_left),
+      y_1_new_right_rest = y->m1 - y_1_new_right,
+      y_1_new_lo = y_1_new_left_rest + y_1_new_right_rest;
+  const double y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2,
+      y_2_new_right = y_2_new - y_2_new_a, y_2_new_left = y_2_new - y_2_new_right,
+      y_2_new_left_rest = ksl_product_rest(a, x->m2, y_2_new_a, y_2_new_left),
+      y_2_new_right_rest = y->m2 - y_2_new_right,
+      y_2_new_lo = y_2_new_left_rest + y_2_new_right_rest;
+  const double y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3,
+      y_3_new_right = y_3_new - y_3_new_a, y_3_new_left = y_3_new - y_3_new_right,
+      y_3_new_left_rest = ksl_product_rest(a, x->m3, y_3_new_a, y_3_new_left),
+      y_3_new_right_rest = y->m3 - y_3_new_right,
+      y_3_new_lo = y_3_new_left_rest + y_3_new_right_rest;
+  const double y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4,
+      y_4_new_right = y_4_new - y_4_new_a, y_4_new_left = y_4_new - y_4_new_right,
+      y_4_new_left_rest = ksl_product_rest(a, x->m4, y_4_new_a, y_4_new_left),
+      y_4_new_right_rest = y->m4 - y_4_new_right,
+      y_4_new_lo = y_4_new_left_rest + y_4_new_right_rest;
+  const double y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5,
+      y_5_new_right = y_5_new - y_5_new_a, y_5_new_left = y_5_new - y_5_new_right,
+      y_5_new_left_rest = ksl_product_rest(a, x->m5, y_5_new_a, y_5_new_left),
+      y_5_new_right_rest = y->m5 - y_5_new_right,
+      y_5_new_lo = y_5_new_left_rest + y_5_new_right_rest;
   const double y_0_new_rounded = y_0_new + y_0_new_lo;
   const double y_1_new_rounded = y_1_new + y_1_new_lo;
   const double y_2_new_rounded = y_2_new + y_2_new_lo;
@@ -77,15 +89,33 @@ static inline void ksl_axpy_cc_accurate(const double a, const ksl_coscrew_t *x, 
 
 /* y = x + y.
    x, y: coscrew (f in N; τ in N m).
-   12 add, 6 sum error.
+   42 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_cc_accurate(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
-  const double y_0_new = x->m0 + y->m0, y_0_new_lo = ksl_sum_error(x->m0, y->m0, y_0_new);
-  const double y_1_new = x->m1 + y->m1, y_1_new_lo = ksl_sum_error(x->m1, y->m1, y_1_new);
-  const double y_2_new = x->m2 + y->m2, y_2_new_lo = ksl_sum_error(x->m2, y->m2, y_2_new);
-  const double y_3_new = x->m3 + y->m3, y_3_new_lo = ksl_sum_error(x->m3, y->m3, y_3_new);
-  const double y_4_new = x->m4 + y->m4, y_4_new_lo = ksl_sum_error(x->m4, y->m4, y_4_new);
-  const double y_5_new = x->m5 + y->m5, y_5_new_lo = ksl_sum_error(x->m5, y->m5, y_5_new);
+  const double y_0_new = x->m0 + y->m0, y_0_new_right = y_0_new - x->m0,
+      y_0_new_left = y_0_new - y_0_new_right, y_0_new_left_rest = x->m0 - y_0_new_left,
+      y_0_new_right_rest = y->m0 - y_0_new_right,
+      y_0_new_lo = y_0_new_left_rest + y_0_new_right_rest;
+  const double y_1_new = x->m1 + y->m1, y_1_new_right = y_1_new - x->m1,
+      y_1_new_left = y_1_new - y_1_new_right, y_1_new_left_rest = x->m1 - y_1_new_left,
+      y_1_new_right_rest = y->m1 - y_1_new_right,
+      y_1_new_lo = y_1_new_left_rest + y_1_new_right_rest;
+  const double y_2_new = x->m2 + y->m2, y_2_new_right = y_2_new - x->m2,
+      y_2_new_left = y_2_new - y_2_new_right, y_2_new_left_rest = x->m2 - y_2_new_left,
+      y_2_new_right_rest = y->m2 - y_2_new_right,
+      y_2_new_lo = y_2_new_left_rest + y_2_new_right_rest;
+  const double y_3_new = x->m3 + y->m3, y_3_new_right = y_3_new - x->m3,
+      y_3_new_left = y_3_new - y_3_new_right, y_3_new_left_rest = x->m3 - y_3_new_left,
+      y_3_new_right_rest = y->m3 - y_3_new_right,
+      y_3_new_lo = y_3_new_left_rest + y_3_new_right_rest;
+  const double y_4_new = x->m4 + y->m4, y_4_new_right = y_4_new - x->m4,
+      y_4_new_left = y_4_new - y_4_new_right, y_4_new_left_rest = x->m4 - y_4_new_left,
+      y_4_new_right_rest = y->m4 - y_4_new_right,
+      y_4_new_lo = y_4_new_left_rest + y_4_new_right_rest;
+  const double y_5_new = x->m5 + y->m5, y_5_new_right = y_5_new - x->m5,
+      y_5_new_left = y_5_new - y_5_new_right, y_5_new_left_rest = x->m5 - y_5_new_left,
+      y_5_new_right_rest = y->m5 - y_5_new_right,
+      y_5_new_lo = y_5_new_left_rest + y_5_new_right_rest;
   const double y_0_new_rounded = y_0_new + y_0_new_lo;
   const double y_1_new_rounded = y_1_new + y_1_new_lo;
   const double y_2_new_rounded = y_2_new + y_2_new_lo;
@@ -102,15 +132,33 @@ static inline void ksl_xpy_cc_accurate(const ksl_coscrew_t *x, ksl_coscrew_t *y)
 
 /* y = -x + y.
    x, y: coscrew (f in N; τ in N m).
-   12 add, 6 sum error.
+   42 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_cc_accurate(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
-  const double y_0_new = y->m0 - x->m0, y_0_new_lo = ksl_difference_error(y->m0, x->m0, y_0_new);
-  const double y_1_new = y->m1 - x->m1, y_1_new_lo = ksl_difference_error(y->m1, x->m1, y_1_new);
-  const double y_2_new = y->m2 - x->m2, y_2_new_lo = ksl_difference_error(y->m2, x->m2, y_2_new);
-  const double y_3_new = y->m3 - x->m3, y_3_new_lo = ksl_difference_error(y->m3, x->m3, y_3_new);
-  const double y_4_new = y->m4 - x->m4, y_4_new_lo = ksl_difference_error(y->m4, x->m4, y_4_new);
-  const double y_5_new = y->m5 - x->m5, y_5_new_lo = ksl_difference_error(y->m5, x->m5, y_5_new);
+  const double y_0_new = y->m0 - x->m0, y_0_new_right = y->m0 - y_0_new,
+      y_0_new_left = y_0_new + y_0_new_right, y_0_new_left_rest = y->m0 - y_0_new_left,
+      y_0_new_right_rest = x->m0 - y_0_new_right,
+      y_0_new_lo = y_0_new_left_rest - y_0_new_right_rest;
+  const double y_1_new = y->m1 - x->m1, y_1_new_right = y->m1 - y_1_new,
+      y_1_new_left = y_1_new + y_1_new_right, y_1_new_left_rest = y->m1 - y_1_new_left,
+      y_1_new_right_rest = x->m1 - y_1_new_right,
+      y_1_new_lo = y_1_new_left_rest - y_1_new_right_rest;
+  const double y_2_new = y->m2 - x->m2, y_2_new_right = y->m2 - y_2_new,
+      y_2_new_left = y_2_new + y_2_new_right, y_2_new_left_rest = y->m2 - y_2_new_left,
+      y_2_new_right_rest = x->m2 - y_2_new_right,
+      y_2_new_lo = y_2_new_left_rest - y_2_new_right_rest;
+  const double y_3_new = y->m3 - x->m3, y_3_new_right = y->m3 - y_3_new,
+      y_3_new_left = y_3_new + y_3_new_right, y_3_new_left_rest = y->m3 - y_3_new_left,
+      y_3_new_right_rest = x->m3 - y_3_new_right,
+      y_3_new_lo = y_3_new_left_rest - y_3_new_right_rest;
+  const double y_4_new = y->m4 - x->m4, y_4_new_right = y->m4 - y_4_new,
+      y_4_new_left = y_4_new + y_4_new_right, y_4_new_left_rest = y->m4 - y_4_new_left,
+      y_4_new_right_rest = x->m4 - y_4_new_right,
+      y_4_new_lo = y_4_new_left_rest - y_4_new_right_rest;
+  const double y_5_new = y->m5 - x->m5, y_5_new_right = y->m5 - y_5_new,
+      y_5_new_left = y_5_new + y_5_new_right, y_5_new_left_rest = y->m5 - y_5_new_left,
+      y_5_new_right_rest = x->m5 - y_5_new_right,
+      y_5_new_lo = y_5_new_left_rest - y_5_new_right_rest;
   const double y_0_new_rounded = y_0_new + y_0_new_lo;
   const double y_1_new_rounded = y_1_new + y_1_new_lo;
   const double y_2_new_rounded = y_2_new + y_2_new_lo;
@@ -131,18 +179,18 @@ static inline void ksl_nxpy_cc_accurate(const ksl_coscrew_t *x, ksl_coscrew_t *y
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_ac_accurate(const double a, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0 = a * ci->m0, co_0_lo = ksl_product_error(a, ci->m0, co_0);
-  const double co_1 = a * ci->m1, co_1_lo = ksl_product_error(a, ci->m1, co_1);
-  const double co_2 = a * ci->m2, co_2_lo = ksl_product_error(a, ci->m2, co_2);
-  const double co_3 = a * ci->m3, co_3_lo = ksl_product_error(a, ci->m3, co_3);
-  const double co_4 = a * ci->m4, co_4_lo = ksl_product_error(a, ci->m4, co_4);
-  const double co_5 = a * ci->m5, co_5_lo = ksl_product_error(a, ci->m5, co_5);
-  const double co_0_rounded = co_0 + co_0_lo;
-  const double co_1_rounded = co_1 + co_1_lo;
-  const double co_2_rounded = co_2 + co_2_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+  const double co_0 = a * ci->m0;
+  const double co_1 = a * ci->m1;
+  const double co_2 = a * ci->m2;
+  const double co_3 = a * ci->m3;
+  const double co_4 = a * ci->m4;
+  const double co_5 = a * ci->m5;
+  const double co_0_lo = ksl_product_error(a, ci->m0, co_0), co_0_rounded = co_0 + co_0_lo;
+  const double co_1_lo = ksl_product_error(a, ci->m1, co_1), co_1_rounded = co_1 + co_1_lo;
+  const double co_2_lo = ksl_product_error(a, ci->m2, co_2), co_2_rounded = co_2 + co_2_lo;
+  const double co_3_lo = ksl_product_error(a, ci->m3, co_3), co_3_rounded = co_3 + co_3_lo;
+  const double co_4_lo = ksl_product_error(a, ci->m4, co_4), co_4_rounded = co_4 + co_4_lo;
+  const double co_5_lo = ksl_product_error(a, ci->m5, co_5), co_5_rounded = co_5 + co_5_lo;
   co->m0 = co_0_rounded;
   co->m1 = co_1_rounded;
   co->m2 = co_2_rounded;
@@ -153,16 +201,28 @@ static inline void ksl_product_ac_accurate(const double a, const ksl_coscrew_t *
 
 /* co = c1 + c2.
    c1, c2, co: coscrew (f in N; τ in N m).
-   12 add, 6 sum error.
+   42 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_cc_accurate(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
     ksl_coscrew_t *co) {
-  const double co_0 = c1->m0 + c2->m0, co_0_lo = ksl_sum_error(c1->m0, c2->m0, co_0);
-  const double co_1 = c1->m1 + c2->m1, co_1_lo = ksl_sum_error(c1->m1, c2->m1, co_1);
-  const double co_2 = c1->m2 + c2->m2, co_2_lo = ksl_sum_error(c1->m2, c2->m2, co_2);
-  const double co_3 = c1->m3 + c2->m3, co_3_lo = ksl_sum_error(c1->m3, c2->m3, co_3);
-  const double co_4 = c1->m4 + c2->m4, co_4_lo = ksl_sum_error(c1->m4, c2->m4, co_4);
-  const double co_5 = c1->m5 + c2->m5, co_5_lo = ksl_sum_error(c1->m5, c2->m5, co_5);
+  const double co_0 = c1->m0 + c2->m0, co_0_right = co_0 - c1->m0, co_0_left = co_0 - co_0_right,
+      co_0_left_rest = c1->m0 - co_0_left, co_0_right_rest = c2->m0 - co_0_right,
+      co_0_lo = co_0_left_rest + co_0_right_rest;
+  const double co_1 = c1->m1 + c2->m1, co_1_right = co_1 - c1->m1, co_1_left = co_1 - co_1_right,
+      co_1_left_rest = c1->m1 - co_1_left, co_1_right_rest = c2->m1 - co_1_right,
+      co_1_lo = co_1_left_rest + co_1_right_rest;
+  const double co_2 = c1->m2 + c2->m2, co_2_right = co_2 - c1->m2, co_2_left = co_2 - co_2_right,
+      co_2_left_rest = c1->m2 - co_2_left, co_2_right_rest = c2->m2 - co_2_right,
+      co_2_lo = co_2_left_rest + co_2_right_rest;
+  const double co_3 = c1->m3 + c2->m3, co_3_right = co_3 - c1->m3, co_3_left = co_3 - co_3_right,
+      co_3_left_rest = c1->m3 - co_3_left, co_3_right_rest = c2->m3 - co_3_right,
+      co_3_lo = co_3_left_rest + co_3_right_rest;
+  const double co_4 = c1->m4 + c2->m4, co_4_right = co_4 - c1->m4, co_4_left = co_4 - co_4_right,
+      co_4_left_rest = c1->m4 - co_4_left, co_4_right_rest = c2->m4 - co_4_right,
+      co_4_lo = co_4_left_rest + co_4_right_rest;
+  const double co_5 = c1->m5 + c2->m5, co_5_right = co_5 - c1->m5, co_5_left = co_5 - co_5_right,
+      co_5_left_rest = c1->m5 - co_5_left, co_5_right_rest = c2->m5 - co_5_right,
+      co_5_lo = co_5_left_rest + co_5_right_rest;
   const double co_0_rounded = co_0 + co_0_lo;
   const double co_1_rounded = co_1 + co_1_lo;
   const double co_2_rounded = co_2 + co_2_lo;
@@ -179,16 +239,28 @@ static inline void ksl_add_cc_accurate(const ksl_coscrew_t *c1, const ksl_coscre
 
 /* co = c1 - c2.
    c1, c2, co: coscrew (f in N; τ in N m).
-   12 add, 6 sum error.
+   42 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_cc_accurate(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
     ksl_coscrew_t *co) {
-  const double co_0 = c1->m0 - c2->m0, co_0_lo = ksl_difference_error(c1->m0, c2->m0, co_0);
-  const double co_1 = c1->m1 - c2->m1, co_1_lo = ksl_difference_error(c1->m1, c2->m1, co_1);
-  const double co_2 = c1->m2 - c2->m2, co_2_lo = ksl_difference_error(c1->m2, c2->m2, co_2);
-  const double co_3 = c1->m3 - c2->m3, co_3_lo = ksl_difference_error(c1->m3, c2->m3, co_3);
-  const double co_4 = c1->m4 - c2->m4, co_4_lo = ksl_difference_error(c1->m4, c2->m4, co_4);
-  const double co_5 = c1->m5 - c2->m5, co_5_lo = ksl_difference_error(c1->m5, c2->m5, co_5);
+  const double co_0 = c1->m0 - c2->m0, co_0_right = c1->m0 - co_0, co_0_left = co_0 + co_0_right,
+      co_0_left_rest = c1->m0 - co_0_left, co_0_right_rest = c2->m0 - co_0_right,
+      co_0_lo = co_0_left_rest - co_0_right_rest;
+  const double co_1 = c1->m1 - c2->m1, co_1_right = c1->m1 - co_1, co_1_left = co_1 + co_1_right,
+      co_1_left_rest = c1->m1 - co_1_left, co_1_right_rest = c2->m1 - co_1_right,
+      co_1_lo = co_1_left_rest - co_1_right_rest;
+  const double co_2 = c1->m2 - c2->m2, co_2_right = c1->m2 - co_2, co_2_left = co_2 + co_2_right,
+      co_2_left_rest = c1->m2 - co_2_left, co_2_right_rest = c2->m2 - co_2_right,
+      co_2_lo = co_2_left_rest - co_2_right_rest;
+  const double co_3 = c1->m3 - c2->m3, co_3_right = c1->m3 - co_3, co_3_left = co_3 + co_3_right,
+      co_3_left_rest = c1->m3 - co_3_left, co_3_right_rest = c2->m3 - co_3_right,
+      co_3_lo = co_3_left_rest - co_3_right_rest;
+  const double co_4 = c1->m4 - c2->m4, co_4_right = c1->m4 - co_4, co_4_left = co_4 + co_4_right,
+      co_4_left_rest = c1->m4 - co_4_left, co_4_right_rest = c2->m4 - co_4_right,
+      co_4_lo = co_4_left_rest - co_4_right_rest;
+  const double co_5 = c1->m5 - c2->m5, co_5_right = c1->m5 - co_5, co_5_left = co_5 + co_5_right,
+      co_5_left_rest = c1->m5 - co_5_left, co_5_right_rest = c2->m5 - co_5_right,
+      co_5_lo = co_5_left_rest - co_5_right_rest;
   const double co_0_rounded = co_0 + co_0_lo;
   const double co_1_rounded = co_1 + co_1_lo;
   const double co_2_rounded = co_2 + co_2_lo;
@@ -205,7 +277,7 @@ static inline void ksl_subtract_cc_accurate(const ksl_coscrew_t *c1, const ksl_c
 
 /* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
    ci: coscrew (f in N; τ in N m).
-   10 mul, 15 add, 4 product error, 4 sum error, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
+   10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
      select. */
 static inline double ksl_coscrew_norm_accurate(const ksl_coscrew_t *ci) {
   const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -224,30 +296,36 @@ static inline double ksl_coscrew_norm_accurate(const ksl_coscrew_t *ci) {
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_a_lo = ksl_product_error(y_0, y_0, n_a), n_b = y_1 * y_1,
-      n_b_lo = ksl_product_error(y_1, y_1, n_b), n_c = n_a + n_b,
-      n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
-      n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
-      n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
-      n_e_lo = n_e_lo1 + n_d_lo, n_of_n_e = n_e + n_e_lo,
-      n_of_n_e_lo = ksl_sum_error(n_e, n_e_lo, n_of_n_e), n = sqrt(n_of_n_e), n_product = n * n,
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
+      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+      n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
+      n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
+      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_of_n_e = n_e + n_e_lo,
+      n_of_n_e_right = n_of_n_e - n_e, n_of_n_e_left = n_of_n_e - n_of_n_e_right,
+      n_of_n_e_left_rest = n_e - n_of_n_e_left, n_of_n_e_right_rest = n_e_lo - n_of_n_e_right,
+      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e), n_product = n * n,
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r = 1.0 < s ? 2.409919865102884e-181 : r_b;
-  const double norm_of_n = n + n_lo, norm_of_n_lo = ksl_sum_error(n, n_lo, norm_of_n),
-      norm = norm_of_n * r, norm_inverse = 1.0 / r, norm_back = norm * norm_inverse,
-      norm_lost = norm_of_n - norm_back, norm_rest = norm_lost + norm_of_n_lo,
-      norm_small = norm_rest * r, norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
-  const double norm_total = norm + norm_lo,
-      norm_rounded = norm_total == norm_total ? norm_total : norm;
-  return norm_rounded;
+  const double norm_of_n = n + n_lo, norm_of_n_right = norm_of_n - n,
+      norm_of_n_left = norm_of_n - norm_of_n_right, norm_of_n_left_rest = n - norm_of_n_left,
+      norm_of_n_right_rest = n_lo - norm_of_n_right,
+      norm_of_n_lo = norm_of_n_left_rest + norm_of_n_right_rest, norm = norm_of_n * r,
+      norm_inverse = 1.0 / r, norm_back = norm * norm_inverse, norm_lost = norm_of_n - norm_back,
+      norm_rest = norm_lost + norm_of_n_lo, norm_small = norm_rest * r,
+      norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
+  const double norm_rounded = norm + norm_lo,
+      norm_final = norm_rounded == norm_rounded ? norm_rounded : norm;
+  return norm_final;
 }
 
 /* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   43 mul, 54 add, 10 product error, 10 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+   43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
      select. */
 static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
   const double small_a = fabs(self->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -266,13 +344,16 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_a_lo = ksl_product_error(y_0, y_0, n_a), n_b = y_1 * y_1,
-      n_b_lo = ksl_product_error(y_1, y_1, n_b), n_c = n_a + n_b,
-      n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
-      n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
-      n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
-      n_e_lo = n_e_lo1 + n_d_lo, n_of_n_e = n_e + n_e_lo,
-      n_of_n_e_lo = ksl_sum_error(n_e, n_e_lo, n_of_n_e), n = sqrt(n_of_n_e), n_product = n * n,
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
+      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+      n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
+      n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
+      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_of_n_e = n_e + n_e_lo,
+      n_of_n_e_right = n_of_n_e - n_e, n_of_n_e_left = n_of_n_e - n_of_n_e_right,
+      n_of_n_e_left_rest = n_e - n_of_n_e_left, n_of_n_e_right_rest = n_e_lo - n_of_n_e_right,
+      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e), n_product = n * n,
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
@@ -286,57 +367,65 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
   const double enlarged_4 = self->m4 * up;
   const double enlarged_5 = self->m5 * up;
   const double quotient_0_of_divisor = divisor + divisor_lo,
-      quotient_0_of_divisor_lo = ksl_sum_error(divisor, divisor_lo, quotient_0_of_divisor),
+      quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
+      quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
+      quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
+      quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
+      quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = enlarged_0 / quotient_0_of_divisor,
-      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
       quotient_0_product = quotient_0 * quotient_0_of_divisor,
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
+      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
-      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
       quotient_1_product = quotient_1 * quotient_0_of_divisor,
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
+      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
-      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
       quotient_2_product = quotient_2 * quotient_0_of_divisor,
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
+      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
-      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
       quotient_3_product = quotient_3 * quotient_0_of_divisor,
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
       quotient_3_rest = enlarged_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
+      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
   const double quotient_4 = enlarged_4 / quotient_0_of_divisor,
-      quotient_4_cross = quotient_4 * quotient_0_of_divisor_lo,
       quotient_4_product = quotient_4 * quotient_0_of_divisor,
       quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
       quotient_4_rest = enlarged_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
+      quotient_4_cross = quotient_4 * quotient_0_of_divisor_lo,
       quotient_4_residual = quotient_4_exact - quotient_4_cross,
       quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
   const double quotient_5 = enlarged_5 / quotient_0_of_divisor,
-      quotient_5_cross = quotient_5 * quotient_0_of_divisor_lo,
       quotient_5_product = quotient_5 * quotient_0_of_divisor,
       quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
       quotient_5_rest = enlarged_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
+      quotient_5_cross = quotient_5 * quotient_0_of_divisor_lo,
       quotient_5_residual = quotient_5_exact - quotient_5_cross,
       quotient_5_lo = quotient_5_residual / quotient_0_of_divisor;
   const double self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo,
-      self_0_new_of_quotient_0_lo = ksl_sum_error(quotient_0, quotient_0_lo, self_0_new_of_quotient_0),
+      self_0_new_of_quotient_0_right = self_0_new_of_quotient_0 - quotient_0,
+      self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right,
+      self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left,
+      self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right,
+      self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest,
       self_0_new = self_0_new_of_quotient_0 * down, self_0_new_inverse = 1.0 / down,
       self_0_new_back = self_0_new * self_0_new_inverse,
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
@@ -344,7 +433,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_0_new_small = self_0_new_rest * down,
       self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
   const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
-      self_1_new_of_quotient_1_lo = ksl_sum_error(quotient_1, quotient_1_lo, self_1_new_of_quotient_1),
+      self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1,
+      self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right,
+      self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left,
+      self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right,
+      self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest,
       self_1_new = self_1_new_of_quotient_1 * down,
       self_1_new_back = self_1_new * self_0_new_inverse,
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
@@ -352,7 +445,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_1_new_small = self_1_new_rest * down,
       self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
   const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
-      self_2_new_of_quotient_2_lo = ksl_sum_error(quotient_2, quotient_2_lo, self_2_new_of_quotient_2),
+      self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2,
+      self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right,
+      self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left,
+      self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right,
+      self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest,
       self_2_new = self_2_new_of_quotient_2 * down,
       self_2_new_back = self_2_new * self_0_new_inverse,
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
@@ -360,7 +457,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_2_new_small = self_2_new_rest * down,
       self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
   const double self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo,
-      self_3_new_of_quotient_3_lo = ksl_sum_error(quotient_3, quotient_3_lo, self_3_new_of_quotient_3),
+      self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3,
+      self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right,
+      self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left,
+      self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right,
+      self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest,
       self_3_new = self_3_new_of_quotient_3 * down,
       self_3_new_back = self_3_new * self_0_new_inverse,
       self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
@@ -368,7 +469,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_3_new_small = self_3_new_rest * down,
       self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
   const double self_4_new_of_quotient_4 = quotient_4 + quotient_4_lo,
-      self_4_new_of_quotient_4_lo = ksl_sum_error(quotient_4, quotient_4_lo, self_4_new_of_quotient_4),
+      self_4_new_of_quotient_4_right = self_4_new_of_quotient_4 - quotient_4,
+      self_4_new_of_quotient_4_left = self_4_new_of_quotient_4 - self_4_new_of_quotient_4_right,
+      self_4_new_of_quotient_4_left_rest = quotient_4 - self_4_new_of_quotient_4_left,
+      self_4_new_of_quotient_4_right_rest = quotient_4_lo - self_4_new_of_quotient_4_right,
+      self_4_new_of_quotient_4_lo = self_4_new_of_quotient_4_left_rest + self_4_new_of_quotient_4_right_rest,
       self_4_new = self_4_new_of_quotient_4 * down,
       self_4_new_back = self_4_new * self_0_new_inverse,
       self_4_new_lost = self_4_new_of_quotient_4 - self_4_new_back,
@@ -376,36 +481,40 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_4_new_small = self_4_new_rest * down,
       self_4_new_lo = self_4_new_lost == 0.0 ? 0.0 : self_4_new_small;
   const double self_5_new_of_quotient_5 = quotient_5 + quotient_5_lo,
-      self_5_new_of_quotient_5_lo = ksl_sum_error(quotient_5, quotient_5_lo, self_5_new_of_quotient_5),
+      self_5_new_of_quotient_5_right = self_5_new_of_quotient_5 - quotient_5,
+      self_5_new_of_quotient_5_left = self_5_new_of_quotient_5 - self_5_new_of_quotient_5_right,
+      self_5_new_of_quotient_5_left_rest = quotient_5 - self_5_new_of_quotient_5_left,
+      self_5_new_of_quotient_5_right_rest = quotient_5_lo - self_5_new_of_quotient_5_right,
+      self_5_new_of_quotient_5_lo = self_5_new_of_quotient_5_left_rest + self_5_new_of_quotient_5_right_rest,
       self_5_new = self_5_new_of_quotient_5 * down,
       self_5_new_back = self_5_new * self_0_new_inverse,
       self_5_new_lost = self_5_new_of_quotient_5 - self_5_new_back,
       self_5_new_rest = self_5_new_lost + self_5_new_of_quotient_5_lo,
       self_5_new_small = self_5_new_rest * down,
       self_5_new_lo = self_5_new_lost == 0.0 ? 0.0 : self_5_new_small;
-  const double self_0_new_total = self_0_new + self_0_new_lo,
-      self_0_new_rounded = self_0_new_total == self_0_new_total ? self_0_new_total : self_0_new;
-  const double self_1_new_total = self_1_new + self_1_new_lo,
-      self_1_new_rounded = self_1_new_total == self_1_new_total ? self_1_new_total : self_1_new;
-  const double self_2_new_total = self_2_new + self_2_new_lo,
-      self_2_new_rounded = self_2_new_total == self_2_new_total ? self_2_new_total : self_2_new;
-  const double self_3_new_total = self_3_new + self_3_new_lo,
-      self_3_new_rounded = self_3_new_total == self_3_new_total ? self_3_new_total : self_3_new;
-  const double self_4_new_total = self_4_new + self_4_new_lo,
-      self_4_new_rounded = self_4_new_total == self_4_new_total ? self_4_new_total : self_4_new;
-  const double self_5_new_total = self_5_new + self_5_new_lo,
-      self_5_new_rounded = self_5_new_total == self_5_new_total ? self_5_new_total : self_5_new;
-  self->m0 = self_0_new_rounded;
-  self->m1 = self_1_new_rounded;
-  self->m2 = self_2_new_rounded;
-  self->m3 = self_3_new_rounded;
-  self->m4 = self_4_new_rounded;
-  self->m5 = self_5_new_rounded;
+  const double self_0_new_rounded = self_0_new + self_0_new_lo,
+      self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded : self_0_new;
+  const double self_1_new_rounded = self_1_new + self_1_new_lo,
+      self_1_new_final = self_1_new_rounded == self_1_new_rounded ? self_1_new_rounded : self_1_new;
+  const double self_2_new_rounded = self_2_new + self_2_new_lo,
+      self_2_new_final = self_2_new_rounded == self_2_new_rounded ? self_2_new_rounded : self_2_new;
+  const double self_3_new_rounded = self_3_new + self_3_new_lo,
+      self_3_new_final = self_3_new_rounded == self_3_new_rounded ? self_3_new_rounded : self_3_new;
+  const double self_4_new_rounded = self_4_new + self_4_new_lo,
+      self_4_new_final = self_4_new_rounded == self_4_new_rounded ? self_4_new_rounded : self_4_new;
+  const double self_5_new_rounded = self_5_new + self_5_new_lo,
+      self_5_new_final = self_5_new_rounded == self_5_new_rounded ? self_5_new_rounded : self_5_new;
+  self->m0 = self_0_new_final;
+  self->m1 = self_1_new_final;
+  self->m2 = self_2_new_final;
+  self->m3 = self_3_new_final;
+  self->m4 = self_4_new_final;
+  self->m5 = self_5_new_final;
 }
 
 /* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   43 mul, 54 add, 10 product error, 10 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+   43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
      select. */
 static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
   const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -424,13 +533,16 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_a_lo = ksl_product_error(y_0, y_0, n_a), n_b = y_1 * y_1,
-      n_b_lo = ksl_product_error(y_1, y_1, n_b), n_c = n_a + n_b,
-      n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
-      n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
-      n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
-      n_e_lo = n_e_lo1 + n_d_lo, n_of_n_e = n_e + n_e_lo,
-      n_of_n_e_lo = ksl_sum_error(n_e, n_e_lo, n_of_n_e), n = sqrt(n_of_n_e), n_product = n * n,
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
+      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+      n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
+      n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
+      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_of_n_e = n_e + n_e_lo,
+      n_of_n_e_right = n_of_n_e - n_e, n_of_n_e_left = n_of_n_e - n_of_n_e_right,
+      n_of_n_e_left_rest = n_e - n_of_n_e_left, n_of_n_e_right_rest = n_e_lo - n_of_n_e_right,
+      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e), n_product = n * n,
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
@@ -444,114 +556,148 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
   const double enlarged_4 = ci->m4 * up;
   const double enlarged_5 = ci->m5 * up;
   const double quotient_0_of_divisor = divisor + divisor_lo,
-      quotient_0_of_divisor_lo = ksl_sum_error(divisor, divisor_lo, quotient_0_of_divisor),
+      quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
+      quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
+      quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
+      quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
+      quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = enlarged_0 / quotient_0_of_divisor,
-      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
       quotient_0_product = quotient_0 * quotient_0_of_divisor,
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
+      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
-      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
       quotient_1_product = quotient_1 * quotient_0_of_divisor,
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
+      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
-      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
       quotient_2_product = quotient_2 * quotient_0_of_divisor,
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
+      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
-      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
       quotient_3_product = quotient_3 * quotient_0_of_divisor,
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
       quotient_3_rest = enlarged_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
+      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
   const double quotient_4 = enlarged_4 / quotient_0_of_divisor,
-      quotient_4_cross = quotient_4 * quotient_0_of_divisor_lo,
       quotient_4_product = quotient_4 * quotient_0_of_divisor,
       quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
       quotient_4_rest = enlarged_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
+      quotient_4_cross = quotient_4 * quotient_0_of_divisor_lo,
       quotient_4_residual = quotient_4_exact - quotient_4_cross,
       quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
   const double quotient_5 = enlarged_5 / quotient_0_of_divisor,
-      quotient_5_cross = quotient_5 * quotient_0_of_divisor_lo,
       quotient_5_product = quotient_5 * quotient_0_of_divisor,
       quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
       quotient_5_rest = enlarged_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
+      quotient_5_cross = quotient_5 * quotient_0_of_divisor_lo,
       quotient_5_residual = quotient_5_exact - quotient_5_cross,
       quotient_5_lo = quotient_5_residual / quotient_0_of_divisor;
   const double co_0_of_quotient_0 = quotient_0 + quotient_0_lo,
-      co_0_of_quotient_0_lo = ksl_sum_error(quotient_0, quotient_0_lo, co_0_of_quotient_0),
+      co_0_of_quotient_0_right = co_0_of_quotient_0 - quotient_0,
+      co_0_of_quotient_0_left = co_0_of_quotient_0 - co_0_of_quotient_0_right,
+      co_0_of_quotient_0_left_rest = quotient_0 - co_0_of_quotient_0_left,
+      co_0_of_quotient_0_right_rest = quotient_0_lo - co_0_of_quotient_0_right,
+      co_0_of_quotient_0_lo = co_0_of_quotient_0_left_rest + co_0_of_quotient_0_right_rest,
       co_0 = co_0_of_quotient_0 * down, co_0_inverse = 1.0 / down, co_0_back = co_0 * co_0_inverse,
       co_0_lost = co_0_of_quotient_0 - co_0_back, co_0_rest = co_0_lost + co_0_of_quotient_0_lo,
       co_0_small = co_0_rest * down, co_0_lo = co_0_lost == 0.0 ? 0.0 : co_0_small;
   const double co_1_of_quotient_1 = quotient_1 + quotient_1_lo,
-      co_1_of_quotient_1_lo = ksl_sum_error(quotient_1, quotient_1_lo, co_1_of_quotient_1),
+      co_1_of_quotient_1_right = co_1_of_quotient_1 - quotient_1,
+      co_1_of_quotient_1_left = co_1_of_quotient_1 - co_1_of_quotient_1_right,
+      co_1_of_quotient_1_left_rest = quotient_1 - co_1_of_quotient_1_left,
+      co_1_of_quotient_1_right_rest = quotient_1_lo - co_1_of_quotient_1_right,
+      co_1_of_quotient_1_lo = co_1_of_quotient_1_left_rest + co_1_of_quotient_1_right_rest,
       co_1 = co_1_of_quotient_1 * down, co_1_back = co_1 * co_0_inverse,
       co_1_lost = co_1_of_quotient_1 - co_1_back, co_1_rest = co_1_lost + co_1_of_quotient_1_lo,
       co_1_small = co_1_rest * down, co_1_lo = co_1_lost == 0.0 ? 0.0 : co_1_small;
   const double co_2_of_quotient_2 = quotient_2 + quotient_2_lo,
-      co_2_of_quotient_2_lo = ksl_sum_error(quotient_2, quotient_2_lo, co_2_of_quotient_2),
+      co_2_of_quotient_2_right = co_2_of_quotient_2 - quotient_2,
+      co_2_of_quotient_2_left = co_2_of_quotient_2 - co_2_of_quotient_2_right,
+      co_2_of_quotient_2_left_rest = quotient_2 - co_2_of_quotient_2_left,
+      co_2_of_quotient_2_right_rest = quotient_2_lo - co_2_of_quotient_2_right,
+      co_2_of_quotient_2_lo = co_2_of_quotient_2_left_rest + co_2_of_quotient_2_right_rest,
       co_2 = co_2_of_quotient_2 * down, co_2_back = co_2 * co_0_inverse,
       co_2_lost = co_2_of_quotient_2 - co_2_back, co_2_rest = co_2_lost + co_2_of_quotient_2_lo,
       co_2_small = co_2_rest * down, co_2_lo = co_2_lost == 0.0 ? 0.0 : co_2_small;
   const double co_3_of_quotient_3 = quotient_3 + quotient_3_lo,
-      co_3_of_quotient_3_lo = ksl_sum_error(quotient_3, quotient_3_lo, co_3_of_quotient_3),
+      co_3_of_quotient_3_right = co_3_of_quotient_3 - quotient_3,
+      co_3_of_quotient_3_left = co_3_of_quotient_3 - co_3_of_quotient_3_right,
+      co_3_of_quotient_3_left_rest = quotient_3 - co_3_of_quotient_3_left,
+      co_3_of_quotient_3_right_rest = quotient_3_lo - co_3_of_quotient_3_right,
+      co_3_of_quotient_3_lo = co_3_of_quotient_3_left_rest + co_3_of_quotient_3_right_rest,
       co_3 = co_3_of_quotient_3 * down, co_3_back = co_3 * co_0_inverse,
       co_3_lost = co_3_of_quotient_3 - co_3_back, co_3_rest = co_3_lost + co_3_of_quotient_3_lo,
       co_3_small = co_3_rest * down, co_3_lo = co_3_lost == 0.0 ? 0.0 : co_3_small;
   const double co_4_of_quotient_4 = quotient_4 + quotient_4_lo,
-      co_4_of_quotient_4_lo = ksl_sum_error(quotient_4, quotient_4_lo, co_4_of_quotient_4),
+      co_4_of_quotient_4_right = co_4_of_quotient_4 - quotient_4,
+      co_4_of_quotient_4_left = co_4_of_quotient_4 - co_4_of_quotient_4_right,
+      co_4_of_quotient_4_left_rest = quotient_4 - co_4_of_quotient_4_left,
+      co_4_of_quotient_4_right_rest = quotient_4_lo - co_4_of_quotient_4_right,
+      co_4_of_quotient_4_lo = co_4_of_quotient_4_left_rest + co_4_of_quotient_4_right_rest,
       co_4 = co_4_of_quotient_4 * down, co_4_back = co_4 * co_0_inverse,
       co_4_lost = co_4_of_quotient_4 - co_4_back, co_4_rest = co_4_lost + co_4_of_quotient_4_lo,
       co_4_small = co_4_rest * down, co_4_lo = co_4_lost == 0.0 ? 0.0 : co_4_small;
   const double co_5_of_quotient_5 = quotient_5 + quotient_5_lo,
-      co_5_of_quotient_5_lo = ksl_sum_error(quotient_5, quotient_5_lo, co_5_of_quotient_5),
+      co_5_of_quotient_5_right = co_5_of_quotient_5 - quotient_5,
+      co_5_of_quotient_5_left = co_5_of_quotient_5 - co_5_of_quotient_5_right,
+      co_5_of_quotient_5_left_rest = quotient_5 - co_5_of_quotient_5_left,
+      co_5_of_quotient_5_right_rest = quotient_5_lo - co_5_of_quotient_5_right,
+      co_5_of_quotient_5_lo = co_5_of_quotient_5_left_rest + co_5_of_quotient_5_right_rest,
       co_5 = co_5_of_quotient_5 * down, co_5_back = co_5 * co_0_inverse,
       co_5_lost = co_5_of_quotient_5 - co_5_back, co_5_rest = co_5_lost + co_5_of_quotient_5_lo,
       co_5_small = co_5_rest * down, co_5_lo = co_5_lost == 0.0 ? 0.0 : co_5_small;
-  const double co_0_total = co_0 + co_0_lo,
-      co_0_rounded = co_0_total == co_0_total ? co_0_total : co_0;
-  const double co_1_total = co_1 + co_1_lo,
-      co_1_rounded = co_1_total == co_1_total ? co_1_total : co_1;
-  const double co_2_total = co_2 + co_2_lo,
-      co_2_rounded = co_2_total == co_2_total ? co_2_total : co_2;
-  const double co_3_total = co_3 + co_3_lo,
-      co_3_rounded = co_3_total == co_3_total ? co_3_total : co_3;
-  const double co_4_total = co_4 + co_4_lo,
-      co_4_rounded = co_4_total == co_4_total ? co_4_total : co_4;
-  const double co_5_total = co_5 + co_5_lo,
-      co_5_rounded = co_5_total == co_5_total ? co_5_total : co_5;
-  co->m0 = co_0_rounded;
-  co->m1 = co_1_rounded;
-  co->m2 = co_2_rounded;
-  co->m3 = co_3_rounded;
-  co->m4 = co_4_rounded;
-  co->m5 = co_5_rounded;
+  const double co_0_rounded = co_0 + co_0_lo,
+      co_0_final = co_0_rounded == co_0_rounded ? co_0_rounded : co_0;
+  const double co_1_rounded = co_1 + co_1_lo,
+      co_1_final = co_1_rounded == co_1_rounded ? co_1_rounded : co_1;
+  const double co_2_rounded = co_2 + co_2_lo,
+      co_2_final = co_2_rounded == co_2_rounded ? co_2_rounded : co_2;
+  const double co_3_rounded = co_3 + co_3_lo,
+      co_3_final = co_3_rounded == co_3_rounded ? co_3_rounded : co_3;
+  const double co_4_rounded = co_4 + co_4_lo,
+      co_4_final = co_4_rounded == co_4_rounded ? co_4_rounded : co_4;
+  const double co_5_rounded = co_5 + co_5_lo,
+      co_5_final = co_5_rounded == co_5_rounded ? co_5_rounded : co_5;
+  co->m0 = co_0_final;
+  co->m1 = co_1_final;
+  co->m2 = co_2_final;
+  co->m3 = co_3_final;
+  co->m4 = co_4_final;
+  co->m5 = co_5_final;
 }
 
 /* co = (c1.lin + c2.lin ; c1.ang).
    c1, c2, co: coscrew (f in N; τ in N m).
-   6 add, 3 sum error.
+   21 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_cct_accurate(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
     ksl_coscrew_t *co) {
-  const double co_0 = c1->m0 + c2->m0, co_0_lo = ksl_sum_error(c1->m0, c2->m0, co_0);
-  const double co_1 = c1->m1 + c2->m1, co_1_lo = ksl_sum_error(c1->m1, c2->m1, co_1);
-  const double co_2 = c1->m2 + c2->m2, co_2_lo = ksl_sum_error(c1->m2, c2->m2, co_2);
+  const double co_0 = c1->m0 + c2->m0, co_0_right = co_0 - c1->m0, co_0_left = co_0 - co_0_right,
+      co_0_left_rest = c1->m0 - co_0_left, co_0_right_rest = c2->m0 - co_0_right,
+      co_0_lo = co_0_left_rest + co_0_right_rest;
+  const double co_1 = c1->m1 + c2->m1, co_1_right = co_1 - c1->m1, co_1_left = co_1 - co_1_right,
+      co_1_left_rest = c1->m1 - co_1_left, co_1_right_rest = c2->m1 - co_1_right,
+      co_1_lo = co_1_left_rest + co_1_right_rest;
+  const double co_2 = c1->m2 + c2->m2, co_2_right = co_2 - c1->m2, co_2_left = co_2 - co_2_right,
+      co_2_left_rest = c1->m2 - co_2_left, co_2_right_rest = c2->m2 - co_2_right,
+      co_2_lo = co_2_left_rest + co_2_right_rest;
   const double co_0_rounded = co_0 + co_0_lo;
   const double co_1_rounded = co_1 + co_1_lo;
   const double co_2_rounded = co_2 + co_2_lo;
@@ -568,26 +714,35 @@ static inline void ksl_add_cct_accurate(const ksl_coscrew_t *c1, const ksl_coscr
 
 /* co = [Ad]*(t) ci.
    t: vector; ci, co: coscrew (f in N; τ in N m).
-   6 mul, 18 add, 6 product error, 6 sum error.
-   Error <= u |result| + (lin: 0, ang: 7) u^2 S, S the sum of the |terms| of the expanded
+   6 mul, 36 add, 6 product rest.
+   Error <= u |result| + (lin: 0, ang: 9) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdtc_accurate(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_3a = t->y * ci->m2, co_3a_lo = ksl_product_error(t->y, ci->m2, co_3a),
-      co_3b = t->z * ci->m1, co_3b_lo = ksl_product_error(t->z, ci->m1, co_3b),
-      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
-      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c + ci->m3,
-      co_3_error = ksl_sum_error(co_3c, ci->m3, co_3), co_3_lo = co_3_error + co_3c_lo;
-  const double co_4a = t->z * ci->m0, co_4a_lo = ksl_product_error(t->z, ci->m0, co_4a),
-      co_4b = t->x * ci->m2, co_4b_lo = ksl_product_error(t->x, ci->m2, co_4b),
-      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
-      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c + ci->m4,
-      co_4_error = ksl_sum_error(co_4c, ci->m4, co_4), co_4_lo = co_4_error + co_4c_lo;
-  const double co_5a = t->x * ci->m1, co_5a_lo = ksl_product_error(t->x, ci->m1, co_5a),
-      co_5b = t->y * ci->m0, co_5b_lo = ksl_product_error(t->y, ci->m0, co_5b),
-      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
-      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c + ci->m5,
-      co_5_error = ksl_sum_error(co_5c, ci->m5, co_5), co_5_lo = co_5_error + co_5c_lo;
+  const double co_3a = t->y * ci->m2, co_3b = t->z * ci->m1, co_3c = co_3a - co_3b,
+      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
+      co_3c_left_rest = ksl_product_rest(t->y, ci->m2, co_3a, co_3c_left),
+      co_3c_right_rest = ksl_product_rest(t->z, ci->m1, co_3b, co_3c_right),
+      co_3c_lo = co_3c_left_rest - co_3c_right_rest, co_3 = co_3c + ci->m3,
+      co_3_right = co_3 - co_3c, co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
+      co_3_right_rest = ci->m3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
+      co_3_lo = co_3_lo1 + co_3c_lo;
+  const double co_4a = t->z * ci->m0, co_4b = t->x * ci->m2, co_4c = co_4a - co_4b,
+      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
+      co_4c_left_rest = ksl_product_rest(t->z, ci->m0, co_4a, co_4c_left),
+      co_4c_right_rest = ksl_product_rest(t->x, ci->m2, co_4b, co_4c_right),
+      co_4c_lo = co_4c_left_rest - co_4c_right_rest, co_4 = co_4c + ci->m4,
+      co_4_right = co_4 - co_4c, co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
+      co_4_right_rest = ci->m4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
+      co_4_lo = co_4_lo1 + co_4c_lo;
+  const double co_5a = t->x * ci->m1, co_5b = t->y * ci->m0, co_5c = co_5a - co_5b,
+      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
+      co_5c_left_rest = ksl_product_rest(t->x, ci->m1, co_5a, co_5c_left),
+      co_5c_right_rest = ksl_product_rest(t->y, ci->m0, co_5b, co_5c_right),
+      co_5c_lo = co_5c_left_rest - co_5c_right_rest, co_5 = co_5c + ci->m5,
+      co_5_right = co_5 - co_5c, co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
+      co_5_right_rest = ci->m5 - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
+      co_5_lo = co_5_lo1 + co_5c_lo;
   const double co_3_rounded = co_3 + co_3_lo;
   const double co_4_rounded = co_4 + co_4_lo;
   const double co_5_rounded = co_5 + co_5_lo;
@@ -604,26 +759,35 @@ static inline void ksl_product_CoAdtc_accurate(const ksl_vec3_t *t, const ksl_co
 
 /* co = [Ad]*(t)^-1 ci.
    t: vector; ci, co: coscrew (f in N; τ in N m).
-   6 mul, 18 add, 6 product error, 6 sum error.
-   Error <= u |result| + (lin: 0, ang: 7) u^2 S, S the sum of the |terms| of the expanded
+   6 mul, 36 add, 6 product rest.
+   Error <= u |result| + (lin: 0, ang: 9) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdtinvc_accurate(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_3a = t->z * ci->m1, co_3a_lo = ksl_product_error(t->z, ci->m1, co_3a),
-      co_3b = t->y * ci->m2, co_3b_lo = ksl_product_error(t->y, ci->m2, co_3b),
-      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
-      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c + ci->m3,
-      co_3_error = ksl_sum_error(co_3c, ci->m3, co_3), co_3_lo = co_3_error + co_3c_lo;
-  const double co_4a = t->x * ci->m2, co_4a_lo = ksl_product_error(t->x, ci->m2, co_4a),
-      co_4b = t->z * ci->m0, co_4b_lo = ksl_product_error(t->z, ci->m0, co_4b),
-      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
-      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c + ci->m4,
-      co_4_error = ksl_sum_error(co_4c, ci->m4, co_4), co_4_lo = co_4_error + co_4c_lo;
-  const double co_5a = t->y * ci->m0, co_5a_lo = ksl_product_error(t->y, ci->m0, co_5a),
-      co_5b = t->x * ci->m1, co_5b_lo = ksl_product_error(t->x, ci->m1, co_5b),
-      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
-      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c + ci->m5,
-      co_5_error = ksl_sum_error(co_5c, ci->m5, co_5), co_5_lo = co_5_error + co_5c_lo;
+  const double co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
+      co_3c_left_rest = ksl_product_rest(t->z, ci->m1, co_3a, co_3c_left),
+      co_3c_right_rest = ksl_product_rest(t->y, ci->m2, co_3b, co_3c_right),
+      co_3c_lo = co_3c_left_rest - co_3c_right_rest, co_3 = co_3c + ci->m3,
+      co_3_right = co_3 - co_3c, co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
+      co_3_right_rest = ci->m3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
+      co_3_lo = co_3_lo1 + co_3c_lo;
+  const double co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
+      co_4c_left_rest = ksl_product_rest(t->x, ci->m2, co_4a, co_4c_left),
+      co_4c_right_rest = ksl_product_rest(t->z, ci->m0, co_4b, co_4c_right),
+      co_4c_lo = co_4c_left_rest - co_4c_right_rest, co_4 = co_4c + ci->m4,
+      co_4_right = co_4 - co_4c, co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
+      co_4_right_rest = ci->m4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
+      co_4_lo = co_4_lo1 + co_4c_lo;
+  const double co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
+      co_5c_left_rest = ksl_product_rest(t->y, ci->m0, co_5a, co_5c_left),
+      co_5c_right_rest = ksl_product_rest(t->x, ci->m1, co_5b, co_5c_right),
+      co_5c_lo = co_5c_left_rest - co_5c_right_rest, co_5 = co_5c + ci->m5,
+      co_5_right = co_5 - co_5c, co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
+      co_5_right_rest = ci->m5 - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
+      co_5_lo = co_5_lo1 + co_5c_lo;
   const double co_3_rounded = co_3 + co_3_lo;
   const double co_4_rounded = co_4 + co_4_lo;
   const double co_5_rounded = co_5 + co_5_lo;
@@ -640,29 +804,38 @@ static inline void ksl_product_CoAdtinvc_accurate(const ksl_vec3_t *t, const ksl
 
 /* co = [Ad]*(t) (-ci).
    t: vector; ci, co: coscrew (f in N; τ in N m).
-   6 mul, 18 add, 6 product error, 6 sum error, 3 neg.
-   Error <= u |result| + (lin: 0, ang: 7) u^2 S, S the sum of the |terms| of the expanded
+   6 mul, 36 add, 6 product rest, 3 neg.
+   Error <= u |result| + (lin: 0, ang: 9) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdtcinv_accurate(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_0 = -ci->m0;
   const double co_1 = -ci->m1;
   const double co_2 = -ci->m2;
-  const double co_3a = t->z * ci->m1, co_3a_lo = ksl_product_error(t->z, ci->m1, co_3a),
-      co_3b = t->y * ci->m2, co_3b_lo = ksl_product_error(t->y, ci->m2, co_3b),
-      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
-      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c - ci->m3,
-      co_3_error = ksl_difference_error(co_3c, ci->m3, co_3), co_3_lo = co_3_error + co_3c_lo;
-  const double co_4a = t->x * ci->m2, co_4a_lo = ksl_product_error(t->x, ci->m2, co_4a),
-      co_4b = t->z * ci->m0, co_4b_lo = ksl_product_error(t->z, ci->m0, co_4b),
-      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
-      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c - ci->m4,
-      co_4_error = ksl_difference_error(co_4c, ci->m4, co_4), co_4_lo = co_4_error + co_4c_lo;
-  const double co_5a = t->y * ci->m0, co_5a_lo = ksl_product_error(t->y, ci->m0, co_5a),
-      co_5b = t->x * ci->m1, co_5b_lo = ksl_product_error(t->x, ci->m1, co_5b),
-      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
-      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c - ci->m5,
-      co_5_error = ksl_difference_error(co_5c, ci->m5, co_5), co_5_lo = co_5_error + co_5c_lo;
+  const double co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
+      co_3c_left_rest = ksl_product_rest(t->z, ci->m1, co_3a, co_3c_left),
+      co_3c_right_rest = ksl_product_rest(t->y, ci->m2, co_3b, co_3c_right),
+      co_3c_lo = co_3c_left_rest - co_3c_right_rest, co_3 = co_3c - ci->m3,
+      co_3_right = co_3c - co_3, co_3_left = co_3 + co_3_right, co_3_left_rest = co_3c - co_3_left,
+      co_3_right_rest = ci->m3 - co_3_right, co_3_lo1 = co_3_left_rest - co_3_right_rest,
+      co_3_lo = co_3_lo1 + co_3c_lo;
+  const double co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
+      co_4c_left_rest = ksl_product_rest(t->x, ci->m2, co_4a, co_4c_left),
+      co_4c_right_rest = ksl_product_rest(t->z, ci->m0, co_4b, co_4c_right),
+      co_4c_lo = co_4c_left_rest - co_4c_right_rest, co_4 = co_4c - ci->m4,
+      co_4_right = co_4c - co_4, co_4_left = co_4 + co_4_right, co_4_left_rest = co_4c - co_4_left,
+      co_4_right_rest = ci->m4 - co_4_right, co_4_lo1 = co_4_left_rest - co_4_right_rest,
+      co_4_lo = co_4_lo1 + co_4c_lo;
+  const double co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
+      co_5c_left_rest = ksl_product_rest(t->y, ci->m0, co_5a, co_5c_left),
+      co_5c_right_rest = ksl_product_rest(t->x, ci->m1, co_5b, co_5c_right),
+      co_5c_lo = co_5c_left_rest - co_5c_right_rest, co_5 = co_5c - ci->m5,
+      co_5_right = co_5c - co_5, co_5_left = co_5 + co_5_right, co_5_left_rest = co_5c - co_5_left,
+      co_5_right_rest = ci->m5 - co_5_right, co_5_lo1 = co_5_left_rest - co_5_right_rest,
+      co_5_lo = co_5_lo1 + co_5c_lo;
   const double co_3_rounded = co_3 + co_3_lo;
   const double co_4_rounded = co_4 + co_4_lo;
   const double co_5_rounded = co_5 + co_5_lo;
@@ -676,53 +849,59 @@ static inline void ksl_product_CoAdtcinv_accurate(const ksl_vec3_t *t, const ksl
 
 /* co = [Ad]*(R) ci.
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-   18 mul, 42 add, 18 product error, 12 sum error.
-   Error <= u |result| + 10 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   18 mul, 66 add, 18 product rest.
+   Error <= u |result| + 11 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_CoAdrc_accurate(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = R->m00 * ci->m0, co_0a_lo = ksl_product_error(R->m00, ci->m0, co_0a),
-      co_0b = R->m01 * ci->m1, co_0b_lo = ksl_product_error(R->m01, ci->m1, co_0b),
-      co_0c = co_0a + co_0b, co_0c_error = ksl_sum_error(co_0a, co_0b, co_0c),
-      co_0c_lo1 = co_0c_error + co_0a_lo, co_0c_lo = co_0c_lo1 + co_0b_lo, co_0d = R->m02 * ci->m2,
-      co_0d_lo = ksl_product_error(R->m02, ci->m2, co_0d), co_0 = co_0c + co_0d,
-      co_0_error = ksl_sum_error(co_0c, co_0d, co_0), co_0_lo1 = co_0_error + co_0c_lo,
-      co_0_lo = co_0_lo1 + co_0d_lo;
-  const double co_1a = R->m10 * ci->m0, co_1a_lo = ksl_product_error(R->m10, ci->m0, co_1a),
-      co_1b = R->m11 * ci->m1, co_1b_lo = ksl_product_error(R->m11, ci->m1, co_1b),
-      co_1c = co_1a + co_1b, co_1c_error = ksl_sum_error(co_1a, co_1b, co_1c),
-      co_1c_lo1 = co_1c_error + co_1a_lo, co_1c_lo = co_1c_lo1 + co_1b_lo, co_1d = R->m12 * ci->m2,
-      co_1d_lo = ksl_product_error(R->m12, ci->m2, co_1d), co_1 = co_1c + co_1d,
-      co_1_error = ksl_sum_error(co_1c, co_1d, co_1), co_1_lo1 = co_1_error + co_1c_lo,
-      co_1_lo = co_1_lo1 + co_1d_lo;
-  const double co_2a = R->m20 * ci->m0, co_2a_lo = ksl_product_error(R->m20, ci->m0, co_2a),
-      co_2b = R->m21 * ci->m1, co_2b_lo = ksl_product_error(R->m21, ci->m1, co_2b),
-      co_2c = co_2a + co_2b, co_2c_error = ksl_sum_error(co_2a, co_2b, co_2c),
-      co_2c_lo1 = co_2c_error + co_2a_lo, co_2c_lo = co_2c_lo1 + co_2b_lo, co_2d = R->m22 * ci->m2,
-      co_2d_lo = ksl_product_error(R->m22, ci->m2, co_2d), co_2 = co_2c + co_2d,
-      co_2_error = ksl_sum_error(co_2c, co_2d, co_2), co_2_lo1 = co_2_error + co_2c_lo,
-      co_2_lo = co_2_lo1 + co_2d_lo;
-  const double co_3a = R->m00 * ci->m3, co_3a_lo = ksl_product_error(R->m00, ci->m3, co_3a),
-      co_3b = R->m01 * ci->m4, co_3b_lo = ksl_product_error(R->m01, ci->m4, co_3b),
-      co_3c = co_3a + co_3b, co_3c_error = ksl_sum_error(co_3a, co_3b, co_3c),
-      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 + co_3b_lo, co_3d = R->m02 * ci->m5,
-      co_3d_lo = ksl_product_error(R->m02, ci->m5, co_3d), co_3 = co_3c + co_3d,
-      co_3_error = ksl_sum_error(co_3c, co_3d, co_3), co_3_lo1 = co_3_error + co_3c_lo,
-      co_3_lo = co_3_lo1 + co_3d_lo;
-  const double co_4a = R->m10 * ci->m3, co_4a_lo = ksl_product_error(R->m10, ci->m3, co_4a),
-      co_4b = R->m11 * ci->m4, co_4b_lo = ksl_product_error(R->m11, ci->m4, co_4b),
-      co_4c = co_4a + co_4b, co_4c_error = ksl_sum_error(co_4a, co_4b, co_4c),
-      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 + co_4b_lo, co_4d = R->m12 * ci->m5,
-      co_4d_lo = ksl_product_error(R->m12, ci->m5, co_4d), co_4 = co_4c + co_4d,
-      co_4_error = ksl_sum_error(co_4c, co_4d, co_4), co_4_lo1 = co_4_error + co_4c_lo,
-      co_4_lo = co_4_lo1 + co_4d_lo;
-  const double co_5a = R->m20 * ci->m3, co_5a_lo = ksl_product_error(R->m20, ci->m3, co_5a),
-      co_5b = R->m21 * ci->m4, co_5b_lo = ksl_product_error(R->m21, ci->m4, co_5b),
-      co_5c = co_5a + co_5b, co_5c_error = ksl_sum_error(co_5a, co_5b, co_5c),
-      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 + co_5b_lo, co_5d = R->m22 * ci->m5,
-      co_5d_lo = ksl_product_error(R->m22, ci->m5, co_5d), co_5 = co_5c + co_5d,
-      co_5_error = ksl_sum_error(co_5c, co_5d, co_5), co_5_lo1 = co_5_error + co_5c_lo,
-      co_5_lo = co_5_lo1 + co_5d_lo;
+  const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
+      co_0c_right = co_0c - co_0a, co_0c_left = co_0c - co_0c_right,
+      co_0c_left_rest = ksl_product_rest(R->m00, ci->m0, co_0a, co_0c_left),
+      co_0c_right_rest = ksl_product_rest(R->m01, ci->m1, co_0b, co_0c_right),
+      co_0c_lo = co_0c_left_rest + co_0c_right_rest, co_0d = R->m02 * ci->m2, co_0 = co_0c + co_0d,
+      co_0_right = co_0 - co_0c, co_0_left = co_0 - co_0_right, co_0_left_rest = co_0c - co_0_left,
+      co_0_right_rest = ksl_product_rest(R->m02, ci->m2, co_0d, co_0_right),
+      co_0_lo1 = co_0_left_rest + co_0_right_rest, co_0_lo = co_0_lo1 + co_0c_lo;
+  const double co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
+      co_1c_right = co_1c - co_1a, co_1c_left = co_1c - co_1c_right,
+      co_1c_left_rest = ksl_product_rest(R->m10, ci->m0, co_1a, co_1c_left),
+      co_1c_right_rest = ksl_product_rest(R->m11, ci->m1, co_1b, co_1c_right),
+      co_1c_lo = co_1c_left_rest + co_1c_right_rest, co_1d = R->m12 * ci->m2, co_1 = co_1c + co_1d,
+      co_1_right = co_1 - co_1c, co_1_left = co_1 - co_1_right, co_1_left_rest = co_1c - co_1_left,
+      co_1_right_rest = ksl_product_rest(R->m12, ci->m2, co_1d, co_1_right),
+      co_1_lo1 = co_1_left_rest + co_1_right_rest, co_1_lo = co_1_lo1 + co_1c_lo;
+  const double co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
+      co_2c_right = co_2c - co_2a, co_2c_left = co_2c - co_2c_right,
+      co_2c_left_rest = ksl_product_rest(R->m20, ci->m0, co_2a, co_2c_left),
+      co_2c_right_rest = ksl_product_rest(R->m21, ci->m1, co_2b, co_2c_right),
+      co_2c_lo = co_2c_left_rest + co_2c_right_rest, co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d,
+      co_2_right = co_2 - co_2c, co_2_left = co_2 - co_2_right, co_2_left_rest = co_2c - co_2_left,
+      co_2_right_rest = ksl_product_rest(R->m22, ci->m2, co_2d, co_2_right),
+      co_2_lo1 = co_2_left_rest + co_2_right_rest, co_2_lo = co_2_lo1 + co_2c_lo;
+  const double co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
+      co_3c_right = co_3c - co_3a, co_3c_left = co_3c - co_3c_right,
+      co_3c_left_rest = ksl_product_rest(R->m00, ci->m3, co_3a, co_3c_left),
+      co_3c_right_rest = ksl_product_rest(R->m01, ci->m4, co_3b, co_3c_right),
+      co_3c_lo = co_3c_left_rest + co_3c_right_rest, co_3d = R->m02 * ci->m5, co_3 = co_3c + co_3d,
+      co_3_right = co_3 - co_3c, co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
+      co_3_right_rest = ksl_product_rest(R->m02, ci->m5, co_3d, co_3_right),
+      co_3_lo1 = co_3_left_rest + co_3_right_rest, co_3_lo = co_3_lo1 + co_3c_lo;
+  const double co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
+      co_4c_right = co_4c - co_4a, co_4c_left = co_4c - co_4c_right,
+      co_4c_left_rest = ksl_product_rest(R->m10, ci->m3, co_4a, co_4c_left),
+      co_4c_right_rest = ksl_product_rest(R->m11, ci->m4, co_4b, co_4c_right),
+      co_4c_lo = co_4c_left_rest + co_4c_right_rest, co_4d = R->m12 * ci->m5, co_4 = co_4c + co_4d,
+      co_4_right = co_4 - co_4c, co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
+      co_4_right_rest = ksl_product_rest(R->m12, ci->m5, co_4d, co_4_right),
+      co_4_lo1 = co_4_left_rest + co_4_right_rest, co_4_lo = co_4_lo1 + co_4c_lo;
+  const double co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
+      co_5c_right = co_5c - co_5a, co_5c_left = co_5c - co_5c_right,
+      co_5c_left_rest = ksl_product_rest(R->m20, ci->m3, co_5a, co_5c_left),
+      co_5c_right_rest = ksl_product_rest(R->m21, ci->m4, co_5b, co_5c_right),
+      co_5c_lo = co_5c_left_rest + co_5c_right_rest, co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d,
+      co_5_right = co_5 - co_5c, co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
+      co_5_right_rest = ksl_product_rest(R->m22, ci->m5, co_5d, co_5_right),
+      co_5_lo1 = co_5_left_rest + co_5_right_rest, co_5_lo = co_5_lo1 + co_5c_lo;
   const double co_0_rounded = co_0 + co_0_lo;
   const double co_1_rounded = co_1 + co_1_lo;
   const double co_2_rounded = co_2 + co_2_lo;
@@ -739,53 +918,59 @@ static inline void ksl_product_CoAdrc_accurate(const ksl_mat3x3_t *R, const ksl_
 
 /* co = [Ad]*(R)^-1 ci.
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-   18 mul, 42 add, 18 product error, 12 sum error.
-   Error <= u |result| + 10 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   18 mul, 66 add, 18 product rest.
+   Error <= u |result| + 11 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_CoAdrinvc_accurate(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = R->m00 * ci->m0, co_0a_lo = ksl_product_error(R->m00, ci->m0, co_0a),
-      co_0b = R->m10 * ci->m1, co_0b_lo = ksl_product_error(R->m10, ci->m1, co_0b),
-      co_0c = co_0a + co_0b, co_0c_error = ksl_sum_error(co_0a, co_0b, co_0c),
-      co_0c_lo1 = co_0c_error + co_0a_lo, co_0c_lo = co_0c_lo1 + co_0b_lo, co_0d = R->m20 * ci->m2,
-      co_0d_lo = ksl_product_error(R->m20, ci->m2, co_0d), co_0 = co_0c + co_0d,
-      co_0_error = ksl_sum_error(co_0c, co_0d, co_0), co_0_lo1 = co_0_error + co_0c_lo,
-      co_0_lo = co_0_lo1 + co_0d_lo;
-  const double co_1a = R->m01 * ci->m0, co_1a_lo = ksl_product_error(R->m01, ci->m0, co_1a),
-      co_1b = R->m11 * ci->m1, co_1b_lo = ksl_product_error(R->m11, ci->m1, co_1b),
-      co_1c = co_1a + co_1b, co_1c_error = ksl_sum_error(co_1a, co_1b, co_1c),
-      co_1c_lo1 = co_1c_error + co_1a_lo, co_1c_lo = co_1c_lo1 + co_1b_lo, co_1d = R->m21 * ci->m2,
-      co_1d_lo = ksl_product_error(R->m21, ci->m2, co_1d), co_1 = co_1c + co_1d,
-      co_1_error = ksl_sum_error(co_1c, co_1d, co_1), co_1_lo1 = co_1_error + co_1c_lo,
-      co_1_lo = co_1_lo1 + co_1d_lo;
-  const double co_2a = R->m02 * ci->m0, co_2a_lo = ksl_product_error(R->m02, ci->m0, co_2a),
-      co_2b = R->m12 * ci->m1, co_2b_lo = ksl_product_error(R->m12, ci->m1, co_2b),
-      co_2c = co_2a + co_2b, co_2c_error = ksl_sum_error(co_2a, co_2b, co_2c),
-      co_2c_lo1 = co_2c_error + co_2a_lo, co_2c_lo = co_2c_lo1 + co_2b_lo, co_2d = R->m22 * ci->m2,
-      co_2d_lo = ksl_product_error(R->m22, ci->m2, co_2d), co_2 = co_2c + co_2d,
-      co_2_error = ksl_sum_error(co_2c, co_2d, co_2), co_2_lo1 = co_2_error + co_2c_lo,
-      co_2_lo = co_2_lo1 + co_2d_lo;
-  const double co_3a = R->m00 * ci->m3, co_3a_lo = ksl_product_error(R->m00, ci->m3, co_3a),
-      co_3b = R->m10 * ci->m4, co_3b_lo = ksl_product_error(R->m10, ci->m4, co_3b),
-      co_3c = co_3a + co_3b, co_3c_error = ksl_sum_error(co_3a, co_3b, co_3c),
-      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 + co_3b_lo, co_3d = R->m20 * ci->m5,
-      co_3d_lo = ksl_product_error(R->m20, ci->m5, co_3d), co_3 = co_3c + co_3d,
-      co_3_error = ksl_sum_error(co_3c, co_3d, co_3), co_3_lo1 = co_3_error + co_3c_lo,
-      co_3_lo = co_3_lo1 + co_3d_lo;
-  const double co_4a = R->m01 * ci->m3, co_4a_lo = ksl_product_error(R->m01, ci->m3, co_4a),
-      co_4b = R->m11 * ci->m4, co_4b_lo = ksl_product_error(R->m11, ci->m4, co_4b),
-      co_4c = co_4a + co_4b, co_4c_error = ksl_sum_error(co_4a, co_4b, co_4c),
-      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 + co_4b_lo, co_4d = R->m21 * ci->m5,
-      co_4d_lo = ksl_product_error(R->m21, ci->m5, co_4d), co_4 = co_4c + co_4d,
-      co_4_error = ksl_sum_error(co_4c, co_4d, co_4), co_4_lo1 = co_4_error + co_4c_lo,
-      co_4_lo = co_4_lo1 + co_4d_lo;
-  const double co_5a = R->m02 * ci->m3, co_5a_lo = ksl_product_error(R->m02, ci->m3, co_5a),
-      co_5b = R->m12 * ci->m4, co_5b_lo = ksl_product_error(R->m12, ci->m4, co_5b),
-      co_5c = co_5a + co_5b, co_5c_error = ksl_sum_error(co_5a, co_5b, co_5c),
-      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 + co_5b_lo, co_5d = R->m22 * ci->m5,
-      co_5d_lo = ksl_product_error(R->m22, ci->m5, co_5d), co_5 = co_5c + co_5d,
-      co_5_error = ksl_sum_error(co_5c, co_5d, co_5), co_5_lo1 = co_5_error + co_5c_lo,
-      co_5_lo = co_5_lo1 + co_5d_lo;
+  const double co_0a = R->m00 * ci->m0, co_0b = R->m10 * ci->m1, co_0c = co_0a + co_0b,
+      co_0c_right = co_0c - co_0a, co_0c_left = co_0c - co_0c_right,
+      co_0c_left_rest = ksl_product_rest(R->m00, ci->m0, co_0a, co_0c_left),
+      co_0c_right_rest = ksl_product_rest(R->m10, ci->m1, co_0b, co_0c_right),
+      co_0c_lo = co_0c_left_rest + co_0c_right_rest, co_0d = R->m20 * ci->m2, co_0 = co_0c + co_0d,
+      co_0_right = co_0 - co_0c, co_0_left = co_0 - co_0_right, co_0_left_rest = co_0c - co_0_left,
+      co_0_right_rest = ksl_product_rest(R->m20, ci->m2, co_0d, co_0_right),
+      co_0_lo1 = co_0_left_rest + co_0_right_rest, co_0_lo = co_0_lo1 + co_0c_lo;
+  const double co_1a = R->m01 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
+      co_1c_right = co_1c - co_1a, co_1c_left = co_1c - co_1c_right,
+      co_1c_left_rest = ksl_product_rest(R->m01, ci->m0, co_1a, co_1c_left),
+      co_1c_right_rest = ksl_product_rest(R->m11, ci->m1, co_1b, co_1c_right),
+      co_1c_lo = co_1c_left_rest + co_1c_right_rest, co_1d = R->m21 * ci->m2, co_1 = co_1c + co_1d,
+      co_1_right = co_1 - co_1c, co_1_left = co_1 - co_1_right, co_1_left_rest = co_1c - co_1_left,
+      co_1_right_rest = ksl_product_rest(R->m21, ci->m2, co_1d, co_1_right),
+      co_1_lo1 = co_1_left_rest + co_1_right_rest, co_1_lo = co_1_lo1 + co_1c_lo;
+  const double co_2a = R->m02 * ci->m0, co_2b = R->m12 * ci->m1, co_2c = co_2a + co_2b,
+      co_2c_right = co_2c - co_2a, co_2c_left = co_2c - co_2c_right,
+      co_2c_left_rest = ksl_product_rest(R->m02, ci->m0, co_2a, co_2c_left),
+      co_2c_right_rest = ksl_product_rest(R->m12, ci->m1, co_2b, co_2c_right),
+      co_2c_lo = co_2c_left_rest + co_2c_right_rest, co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d,
+      co_2_right = co_2 - co_2c, co_2_left = co_2 - co_2_right, co_2_left_rest = co_2c - co_2_left,
+      co_2_right_rest = ksl_product_rest(R->m22, ci->m2, co_2d, co_2_right),
+      co_2_lo1 = co_2_left_rest + co_2_right_rest, co_2_lo = co_2_lo1 + co_2c_lo;
+  const double co_3a = R->m00 * ci->m3, co_3b = R->m10 * ci->m4, co_3c = co_3a + co_3b,
+      co_3c_right = co_3c - co_3a, co_3c_left = co_3c - co_3c_right,
+      co_3c_left_rest = ksl_product_rest(R->m00, ci->m3, co_3a, co_3c_left),
+      co_3c_right_rest = ksl_product_rest(R->m10, ci->m4, co_3b, co_3c_right),
+      co_3c_lo = co_3c_left_rest + co_3c_right_rest, co_3d = R->m20 * ci->m5, co_3 = co_3c + co_3d,
+      co_3_right = co_3 - co_3c, co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
+      co_3_right_rest = ksl_product_rest(R->m20, ci->m5, co_3d, co_3_right),
+      co_3_lo1 = co_3_left_rest + co_3_right_rest, co_3_lo = co_3_lo1 + co_3c_lo;
+  const double co_4a = R->m01 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
+      co_4c_right = co_4c - co_4a, co_4c_left = co_4c - co_4c_right,
+      co_4c_left_rest = ksl_product_rest(R->m01, ci->m3, co_4a, co_4c_left),
+      co_4c_right_rest = ksl_product_rest(R->m11, ci->m4, co_4b, co_4c_right),
+      co_4c_lo = co_4c_left_rest + co_4c_right_rest, co_4d = R->m21 * ci->m5, co_4 = co_4c + co_4d,
+      co_4_right = co_4 - co_4c, co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
+      co_4_right_rest = ksl_product_rest(R->m21, ci->m5, co_4d, co_4_right),
+      co_4_lo1 = co_4_left_rest + co_4_right_rest, co_4_lo = co_4_lo1 + co_4c_lo;
+  const double co_5a = R->m02 * ci->m3, co_5b = R->m12 * ci->m4, co_5c = co_5a + co_5b,
+      co_5c_right = co_5c - co_5a, co_5c_left = co_5c - co_5c_right,
+      co_5c_left_rest = ksl_product_rest(R->m02, ci->m3, co_5a, co_5c_left),
+      co_5c_right_rest = ksl_product_rest(R->m12, ci->m4, co_5b, co_5c_right),
+      co_5c_lo = co_5c_left_rest + co_5c_right_rest, co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d,
+      co_5_right = co_5 - co_5c, co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
+      co_5_right_rest = ksl_product_rest(R->m22, ci->m5, co_5d, co_5_right),
+      co_5_lo1 = co_5_left_rest + co_5_right_rest, co_5_lo = co_5_lo1 + co_5c_lo;
   const double co_0_rounded = co_0 + co_0_lo;
   const double co_1_rounded = co_1 + co_1_lo;
   const double co_2_rounded = co_2 + co_2_lo;
@@ -802,53 +987,71 @@ static inline void ksl_product_CoAdrinvc_accurate(const ksl_mat3x3_t *R, const k
 
 /* co = [Ad]*(R) (-ci).
    R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-   18 mul, 42 add, 18 product error, 12 sum error, 12 neg.
-   Error <= u |result| + 10 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   18 mul, 66 add, 18 product rest, 12 neg.
+   Error <= u |result| + 11 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_CoAdrcinv_accurate(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = R->m00 * ci->m0, co_0a_lo = ksl_product_error(R->m00, ci->m0, co_0a),
-      co_0b = R->m01 * ci->m1, co_0b_lo = ksl_product_error(R->m01, ci->m1, co_0b),
-      co_0c = co_0a + co_0b, co_0c_error = ksl_sum_error(co_0a, co_0b, co_0c),
-      co_0c_lo1 = co_0c_error + co_0a_lo, co_0c_lo = co_0c_lo1 + co_0b_lo, co_0d = R->m02 * ci->m2,
-      co_0d_lo = ksl_product_error(R->m02, ci->m2, co_0d), co_0e = co_0c + co_0d,
-      co_0e_error = ksl_sum_error(co_0c, co_0d, co_0e), co_0e_lo1 = co_0e_error + co_0c_lo,
-      co_0e_lo = co_0e_lo1 + co_0d_lo, co_0 = -co_0e, co_0_lo = -co_0e_lo;
-  const double co_1a = R->m10 * ci->m0, co_1a_lo = ksl_product_error(R->m10, ci->m0, co_1a),
-      co_1b = R->m11 * ci->m1, co_1b_lo = ksl_product_error(R->m11, ci->m1, co_1b),
-      co_1c = co_1a + co_1b, co_1c_error = ksl_sum_error(co_1a, co_1b, co_1c),
-      co_1c_lo1 = co_1c_error + co_1a_lo, co_1c_lo = co_1c_lo1 + co_1b_lo, co_1d = R->m12 * ci->m2,
-      co_1d_lo = ksl_product_error(R->m12, ci->m2, co_1d), co_1e = co_1c + co_1d,
-      co_1e_error = ksl_sum_error(co_1c, co_1d, co_1e), co_1e_lo1 = co_1e_error + co_1c_lo,
-      co_1e_lo = co_1e_lo1 + co_1d_lo, co_1 = -co_1e, co_1_lo = -co_1e_lo;
-  const double co_2a = R->m20 * ci->m0, co_2a_lo = ksl_product_error(R->m20, ci->m0, co_2a),
-      co_2b = R->m21 * ci->m1, co_2b_lo = ksl_product_error(R->m21, ci->m1, co_2b),
-      co_2c = co_2a + co_2b, co_2c_error = ksl_sum_error(co_2a, co_2b, co_2c),
-      co_2c_lo1 = co_2c_error + co_2a_lo, co_2c_lo = co_2c_lo1 + co_2b_lo, co_2d = R->m22 * ci->m2,
-      co_2d_lo = ksl_product_error(R->m22, ci->m2, co_2d), co_2e = co_2c + co_2d,
-      co_2e_error = ksl_sum_error(co_2c, co_2d, co_2e), co_2e_lo1 = co_2e_error + co_2c_lo,
-      co_2e_lo = co_2e_lo1 + co_2d_lo, co_2 = -co_2e, co_2_lo = -co_2e_lo;
-  const double co_3a = R->m00 * ci->m3, co_3a_lo = ksl_product_error(R->m00, ci->m3, co_3a),
-      co_3b = R->m01 * ci->m4, co_3b_lo = ksl_product_error(R->m01, ci->m4, co_3b),
-      co_3c = co_3a + co_3b, co_3c_error = ksl_sum_error(co_3a, co_3b, co_3c),
-      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 + co_3b_lo, co_3d = R->m02 * ci->m5,
-      co_3d_lo = ksl_product_error(R->m02, ci->m5, co_3d), co_3e = co_3c + co_3d,
-      co_3e_error = ksl_sum_error(co_3c, co_3d, co_3e), co_3e_lo1 = co_3e_error + co_3c_lo,
-      co_3e_lo = co_3e_lo1 + co_3d_lo, co_3 = -co_3e, co_3_lo = -co_3e_lo;
-  const double co_4a = R->m10 * ci->m3, co_4a_lo = ksl_product_error(R->m10, ci->m3, co_4a),
-      co_4b = R->m11 * ci->m4, co_4b_lo = ksl_product_error(R->m11, ci->m4, co_4b),
-      co_4c = co_4a + co_4b, co_4c_error = ksl_sum_error(co_4a, co_4b, co_4c),
-      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 + co_4b_lo, co_4d = R->m12 * ci->m5,
-      co_4d_lo = ksl_product_error(R->m12, ci->m5, co_4d), co_4e = co_4c + co_4d,
-      co_4e_error = ksl_sum_error(co_4c, co_4d, co_4e), co_4e_lo1 = co_4e_error + co_4c_lo,
-      co_4e_lo = co_4e_lo1 + co_4d_lo, co_4 = -co_4e, co_4_lo = -co_4e_lo;
-  const double co_5a = R->m20 * ci->m3, co_5a_lo = ksl_product_error(R->m20, ci->m3, co_5a),
-      co_5b = R->m21 * ci->m4, co_5b_lo = ksl_product_error(R->m21, ci->m4, co_5b),
-      co_5c = co_5a + co_5b, co_5c_error = ksl_sum_error(co_5a, co_5b, co_5c),
-      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 + co_5b_lo, co_5d = R->m22 * ci->m5,
-      co_5d_lo = ksl_product_error(R->m22, ci->m5, co_5d), co_5e = co_5c + co_5d,
-      co_5e_error = ksl_sum_error(co_5c, co_5d, co_5e), co_5e_lo1 = co_5e_error + co_5c_lo,
-      co_5e_lo = co_5e_lo1 + co_5d_lo, co_5 = -co_5e, co_5_lo = -co_5e_lo;
+  const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
+      co_0c_right = co_0c - co_0a, co_0c_left = co_0c - co_0c_right,
+      co_0c_left_rest = ksl_product_rest(R->m00, ci->m0, co_0a, co_0c_left),
+      co_0c_right_rest = ksl_product_rest(R->m01, ci->m1, co_0b, co_0c_right),
+      co_0c_lo = co_0c_left_rest + co_0c_right_rest, co_0d = R->m02 * ci->m2, co_0e = co_0c + co_0d,
+      co_0e_right = co_0e - co_0c, co_0e_left = co_0e - co_0e_right,
+      co_0e_left_rest = co_0c - co_0e_left,
+      co_0e_right_rest = ksl_product_rest(R->m02, ci->m2, co_0d, co_0e_right),
+      co_0e_lo1 = co_0e_left_rest + co_0e_right_rest, co_0e_lo = co_0e_lo1 + co_0c_lo,
+      co_0 = -co_0e, co_0_lo = -co_0e_lo;
+  const double co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
+      co_1c_right = co_1c - co_1a, co_1c_left = co_1c - co_1c_right,
+      co_1c_left_rest = ksl_product_rest(R->m10, ci->m0, co_1a, co_1c_left),
+      co_1c_right_rest = ksl_product_rest(R->m11, ci->m1, co_1b, co_1c_right),
+      co_1c_lo = co_1c_left_rest + co_1c_right_rest, co_1d = R->m12 * ci->m2, co_1e = co_1c + co_1d,
+      co_1e_right = co_1e - co_1c, co_1e_left = co_1e - co_1e_right,
+      co_1e_left_rest = co_1c - co_1e_left,
+      co_1e_right_rest = ksl_product_rest(R->m12, ci->m2, co_1d, co_1e_right),
+      co_1e_lo1 = co_1e_left_rest + co_1e_right_rest, co_1e_lo = co_1e_lo1 + co_1c_lo,
+      co_1 = -co_1e, co_1_lo = -co_1e_lo;
+  const double co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
+      co_2c_right = co_2c - co_2a, co_2c_left = co_2c - co_2c_right,
+      co_2c_left_rest = ksl_product_rest(R->m20, ci->m0, co_2a, co_2c_left),
+      co_2c_right_rest = ksl_product_rest(R->m21, ci->m1, co_2b, co_2c_right),
+      co_2c_lo = co_2c_left_rest + co_2c_right_rest, co_2d = R->m22 * ci->m2, co_2e = co_2c + co_2d,
+      co_2e_right = co_2e - co_2c, co_2e_left = co_2e - co_2e_right,
+      co_2e_left_rest = co_2c - co_2e_left,
+      co_2e_right_rest = ksl_product_rest(R->m22, ci->m2, co_2d, co_2e_right),
+      co_2e_lo1 = co_2e_left_rest + co_2e_right_rest, co_2e_lo = co_2e_lo1 + co_2c_lo,
+      co_2 = -co_2e, co_2_lo = -co_2e_lo;
+  const double co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
+      co_3c_right = co_3c - co_3a, co_3c_left = co_3c - co_3c_right,
+      co_3c_left_rest = ksl_product_rest(R->m00, ci->m3, co_3a, co_3c_left),
+      co_3c_right_rest = ksl_product_rest(R->m01, ci->m4, co_3b, co_3c_right),
+      co_3c_lo = co_3c_left_rest + co_3c_right_rest, co_3d = R->m02 * ci->m5, co_3e = co_3c + co_3d,
+      co_3e_right = co_3e - co_3c, co_3e_left = co_3e - co_3e_right,
+      co_3e_left_rest = co_3c - co_3e_left,
+      co_3e_right_rest = ksl_product_rest(R->m02, ci->m5, co_3d, co_3e_right),
+      co_3e_lo1 = co_3e_left_rest + co_3e_right_rest, co_3e_lo = co_3e_lo1 + co_3c_lo,
+      co_3 = -co_3e, co_3_lo = -co_3e_lo;
+  const double co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
+      co_4c_right = co_4c - co_4a, co_4c_left = co_4c - co_4c_right,
+      co_4c_left_rest = ksl_product_rest(R->m10, ci->m3, co_4a, co_4c_left),
+      co_4c_right_rest = ksl_product_rest(R->m11, ci->m4, co_4b, co_4c_right),
+      co_4c_lo = co_4c_left_rest + co_4c_right_rest, co_4d = R->m12 * ci->m5, co_4e = co_4c + co_4d,
+      co_4e_right = co_4e - co_4c, co_4e_left = co_4e - co_4e_right,
+      co_4e_left_rest = co_4c - co_4e_left,
+      co_4e_right_rest = ksl_product_rest(R->m12, ci->m5, co_4d, co_4e_right),
+      co_4e_lo1 = co_4e_left_rest + co_4e_right_rest, co_4e_lo = co_4e_lo1 + co_4c_lo,
+      co_4 = -co_4e, co_4_lo = -co_4e_lo;
+  const double co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
+      co_5c_right = co_5c - co_5a, co_5c_left = co_5c - co_5c_right,
+      co_5c_left_rest = ksl_product_rest(R->m20, ci->m3, co_5a, co_5c_left),
+      co_5c_right_rest = ksl_product_rest(R->m21, ci->m4, co_5b, co_5c_right),
+      co_5c_lo = co_5c_left_rest + co_5c_right_rest, co_5d = R->m22 * ci->m5, co_5e = co_5c + co_5d,
+      co_5e_right = co_5e - co_5c, co_5e_left = co_5e - co_5e_right,
+      co_5e_left_rest = co_5c - co_5e_left,
+      co_5e_right_rest = ksl_product_rest(R->m22, ci->m5, co_5d, co_5e_right),
+      co_5e_lo1 = co_5e_left_rest + co_5e_right_rest, co_5e_lo = co_5e_lo1 + co_5c_lo,
+      co_5 = -co_5e, co_5_lo = -co_5e_lo;
   const double co_0_rounded = co_0 + co_0_lo;
   const double co_1_rounded = co_1 + co_1_lo;
   const double co_2_rounded = co_2 + co_2_lo;
@@ -865,77 +1068,89 @@ static inline void ksl_product_CoAdrcinv_accurate(const ksl_mat3x3_t *R, const k
 
 /* co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-   30 mul, 66 add, 24 product error, 18 sum error.
-   Error <= u |result| + (lin: 10, ang: 39) u^2 S, S the sum of the |terms| of the expanded
+   30 mul, 108 add, 24 product rest.
+   Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdc_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * ci->m0, w_0a_lo = ksl_product_error(D->m00, ci->m0, w_0a),
-      w_0b = D->m01 * ci->m1, w_0b_lo = ksl_product_error(D->m01, ci->m1, w_0b), w_0c = w_0a + w_0b,
-      w_0c_error = ksl_sum_error(w_0a, w_0b, w_0c), w_0c_lo1 = w_0c_error + w_0a_lo,
-      w_0c_lo = w_0c_lo1 + w_0b_lo, w_0d = D->m02 * ci->m2,
-      w_0d_lo = ksl_product_error(D->m02, ci->m2, w_0d), w_0 = w_0c + w_0d,
-      w_0_error = ksl_sum_error(w_0c, w_0d, w_0), w_0_lo1 = w_0_error + w_0c_lo,
-      w_0_lo = w_0_lo1 + w_0d_lo;
-  const double w_1a = D->m10 * ci->m0, w_1a_lo = ksl_product_error(D->m10, ci->m0, w_1a),
-      w_1b = D->m11 * ci->m1, w_1b_lo = ksl_product_error(D->m11, ci->m1, w_1b), w_1c = w_1a + w_1b,
-      w_1c_error = ksl_sum_error(w_1a, w_1b, w_1c), w_1c_lo1 = w_1c_error + w_1a_lo,
-      w_1c_lo = w_1c_lo1 + w_1b_lo, w_1d = D->m12 * ci->m2,
-      w_1d_lo = ksl_product_error(D->m12, ci->m2, w_1d), w_1 = w_1c + w_1d,
-      w_1_error = ksl_sum_error(w_1c, w_1d, w_1), w_1_lo1 = w_1_error + w_1c_lo,
-      w_1_lo = w_1_lo1 + w_1d_lo;
-  const double w_2a = D->m20 * ci->m0, w_2a_lo = ksl_product_error(D->m20, ci->m0, w_2a),
-      w_2b = D->m21 * ci->m1, w_2b_lo = ksl_product_error(D->m21, ci->m1, w_2b), w_2c = w_2a + w_2b,
-      w_2c_error = ksl_sum_error(w_2a, w_2b, w_2c), w_2c_lo1 = w_2c_error + w_2a_lo,
-      w_2c_lo = w_2c_lo1 + w_2b_lo, w_2d = D->m22 * ci->m2,
-      w_2d_lo = ksl_product_error(D->m22, ci->m2, w_2d), w_2 = w_2c + w_2d,
-      w_2_error = ksl_sum_error(w_2c, w_2d, w_2), w_2_lo1 = w_2_error + w_2c_lo,
-      w_2_lo = w_2_lo1 + w_2d_lo;
-  const double w_3a = D->m00 * ci->m3, w_3a_lo = ksl_product_error(D->m00, ci->m3, w_3a),
-      w_3b = D->m01 * ci->m4, w_3b_lo = ksl_product_error(D->m01, ci->m4, w_3b), w_3c = w_3a + w_3b,
-      w_3c_error = ksl_sum_error(w_3a, w_3b, w_3c), w_3c_lo1 = w_3c_error + w_3a_lo,
-      w_3c_lo = w_3c_lo1 + w_3b_lo, w_3d = D->m02 * ci->m5,
-      w_3d_lo = ksl_product_error(D->m02, ci->m5, w_3d), w_3 = w_3c + w_3d,
-      w_3_error = ksl_sum_error(w_3c, w_3d, w_3), w_3_lo1 = w_3_error + w_3c_lo,
-      w_3_lo = w_3_lo1 + w_3d_lo;
-  const double w_4a = D->m10 * ci->m3, w_4a_lo = ksl_product_error(D->m10, ci->m3, w_4a),
-      w_4b = D->m11 * ci->m4, w_4b_lo = ksl_product_error(D->m11, ci->m4, w_4b), w_4c = w_4a + w_4b,
-      w_4c_error = ksl_sum_error(w_4a, w_4b, w_4c), w_4c_lo1 = w_4c_error + w_4a_lo,
-      w_4c_lo = w_4c_lo1 + w_4b_lo, w_4d = D->m12 * ci->m5,
-      w_4d_lo = ksl_product_error(D->m12, ci->m5, w_4d), w_4 = w_4c + w_4d,
-      w_4_error = ksl_sum_error(w_4c, w_4d, w_4), w_4_lo1 = w_4_error + w_4c_lo,
-      w_4_lo = w_4_lo1 + w_4d_lo;
-  const double w_5a = D->m20 * ci->m3, w_5a_lo = ksl_product_error(D->m20, ci->m3, w_5a),
-      w_5b = D->m21 * ci->m4, w_5b_lo = ksl_product_error(D->m21, ci->m4, w_5b), w_5c = w_5a + w_5b,
-      w_5c_error = ksl_sum_error(w_5a, w_5b, w_5c), w_5c_lo1 = w_5c_error + w_5a_lo,
-      w_5c_lo = w_5c_lo1 + w_5b_lo, w_5d = D->m22 * ci->m5,
-      w_5d_lo = ksl_product_error(D->m22, ci->m5, w_5d), w_5 = w_5c + w_5d,
-      w_5_error = ksl_sum_error(w_5c, w_5d, w_5), w_5_lo1 = w_5_error + w_5c_lo,
-      w_5_lo = w_5_lo1 + w_5d_lo;
-  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
-      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
-      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
-      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
-      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
-      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c + w_3,
-      co_3_error = ksl_sum_error(co_3c, w_3, co_3), co_3_lo1 = co_3_error + co_3c_lo,
-      co_3_lo = co_3_lo1 + w_3_lo;
-  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
-      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
-      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
-      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
-      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
-      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c + w_4,
-      co_4_error = ksl_sum_error(co_4c, w_4, co_4), co_4_lo1 = co_4_error + co_4c_lo,
-      co_4_lo = co_4_lo1 + w_4_lo;
-  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
-      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
-      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
-      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
-      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
-      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c + w_5,
-      co_5_error = ksl_sum_error(co_5c, w_5, co_5), co_5_lo1 = co_5_error + co_5c_lo,
-      co_5_lo = co_5_lo1 + w_5_lo;
+  const double w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
+      w_0c_right = w_0c - w_0a, w_0c_left = w_0c - w_0c_right,
+      w_0c_left_rest = ksl_product_rest(D->m00, ci->m0, w_0a, w_0c_left),
+      w_0c_right_rest = ksl_product_rest(D->m01, ci->m1, w_0b, w_0c_right),
+      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = D->m02 * ci->m2, w_0 = w_0c + w_0d,
+      w_0_right = w_0 - w_0c, w_0_left = w_0 - w_0_right, w_0_left_rest = w_0c - w_0_left,
+      w_0_right_rest = ksl_product_rest(D->m02, ci->m2, w_0d, w_0_right),
+      w_0_lo1 = w_0_left_rest + w_0_right_rest, w_0_lo = w_0_lo1 + w_0c_lo;
+  const double w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
+      w_1c_right = w_1c - w_1a, w_1c_left = w_1c - w_1c_right,
+      w_1c_left_rest = ksl_product_rest(D->m10, ci->m0, w_1a, w_1c_left),
+      w_1c_right_rest = ksl_product_rest(D->m11, ci->m1, w_1b, w_1c_right),
+      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = D->m12 * ci->m2, w_1 = w_1c + w_1d,
+      w_1_right = w_1 - w_1c, w_1_left = w_1 - w_1_right, w_1_left_rest = w_1c - w_1_left,
+      w_1_right_rest = ksl_product_rest(D->m12, ci->m2, w_1d, w_1_right),
+      w_1_lo1 = w_1_left_rest + w_1_right_rest, w_1_lo = w_1_lo1 + w_1c_lo;
+  const double w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
+      w_2c_right = w_2c - w_2a, w_2c_left = w_2c - w_2c_right,
+      w_2c_left_rest = ksl_product_rest(D->m20, ci->m0, w_2a, w_2c_left),
+      w_2c_right_rest = ksl_product_rest(D->m21, ci->m1, w_2b, w_2c_right),
+      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = D->m22 * ci->m2, w_2 = w_2c + w_2d,
+      w_2_right = w_2 - w_2c, w_2_left = w_2 - w_2_right, w_2_left_rest = w_2c - w_2_left,
+      w_2_right_rest = ksl_product_rest(D->m22, ci->m2, w_2d, w_2_right),
+      w_2_lo1 = w_2_left_rest + w_2_right_rest, w_2_lo = w_2_lo1 + w_2c_lo;
+  const double w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
+      w_3c_right = w_3c - w_3a, w_3c_left = w_3c - w_3c_right,
+      w_3c_left_rest = ksl_product_rest(D->m00, ci->m3, w_3a, w_3c_left),
+      w_3c_right_rest = ksl_product_rest(D->m01, ci->m4, w_3b, w_3c_right),
+      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = D->m02 * ci->m5, w_3 = w_3c + w_3d,
+      w_3_right = w_3 - w_3c, w_3_left = w_3 - w_3_right, w_3_left_rest = w_3c - w_3_left,
+      w_3_right_rest = ksl_product_rest(D->m02, ci->m5, w_3d, w_3_right),
+      w_3_lo1 = w_3_left_rest + w_3_right_rest, w_3_lo = w_3_lo1 + w_3c_lo;
+  const double w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
+      w_4c_right = w_4c - w_4a, w_4c_left = w_4c - w_4c_right,
+      w_4c_left_rest = ksl_product_rest(D->m10, ci->m3, w_4a, w_4c_left),
+      w_4c_right_rest = ksl_product_rest(D->m11, ci->m4, w_4b, w_4c_right),
+      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = D->m12 * ci->m5, w_4 = w_4c + w_4d,
+      w_4_right = w_4 - w_4c, w_4_left = w_4 - w_4_right, w_4_left_rest = w_4c - w_4_left,
+      w_4_right_rest = ksl_product_rest(D->m12, ci->m5, w_4d, w_4_right),
+      w_4_lo1 = w_4_left_rest + w_4_right_rest, w_4_lo = w_4_lo1 + w_4c_lo;
+  const double w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
+      w_5c_right = w_5c - w_5a, w_5c_left = w_5c - w_5c_right,
+      w_5c_left_rest = ksl_product_rest(D->m20, ci->m3, w_5a, w_5c_left),
+      w_5c_right_rest = ksl_product_rest(D->m21, ci->m4, w_5b, w_5c_right),
+      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = D->m22 * ci->m5, w_5 = w_5c + w_5d,
+      w_5_right = w_5 - w_5c, w_5_left = w_5 - w_5_right, w_5_left_rest = w_5c - w_5_left,
+      w_5_right_rest = ksl_product_rest(D->m22, ci->m5, w_5d, w_5_right),
+      w_5_lo1 = w_5_left_rest + w_5_right_rest, w_5_lo = w_5_lo1 + w_5c_lo;
+  const double co_3a = D->m13 * w_2, co_3a_cross2 = D->m13 * w_2_lo, co_3b = D->m23 * w_1,
+      co_3b_cross2 = D->m23 * w_1_lo, co_3c = co_3a - co_3b, co_3c_right = co_3a - co_3c,
+      co_3c_left = co_3c + co_3c_right,
+      co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
+      co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
+      co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
+      co_3c_lo = co_3c_lo1 + co_3c_cross, co_3 = co_3c + w_3, co_3_right = co_3 - co_3c,
+      co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
+      co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
+      co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
+  const double co_4a = D->m23 * w_0, co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2,
+      co_4b_cross2 = D->m03 * w_2_lo, co_4c = co_4a - co_4b, co_4c_right = co_4a - co_4c,
+      co_4c_left = co_4c + co_4c_right,
+      co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
+      co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
+      co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
+      co_4c_lo = co_4c_lo1 + co_4c_cross, co_4 = co_4c + w_4, co_4_right = co_4 - co_4c,
+      co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
+      co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
+      co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
+  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
+      co_5b_cross2 = D->m13 * w_0_lo, co_5c = co_5a - co_5b, co_5c_right = co_5a - co_5c,
+      co_5c_left = co_5c + co_5c_right,
+      co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
+      co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
+      co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
+      co_5c_lo = co_5c_lo1 + co_5c_cross, co_5 = co_5c + w_5, co_5_right = co_5 - co_5c,
+      co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
+      co_5_right_rest = w_5 - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
+      co_5_lo2 = co_5_lo1 + w_5_lo, co_5_lo = co_5_lo2 + co_5c_lo;
   const double w_0_rounded = w_0 + w_0_lo;
   const double w_1_rounded = w_1 + w_1_lo;
   const double w_2_rounded = w_2 + w_2_lo;
@@ -952,77 +1167,95 @@ static inline void ksl_product_CoAdc_accurate(const ksl_SE3_t *D, const ksl_cosc
 
 /* co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-   33 mul, 66 add, 24 product error, 18 sum error.
-   Error <= u |result| + (lin: 10, ang: 36) u^2 S, S the sum of the |terms| of the expanded
+   33 mul, 108 add, 24 product rest.
+   Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdinvc_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_3a = D->m23 * ci->m1, w_3a_lo = ksl_product_error(D->m23, ci->m1, w_3a),
-      w_3b = D->m13 * ci->m2, w_3b_lo = ksl_product_error(D->m13, ci->m2, w_3b), w_3c = w_3a - w_3b,
-      w_3c_error = ksl_difference_error(w_3a, w_3b, w_3c), w_3c_lo1 = w_3c_error + w_3a_lo,
-      w_3c_lo = w_3c_lo1 - w_3b_lo, w_3 = w_3c + ci->m3,
-      w_3_error = ksl_sum_error(w_3c, ci->m3, w_3), w_3_lo = w_3_error + w_3c_lo;
-  const double w_4a = D->m03 * ci->m2, w_4a_lo = ksl_product_error(D->m03, ci->m2, w_4a),
-      w_4b = D->m23 * ci->m0, w_4b_lo = ksl_product_error(D->m23, ci->m0, w_4b), w_4c = w_4a - w_4b,
-      w_4c_error = ksl_difference_error(w_4a, w_4b, w_4c), w_4c_lo1 = w_4c_error + w_4a_lo,
-      w_4c_lo = w_4c_lo1 - w_4b_lo, w_4 = w_4c + ci->m4,
-      w_4_error = ksl_sum_error(w_4c, ci->m4, w_4), w_4_lo = w_4_error + w_4c_lo;
-  const double w_5a = D->m13 * ci->m0, w_5a_lo = ksl_product_error(D->m13, ci->m0, w_5a),
-      w_5b = D->m03 * ci->m1, w_5b_lo = ksl_product_error(D->m03, ci->m1, w_5b), w_5c = w_5a - w_5b,
-      w_5c_error = ksl_difference_error(w_5a, w_5b, w_5c), w_5c_lo1 = w_5c_error + w_5a_lo,
-      w_5c_lo = w_5c_lo1 - w_5b_lo, w_5 = w_5c + ci->m5,
-      w_5_error = ksl_sum_error(w_5c, ci->m5, w_5), w_5_lo = w_5_error + w_5c_lo;
-  const double co_0a = D->m00 * ci->m0, co_0a_lo = ksl_product_error(D->m00, ci->m0, co_0a),
-      co_0b = D->m10 * ci->m1, co_0b_lo = ksl_product_error(D->m10, ci->m1, co_0b),
-      co_0c = co_0a + co_0b, co_0c_error = ksl_sum_error(co_0a, co_0b, co_0c),
-      co_0c_lo1 = co_0c_error + co_0a_lo, co_0c_lo = co_0c_lo1 + co_0b_lo, co_0d = D->m20 * ci->m2,
-      co_0d_lo = ksl_product_error(D->m20, ci->m2, co_0d), co_0 = co_0c + co_0d,
-      co_0_error = ksl_sum_error(co_0c, co_0d, co_0), co_0_lo1 = co_0_error + co_0c_lo,
-      co_0_lo = co_0_lo1 + co_0d_lo;
-  const double co_1a = D->m01 * ci->m0, co_1a_lo = ksl_product_error(D->m01, ci->m0, co_1a),
-      co_1b = D->m11 * ci->m1, co_1b_lo = ksl_product_error(D->m11, ci->m1, co_1b),
-      co_1c = co_1a + co_1b, co_1c_error = ksl_sum_error(co_1a, co_1b, co_1c),
-      co_1c_lo1 = co_1c_error + co_1a_lo, co_1c_lo = co_1c_lo1 + co_1b_lo, co_1d = D->m21 * ci->m2,
-      co_1d_lo = ksl_product_error(D->m21, ci->m2, co_1d), co_1 = co_1c + co_1d,
-      co_1_error = ksl_sum_error(co_1c, co_1d, co_1), co_1_lo1 = co_1_error + co_1c_lo,
-      co_1_lo = co_1_lo1 + co_1d_lo;
-  const double co_2a = D->m02 * ci->m0, co_2a_lo = ksl_product_error(D->m02, ci->m0, co_2a),
-      co_2b = D->m12 * ci->m1, co_2b_lo = ksl_product_error(D->m12, ci->m1, co_2b),
-      co_2c = co_2a + co_2b, co_2c_error = ksl_sum_error(co_2a, co_2b, co_2c),
-      co_2c_lo1 = co_2c_error + co_2a_lo, co_2c_lo = co_2c_lo1 + co_2b_lo, co_2d = D->m22 * ci->m2,
-      co_2d_lo = ksl_product_error(D->m22, ci->m2, co_2d), co_2 = co_2c + co_2d,
-      co_2_error = ksl_sum_error(co_2c, co_2d, co_2), co_2_lo1 = co_2_error + co_2c_lo,
-      co_2_lo = co_2_lo1 + co_2d_lo;
-  const double co_3a = D->m00 * w_3, co_3a_cross1 = D->m00 * w_3_lo,
-      co_3a_error = ksl_product_error(D->m00, w_3, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
-      co_3b = D->m10 * w_4, co_3b_cross1 = D->m10 * w_4_lo,
-      co_3b_error = ksl_product_error(D->m10, w_4, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
-      co_3c = co_3a + co_3b, co_3c_error = ksl_sum_error(co_3a, co_3b, co_3c),
-      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 + co_3b_lo, co_3d = D->m20 * w_5,
-      co_3d_cross1 = D->m20 * w_5_lo, co_3d_error = ksl_product_error(D->m20, w_5, co_3d),
-      co_3d_lo = co_3d_error + co_3d_cross1, co_3 = co_3c + co_3d,
-      co_3_error = ksl_sum_error(co_3c, co_3d, co_3), co_3_lo1 = co_3_error + co_3c_lo,
-      co_3_lo = co_3_lo1 + co_3d_lo;
-  const double co_4a = D->m01 * w_3, co_4a_cross1 = D->m01 * w_3_lo,
-      co_4a_error = ksl_product_error(D->m01, w_3, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
-      co_4b = D->m11 * w_4, co_4b_cross1 = D->m11 * w_4_lo,
-      co_4b_error = ksl_product_error(D->m11, w_4, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
-      co_4c = co_4a + co_4b, co_4c_error = ksl_sum_error(co_4a, co_4b, co_4c),
-      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 + co_4b_lo, co_4d = D->m21 * w_5,
-      co_4d_cross1 = D->m21 * w_5_lo, co_4d_error = ksl_product_error(D->m21, w_5, co_4d),
-      co_4d_lo = co_4d_error + co_4d_cross1, co_4 = co_4c + co_4d,
-      co_4_error = ksl_sum_error(co_4c, co_4d, co_4), co_4_lo1 = co_4_error + co_4c_lo,
-      co_4_lo = co_4_lo1 + co_4d_lo;
-  const double co_5a = D->m02 * w_3, co_5a_cross1 = D->m02 * w_3_lo,
-      co_5a_error = ksl_product_error(D->m02, w_3, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
-      co_5b = D->m12 * w_4, co_5b_cross1 = D->m12 * w_4_lo,
-      co_5b_error = ksl_product_error(D->m12, w_4, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
-      co_5c = co_5a + co_5b, co_5c_error = ksl_sum_error(co_5a, co_5b, co_5c),
-      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 + co_5b_lo, co_5d = D->m22 * w_5,
-      co_5d_cross1 = D->m22 * w_5_lo, co_5d_error = ksl_product_error(D->m22, w_5, co_5d),
-      co_5d_lo = co_5d_error + co_5d_cross1, co_5 = co_5c + co_5d,
-      co_5_error = ksl_sum_error(co_5c, co_5d, co_5), co_5_lo1 = co_5_error + co_5c_lo,
-      co_5_lo = co_5_lo1 + co_5d_lo;
+  const double w_3a = D->m23 * ci->m1, w_3b = D->m13 * ci->m2, w_3c = w_3a - w_3b,
+      w_3c_right = w_3a - w_3c, w_3c_left = w_3c + w_3c_right,
+      w_3c_left_rest = ksl_product_rest(D->m23, ci->m1, w_3a, w_3c_left),
+      w_3c_right_rest = ksl_product_rest(D->m13, ci->m2, w_3b, w_3c_right),
+      w_3c_lo = w_3c_left_rest - w_3c_right_rest, w_3 = w_3c + ci->m3, w_3_right = w_3 - w_3c,
+      w_3_left = w_3 - w_3_right, w_3_left_rest = w_3c - w_3_left,
+      w_3_right_rest = ci->m3 - w_3_right, w_3_lo1 = w_3_left_rest + w_3_right_rest,
+      w_3_lo = w_3_lo1 + w_3c_lo;
+  const double w_4a = D->m03 * ci->m2, w_4b = D->m23 * ci->m0, w_4c = w_4a - w_4b,
+      w_4c_right = w_4a - w_4c, w_4c_left = w_4c + w_4c_right,
+      w_4c_left_rest = ksl_product_rest(D->m03, ci->m2, w_4a, w_4c_left),
+      w_4c_right_rest = ksl_product_rest(D->m23, ci->m0, w_4b, w_4c_right),
+      w_4c_lo = w_4c_left_rest - w_4c_right_rest, w_4 = w_4c + ci->m4, w_4_right = w_4 - w_4c,
+      w_4_left = w_4 - w_4_right, w_4_left_rest = w_4c - w_4_left,
+      w_4_right_rest = ci->m4 - w_4_right, w_4_lo1 = w_4_left_rest + w_4_right_rest,
+      w_4_lo = w_4_lo1 + w_4c_lo;
+  const double w_5a = D->m13 * ci->m0, w_5b = D->m03 * ci->m1, w_5c = w_5a - w_5b,
+      w_5c_right = w_5a - w_5c, w_5c_left = w_5c + w_5c_right,
+      w_5c_left_rest = ksl_product_rest(D->m13, ci->m0, w_5a, w_5c_left),
+      w_5c_right_rest = ksl_product_rest(D->m03, ci->m1, w_5b, w_5c_right),
+      w_5c_lo = w_5c_left_rest - w_5c_right_rest, w_5 = w_5c + ci->m5, w_5_right = w_5 - w_5c,
+      w_5_left = w_5 - w_5_right, w_5_left_rest = w_5c - w_5_left,
+      w_5_right_rest = ci->m5 - w_5_right, w_5_lo1 = w_5_left_rest + w_5_right_rest,
+      w_5_lo = w_5_lo1 + w_5c_lo;
+  const double co_0a = D->m00 * ci->m0, co_0b = D->m10 * ci->m1, co_0c = co_0a + co_0b,
+      co_0c_right = co_0c - co_0a, co_0c_left = co_0c - co_0c_right,
+      co_0c_left_rest = ksl_product_rest(D->m00, ci->m0, co_0a, co_0c_left),
+      co_0c_right_rest = ksl_product_rest(D->m10, ci->m1, co_0b, co_0c_right),
+      co_0c_lo = co_0c_left_rest + co_0c_right_rest, co_0d = D->m20 * ci->m2, co_0 = co_0c + co_0d,
+      co_0_right = co_0 - co_0c, co_0_left = co_0 - co_0_right, co_0_left_rest = co_0c - co_0_left,
+      co_0_right_rest = ksl_product_rest(D->m20, ci->m2, co_0d, co_0_right),
+      co_0_lo1 = co_0_left_rest + co_0_right_rest, co_0_lo = co_0_lo1 + co_0c_lo;
+  const double co_1a = D->m01 * ci->m0, co_1b = D->m11 * ci->m1, co_1c = co_1a + co_1b,
+      co_1c_right = co_1c - co_1a, co_1c_left = co_1c - co_1c_right,
+      co_1c_left_rest = ksl_product_rest(D->m01, ci->m0, co_1a, co_1c_left),
+      co_1c_right_rest = ksl_product_rest(D->m11, ci->m1, co_1b, co_1c_right),
+      co_1c_lo = co_1c_left_rest + co_1c_right_rest, co_1d = D->m21 * ci->m2, co_1 = co_1c + co_1d,
+      co_1_right = co_1 - co_1c, co_1_left = co_1 - co_1_right, co_1_left_rest = co_1c - co_1_left,
+      co_1_right_rest = ksl_product_rest(D->m21, ci->m2, co_1d, co_1_right),
+      co_1_lo1 = co_1_left_rest + co_1_right_rest, co_1_lo = co_1_lo1 + co_1c_lo;
+  const double co_2a = D->m02 * ci->m0, co_2b = D->m12 * ci->m1, co_2c = co_2a + co_2b,
+      co_2c_right = co_2c - co_2a, co_2c_left = co_2c - co_2c_right,
+      co_2c_left_rest = ksl_product_rest(D->m02, ci->m0, co_2a, co_2c_left),
+      co_2c_right_rest = ksl_product_rest(D->m12, ci->m1, co_2b, co_2c_right),
+      co_2c_lo = co_2c_left_rest + co_2c_right_rest, co_2d = D->m22 * ci->m2, co_2 = co_2c + co_2d,
+      co_2_right = co_2 - co_2c, co_2_left = co_2 - co_2_right, co_2_left_rest = co_2c - co_2_left,
+      co_2_right_rest = ksl_product_rest(D->m22, ci->m2, co_2d, co_2_right),
+      co_2_lo1 = co_2_left_rest + co_2_right_rest, co_2_lo = co_2_lo1 + co_2c_lo;
+  const double co_3a = D->m00 * w_3, co_3a_cross2 = D->m00 * w_3_lo, co_3b = D->m10 * w_4,
+      co_3b_cross2 = D->m10 * w_4_lo, co_3c = co_3a + co_3b, co_3c_right = co_3c - co_3a,
+      co_3c_left = co_3c - co_3c_right,
+      co_3c_left_rest = ksl_product_rest(D->m00, w_3, co_3a, co_3c_left),
+      co_3c_right_rest = ksl_product_rest(D->m10, w_4, co_3b, co_3c_right),
+      co_3c_cross = co_3a_cross2 + co_3b_cross2, co_3c_lo1 = co_3c_left_rest + co_3c_right_rest,
+      co_3c_lo = co_3c_lo1 + co_3c_cross, co_3d = D->m20 * w_5, co_3d_cross2 = D->m20 * w_5_lo,
+      co_3 = co_3c + co_3d, co_3_right = co_3 - co_3c, co_3_left = co_3 - co_3_right,
+      co_3_left_rest = co_3c - co_3_left,
+      co_3_right_rest = ksl_product_rest(D->m20, w_5, co_3d, co_3_right),
+      co_3_lo1 = co_3_left_rest + co_3_right_rest, co_3_lo2 = co_3_lo1 + co_3d_cross2,
+      co_3_lo = co_3_lo2 + co_3c_lo;
+  const double co_4a = D->m01 * w_3, co_4a_cross2 = D->m01 * w_3_lo, co_4b = D->m11 * w_4,
+      co_4b_cross2 = D->m11 * w_4_lo, co_4c = co_4a + co_4b, co_4c_right = co_4c - co_4a,
+      co_4c_left = co_4c - co_4c_right,
+      co_4c_left_rest = ksl_product_rest(D->m01, w_3, co_4a, co_4c_left),
+      co_4c_right_rest = ksl_product_rest(D->m11, w_4, co_4b, co_4c_right),
+      co_4c_cross = co_4a_cross2 + co_4b_cross2, co_4c_lo1 = co_4c_left_rest + co_4c_right_rest,
+      co_4c_lo = co_4c_lo1 + co_4c_cross, co_4d = D->m21 * w_5, co_4d_cross2 = D->m21 * w_5_lo,
+      co_4 = co_4c + co_4d, co_4_right = co_4 - co_4c, co_4_left = co_4 - co_4_right,
+      co_4_left_rest = co_4c - co_4_left,
+      co_4_right_rest = ksl_product_rest(D->m21, w_5, co_4d, co_4_right),
+      co_4_lo1 = co_4_left_rest + co_4_right_rest, co_4_lo2 = co_4_lo1 + co_4d_cross2,
+      co_4_lo = co_4_lo2 + co_4c_lo;
+  const double co_5a = D->m02 * w_3, co_5a_cross2 = D->m02 * w_3_lo, co_5b = D->m12 * w_4,
+      co_5b_cross2 = D->m12 * w_4_lo, co_5c = co_5a + co_5b, co_5c_right = co_5c - co_5a,
+      co_5c_left = co_5c - co_5c_right,
+      co_5c_left_rest = ksl_product_rest(D->m02, w_3, co_5a, co_5c_left),
+      co_5c_right_rest = ksl_product_rest(D->m12, w_4, co_5b, co_5c_right),
+      co_5c_cross = co_5a_cross2 + co_5b_cross2, co_5c_lo1 = co_5c_left_rest + co_5c_right_rest,
+      co_5c_lo = co_5c_lo1 + co_5c_cross, co_5d = D->m22 * w_5, co_5d_cross2 = D->m22 * w_5_lo,
+      co_5 = co_5c + co_5d, co_5_right = co_5 - co_5c, co_5_left = co_5 - co_5_right,
+      co_5_left_rest = co_5c - co_5_left,
+      co_5_right_rest = ksl_product_rest(D->m22, w_5, co_5d, co_5_right),
+      co_5_lo1 = co_5_left_rest + co_5_right_rest, co_5_lo2 = co_5_lo1 + co_5d_cross2,
+      co_5_lo = co_5_lo2 + co_5c_lo;
   const double co_0_rounded = co_0 + co_0_lo;
   const double co_1_rounded = co_1 + co_1_lo;
   const double co_2_rounded = co_2 + co_2_lo;
@@ -1039,77 +1272,95 @@ static inline void ksl_product_CoAdinvc_accurate(const ksl_SE3_t *D, const ksl_c
 
 /* co = [Ad]*(D) (-ci).
    D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in N m).
-   30 mul, 66 add, 24 product error, 18 sum error, 12 neg.
-   Error <= u |result| + (lin: 10, ang: 39) u^2 S, S the sum of the |terms| of the expanded
+   30 mul, 108 add, 24 product rest, 12 neg.
+   Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdcinv_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * ci->m0, w_0a_lo = ksl_product_error(D->m00, ci->m0, w_0a),
-      w_0b = D->m01 * ci->m1, w_0b_lo = ksl_product_error(D->m01, ci->m1, w_0b), w_0c = w_0a + w_0b,
-      w_0c_error = ksl_sum_error(w_0a, w_0b, w_0c), w_0c_lo1 = w_0c_error + w_0a_lo,
-      w_0c_lo = w_0c_lo1 + w_0b_lo, w_0d = D->m02 * ci->m2,
-      w_0d_lo = ksl_product_error(D->m02, ci->m2, w_0d), w_0e = w_0c + w_0d,
-      w_0e_error = ksl_sum_error(w_0c, w_0d, w_0e), w_0e_lo1 = w_0e_error + w_0c_lo,
-      w_0e_lo = w_0e_lo1 + w_0d_lo, w_0 = -w_0e, w_0_lo = -w_0e_lo;
-  const double w_1a = D->m10 * ci->m0, w_1a_lo = ksl_product_error(D->m10, ci->m0, w_1a),
-      w_1b = D->m11 * ci->m1, w_1b_lo = ksl_product_error(D->m11, ci->m1, w_1b), w_1c = w_1a + w_1b,
-      w_1c_error = ksl_sum_error(w_1a, w_1b, w_1c), w_1c_lo1 = w_1c_error + w_1a_lo,
-      w_1c_lo = w_1c_lo1 + w_1b_lo, w_1d = D->m12 * ci->m2,
-      w_1d_lo = ksl_product_error(D->m12, ci->m2, w_1d), w_1e = w_1c + w_1d,
-      w_1e_error = ksl_sum_error(w_1c, w_1d, w_1e), w_1e_lo1 = w_1e_error + w_1c_lo,
-      w_1e_lo = w_1e_lo1 + w_1d_lo, w_1 = -w_1e, w_1_lo = -w_1e_lo;
-  const double w_2a = D->m20 * ci->m0, w_2a_lo = ksl_product_error(D->m20, ci->m0, w_2a),
-      w_2b = D->m21 * ci->m1, w_2b_lo = ksl_product_error(D->m21, ci->m1, w_2b), w_2c = w_2a + w_2b,
-      w_2c_error = ksl_sum_error(w_2a, w_2b, w_2c), w_2c_lo1 = w_2c_error + w_2a_lo,
-      w_2c_lo = w_2c_lo1 + w_2b_lo, w_2d = D->m22 * ci->m2,
-      w_2d_lo = ksl_product_error(D->m22, ci->m2, w_2d), w_2e = w_2c + w_2d,
-      w_2e_error = ksl_sum_error(w_2c, w_2d, w_2e), w_2e_lo1 = w_2e_error + w_2c_lo,
-      w_2e_lo = w_2e_lo1 + w_2d_lo, w_2 = -w_2e, w_2_lo = -w_2e_lo;
-  const double w_3a = D->m00 * ci->m3, w_3a_lo = ksl_product_error(D->m00, ci->m3, w_3a),
-      w_3b = D->m01 * ci->m4, w_3b_lo = ksl_product_error(D->m01, ci->m4, w_3b), w_3c = w_3a + w_3b,
-      w_3c_error = ksl_sum_error(w_3a, w_3b, w_3c), w_3c_lo1 = w_3c_error + w_3a_lo,
-      w_3c_lo = w_3c_lo1 + w_3b_lo, w_3d = D->m02 * ci->m5,
-      w_3d_lo = ksl_product_error(D->m02, ci->m5, w_3d), w_3e = w_3c + w_3d,
-      w_3e_error = ksl_sum_error(w_3c, w_3d, w_3e), w_3e_lo1 = w_3e_error + w_3c_lo,
-      w_3e_lo = w_3e_lo1 + w_3d_lo, w_3 = -w_3e, w_3_lo = -w_3e_lo;
-  const double w_4a = D->m10 * ci->m3, w_4a_lo = ksl_product_error(D->m10, ci->m3, w_4a),
-      w_4b = D->m11 * ci->m4, w_4b_lo = ksl_product_error(D->m11, ci->m4, w_4b), w_4c = w_4a + w_4b,
-      w_4c_error = ksl_sum_error(w_4a, w_4b, w_4c), w_4c_lo1 = w_4c_error + w_4a_lo,
-      w_4c_lo = w_4c_lo1 + w_4b_lo, w_4d = D->m12 * ci->m5,
-      w_4d_lo = ksl_product_error(D->m12, ci->m5, w_4d), w_4e = w_4c + w_4d,
-      w_4e_error = ksl_sum_error(w_4c, w_4d, w_4e), w_4e_lo1 = w_4e_error + w_4c_lo,
-      w_4e_lo = w_4e_lo1 + w_4d_lo, w_4 = -w_4e, w_4_lo = -w_4e_lo;
-  const double w_5a = D->m20 * ci->m3, w_5a_lo = ksl_product_error(D->m20, ci->m3, w_5a),
-      w_5b = D->m21 * ci->m4, w_5b_lo = ksl_product_error(D->m21, ci->m4, w_5b), w_5c = w_5a + w_5b,
-      w_5c_error = ksl_sum_error(w_5a, w_5b, w_5c), w_5c_lo1 = w_5c_error + w_5a_lo,
-      w_5c_lo = w_5c_lo1 + w_5b_lo, w_5d = D->m22 * ci->m5,
-      w_5d_lo = ksl_product_error(D->m22, ci->m5, w_5d), w_5e = w_5c + w_5d,
-      w_5e_error = ksl_sum_error(w_5c, w_5d, w_5e), w_5e_lo1 = w_5e_error + w_5c_lo,
-      w_5e_lo = w_5e_lo1 + w_5d_lo, w_5 = -w_5e, w_5_lo = -w_5e_lo;
-  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
-      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
-      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
-      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
-      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
-      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c + w_3,
-      co_3_error = ksl_sum_error(co_3c, w_3, co_3), co_3_lo1 = co_3_error + co_3c_lo,
-      co_3_lo = co_3_lo1 + w_3_lo;
-  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
-      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
-      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
-      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
-      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
-      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c + w_4,
-      co_4_error = ksl_sum_error(co_4c, w_4, co_4), co_4_lo1 = co_4_error + co_4c_lo,
-      co_4_lo = co_4_lo1 + w_4_lo;
-  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
-      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
-      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
-      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
-      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
-      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c + w_5,
-      co_5_error = ksl_sum_error(co_5c, w_5, co_5), co_5_lo1 = co_5_error + co_5c_lo,
-      co_5_lo = co_5_lo1 + w_5_lo;
+  const double w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
+      w_0c_right = w_0c - w_0a, w_0c_left = w_0c - w_0c_right,
+      w_0c_left_rest = ksl_product_rest(D->m00, ci->m0, w_0a, w_0c_left),
+      w_0c_right_rest = ksl_product_rest(D->m01, ci->m1, w_0b, w_0c_right),
+      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = D->m02 * ci->m2, w_0e = w_0c + w_0d,
+      w_0e_right = w_0e - w_0c, w_0e_left = w_0e - w_0e_right, w_0e_left_rest = w_0c - w_0e_left,
+      w_0e_right_rest = ksl_product_rest(D->m02, ci->m2, w_0d, w_0e_right),
+      w_0e_lo1 = w_0e_left_rest + w_0e_right_rest, w_0e_lo = w_0e_lo1 + w_0c_lo, w_0 = -w_0e,
+      w_0_lo = -w_0e_lo;
+  const double w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
+      w_1c_right = w_1c - w_1a, w_1c_left = w_1c - w_1c_right,
+      w_1c_left_rest = ksl_product_rest(D->m10, ci->m0, w_1a, w_1c_left),
+      w_1c_right_rest = ksl_product_rest(D->m11, ci->m1, w_1b, w_1c_right),
+      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = D->m12 * ci->m2, w_1e = w_1c + w_1d,
+      w_1e_right = w_1e - w_1c, w_1e_left = w_1e - w_1e_right, w_1e_left_rest = w_1c - w_1e_left,
+      w_1e_right_rest = ksl_product_rest(D->m12, ci->m2, w_1d, w_1e_right),
+      w_1e_lo1 = w_1e_left_rest + w_1e_right_rest, w_1e_lo = w_1e_lo1 + w_1c_lo, w_1 = -w_1e,
+      w_1_lo = -w_1e_lo;
+  const double w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
+      w_2c_right = w_2c - w_2a, w_2c_left = w_2c - w_2c_right,
+      w_2c_left_rest = ksl_product_rest(D->m20, ci->m0, w_2a, w_2c_left),
+      w_2c_right_rest = ksl_product_rest(D->m21, ci->m1, w_2b, w_2c_right),
+      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = D->m22 * ci->m2, w_2e = w_2c + w_2d,
+      w_2e_right = w_2e - w_2c, w_2e_left = w_2e - w_2e_right, w_2e_left_rest = w_2c - w_2e_left,
+      w_2e_right_rest = ksl_product_rest(D->m22, ci->m2, w_2d, w_2e_right),
+      w_2e_lo1 = w_2e_left_rest + w_2e_right_rest, w_2e_lo = w_2e_lo1 + w_2c_lo, w_2 = -w_2e,
+      w_2_lo = -w_2e_lo;
+  const double w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
+      w_3c_right = w_3c - w_3a, w_3c_left = w_3c - w_3c_right,
+      w_3c_left_rest = ksl_product_rest(D->m00, ci->m3, w_3a, w_3c_left),
+      w_3c_right_rest = ksl_product_rest(D->m01, ci->m4, w_3b, w_3c_right),
+      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = D->m02 * ci->m5, w_3e = w_3c + w_3d,
+      w_3e_right = w_3e - w_3c, w_3e_left = w_3e - w_3e_right, w_3e_left_rest = w_3c - w_3e_left,
+      w_3e_right_rest = ksl_product_rest(D->m02, ci->m5, w_3d, w_3e_right),
+      w_3e_lo1 = w_3e_left_rest + w_3e_right_rest, w_3e_lo = w_3e_lo1 + w_3c_lo, w_3 = -w_3e,
+      w_3_lo = -w_3e_lo;
+  const double w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
+      w_4c_right = w_4c - w_4a, w_4c_left = w_4c - w_4c_right,
+      w_4c_left_rest = ksl_product_rest(D->m10, ci->m3, w_4a, w_4c_left),
+      w_4c_right_rest = ksl_product_rest(D->m11, ci->m4, w_4b, w_4c_right),
+      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = D->m12 * ci->m5, w_4e = w_4c + w_4d,
+      w_4e_right = w_4e - w_4c, w_4e_left = w_4e - w_4e_right, w_4e_left_rest = w_4c - w_4e_left,
+      w_4e_right_rest = ksl_product_rest(D->m12, ci->m5, w_4d, w_4e_right),
+      w_4e_lo1 = w_4e_left_rest + w_4e_right_rest, w_4e_lo = w_4e_lo1 + w_4c_lo, w_4 = -w_4e,
+      w_4_lo = -w_4e_lo;
+  const double w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
+      w_5c_right = w_5c - w_5a, w_5c_left = w_5c - w_5c_right,
+      w_5c_left_rest = ksl_product_rest(D->m20, ci->m3, w_5a, w_5c_left),
+      w_5c_right_rest = ksl_product_rest(D->m21, ci->m4, w_5b, w_5c_right),
+      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = D->m22 * ci->m5, w_5e = w_5c + w_5d,
+      w_5e_right = w_5e - w_5c, w_5e_left = w_5e - w_5e_right, w_5e_left_rest = w_5c - w_5e_left,
+      w_5e_right_rest = ksl_product_rest(D->m22, ci->m5, w_5d, w_5e_right),
+      w_5e_lo1 = w_5e_left_rest + w_5e_right_rest, w_5e_lo = w_5e_lo1 + w_5c_lo, w_5 = -w_5e,
+      w_5_lo = -w_5e_lo;
+  const double co_3a = D->m13 * w_2, co_3a_cross2 = D->m13 * w_2_lo, co_3b = D->m23 * w_1,
+      co_3b_cross2 = D->m23 * w_1_lo, co_3c = co_3a - co_3b, co_3c_right = co_3a - co_3c,
+      co_3c_left = co_3c + co_3c_right,
+      co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
+      co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
+      co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
+      co_3c_lo = co_3c_lo1 + co_3c_cross, co_3 = co_3c + w_3, co_3_right = co_3 - co_3c,
+      co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
+      co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
+      co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
+  const double co_4a = D->m23 * w_0, co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2,
+      co_4b_cross2 = D->m03 * w_2_lo, co_4c = co_4a - co_4b, co_4c_right = co_4a - co_4c,
+      co_4c_left = co_4c + co_4c_right,
+      co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
+      co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
+      co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
+      co_4c_lo = co_4c_lo1 + co_4c_cross, co_4 = co_4c + w_4, co_4_right = co_4 - co_4c,
+      co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
+      co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
+      co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
+  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
+      co_5b_cross2 = D->m13 * w_0_lo, co_5c = co_5a - co_5b, co_5c_right = co_5a - co_5c,
+      co_5c_left = co_5c + co_5c_right,
+      co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
+      co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
+      co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
+      co_5c_lo = co_5c_lo1 + co_5c_cross, co_5 = co_5c + w_5, co_5_right = co_5 - co_5c,
+      co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
+      co_5_right_rest = w_5 - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
+      co_5_lo2 = co_5_lo1 + w_5_lo, co_5_lo = co_5_lo2 + co_5c_lo;
   const double w_0_rounded = w_0 + w_0_lo;
   const double w_1_rounded = w_1 + w_1_lo;
   const double w_2_rounded = w_2 + w_2_lo;
@@ -1126,22 +1377,25 @@ static inline void ksl_product_CoAdcinv_accurate(const ksl_SE3_t *D, const ksl_c
 
 /* co = h_tx: column 0 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 12 add, 6 product error, 3 sum error.
-   Error <= u |result| + (lin: 0, ang: 4) u^2 S, S the sum of the |terms| of the expanded
+   6 mul, 15 add, 6 product rest.
+   Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctx_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = D->m20 * D->m13, co_3a_lo = ksl_product_error(D->m20, D->m13, co_3a),
-      co_3b = D->m10 * D->m23, co_3b_lo = ksl_product_error(D->m10, D->m23, co_3b),
-      co_3 = co_3a - co_3b, co_3_error = ksl_difference_error(co_3a, co_3b, co_3),
-      co_3_lo1 = co_3_error + co_3a_lo, co_3_lo = co_3_lo1 - co_3b_lo;
-  const double co_4a = D->m00 * D->m23, co_4a_lo = ksl_product_error(D->m00, D->m23, co_4a),
-      co_4b = D->m20 * D->m03, co_4b_lo = ksl_product_error(D->m20, D->m03, co_4b),
-      co_4 = co_4a - co_4b, co_4_error = ksl_difference_error(co_4a, co_4b, co_4),
-      co_4_lo1 = co_4_error + co_4a_lo, co_4_lo = co_4_lo1 - co_4b_lo;
-  const double co_5a = D->m10 * D->m03, co_5a_lo = ksl_product_error(D->m10, D->m03, co_5a),
-      co_5b = D->m00 * D->m13, co_5b_lo = ksl_product_error(D->m00, D->m13, co_5b),
-      co_5 = co_5a - co_5b, co_5_error = ksl_difference_error(co_5a, co_5b, co_5),
-      co_5_lo1 = co_5_error + co_5a_lo, co_5_lo = co_5_lo1 - co_5b_lo;
+  const double co_3a = D->m20 * D->m13, co_3b = D->m10 * D->m23, co_3 = co_3a - co_3b,
+      co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
+      co_3_left_rest = ksl_product_rest(D->m20, D->m13, co_3a, co_3_left),
+      co_3_right_rest = ksl_product_rest(D->m10, D->m23, co_3b, co_3_right),
+      co_3_lo = co_3_left_rest - co_3_right_rest;
+  const double co_4a = D->m00 * D->m23, co_4b = D->m20 * D->m03, co_4 = co_4a - co_4b,
+      co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
+      co_4_left_rest = ksl_product_rest(D->m00, D->m23, co_4a, co_4_left),
+      co_4_right_rest = ksl_product_rest(D->m20, D->m03, co_4b, co_4_right),
+      co_4_lo = co_4_left_rest - co_4_right_rest;
+  const double co_5a = D->m10 * D->m03, co_5b = D->m00 * D->m13, co_5 = co_5a - co_5b,
+      co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
+      co_5_left_rest = ksl_product_rest(D->m10, D->m03, co_5a, co_5_left),
+      co_5_right_rest = ksl_product_rest(D->m00, D->m13, co_5b, co_5_right),
+      co_5_lo = co_5_left_rest - co_5_right_rest;
   const double co_3_rounded = co_3 + co_3_lo;
   const double co_4_rounded = co_4 + co_4_lo;
   const double co_5_rounded = co_5 + co_5_lo;
@@ -1158,22 +1412,25 @@ static inline void ksl_hctx_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = h_ty: column 1 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 12 add, 6 product error, 3 sum error.
-   Error <= u |result| + (lin: 0, ang: 4) u^2 S, S the sum of the |terms| of the expanded
+   6 mul, 15 add, 6 product rest.
+   Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hcty_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = D->m21 * D->m13, co_3a_lo = ksl_product_error(D->m21, D->m13, co_3a),
-      co_3b = D->m11 * D->m23, co_3b_lo = ksl_product_error(D->m11, D->m23, co_3b),
-      co_3 = co_3a - co_3b, co_3_error = ksl_difference_error(co_3a, co_3b, co_3),
-      co_3_lo1 = co_3_error + co_3a_lo, co_3_lo = co_3_lo1 - co_3b_lo;
-  const double co_4a = D->m01 * D->m23, co_4a_lo = ksl_product_error(D->m01, D->m23, co_4a),
-      co_4b = D->m21 * D->m03, co_4b_lo = ksl_product_error(D->m21, D->m03, co_4b),
-      co_4 = co_4a - co_4b, co_4_error = ksl_difference_error(co_4a, co_4b, co_4),
-      co_4_lo1 = co_4_error + co_4a_lo, co_4_lo = co_4_lo1 - co_4b_lo;
-  const double co_5a = D->m11 * D->m03, co_5a_lo = ksl_product_error(D->m11, D->m03, co_5a),
-      co_5b = D->m01 * D->m13, co_5b_lo = ksl_product_error(D->m01, D->m13, co_5b),
-      co_5 = co_5a - co_5b, co_5_error = ksl_difference_error(co_5a, co_5b, co_5),
-      co_5_lo1 = co_5_error + co_5a_lo, co_5_lo = co_5_lo1 - co_5b_lo;
+  const double co_3a = D->m21 * D->m13, co_3b = D->m11 * D->m23, co_3 = co_3a - co_3b,
+      co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
+      co_3_left_rest = ksl_product_rest(D->m21, D->m13, co_3a, co_3_left),
+      co_3_right_rest = ksl_product_rest(D->m11, D->m23, co_3b, co_3_right),
+      co_3_lo = co_3_left_rest - co_3_right_rest;
+  const double co_4a = D->m01 * D->m23, co_4b = D->m21 * D->m03, co_4 = co_4a - co_4b,
+      co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
+      co_4_left_rest = ksl_product_rest(D->m01, D->m23, co_4a, co_4_left),
+      co_4_right_rest = ksl_product_rest(D->m21, D->m03, co_4b, co_4_right),
+      co_4_lo = co_4_left_rest - co_4_right_rest;
+  const double co_5a = D->m11 * D->m03, co_5b = D->m01 * D->m13, co_5 = co_5a - co_5b,
+      co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
+      co_5_left_rest = ksl_product_rest(D->m11, D->m03, co_5a, co_5_left),
+      co_5_right_rest = ksl_product_rest(D->m01, D->m13, co_5b, co_5_right),
+      co_5_lo = co_5_left_rest - co_5_right_rest;
   const double co_3_rounded = co_3 + co_3_lo;
   const double co_4_rounded = co_4 + co_4_lo;
   const double co_5_rounded = co_5 + co_5_lo;
@@ -1190,22 +1447,25 @@ static inline void ksl_hcty_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = h_tz: column 2 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 12 add, 6 product error, 3 sum error.
-   Error <= u |result| + (lin: 0, ang: 4) u^2 S, S the sum of the |terms| of the expanded
+   6 mul, 15 add, 6 product rest.
+   Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctz_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = D->m22 * D->m13, co_3a_lo = ksl_product_error(D->m22, D->m13, co_3a),
-      co_3b = D->m12 * D->m23, co_3b_lo = ksl_product_error(D->m12, D->m23, co_3b),
-      co_3 = co_3a - co_3b, co_3_error = ksl_difference_error(co_3a, co_3b, co_3),
-      co_3_lo1 = co_3_error + co_3a_lo, co_3_lo = co_3_lo1 - co_3b_lo;
-  const double co_4a = D->m02 * D->m23, co_4a_lo = ksl_product_error(D->m02, D->m23, co_4a),
-      co_4b = D->m22 * D->m03, co_4b_lo = ksl_product_error(D->m22, D->m03, co_4b),
-      co_4 = co_4a - co_4b, co_4_error = ksl_difference_error(co_4a, co_4b, co_4),
-      co_4_lo1 = co_4_error + co_4a_lo, co_4_lo = co_4_lo1 - co_4b_lo;
-  const double co_5a = D->m12 * D->m03, co_5a_lo = ksl_product_error(D->m12, D->m03, co_5a),
-      co_5b = D->m02 * D->m13, co_5b_lo = ksl_product_error(D->m02, D->m13, co_5b),
-      co_5 = co_5a - co_5b, co_5_error = ksl_difference_error(co_5a, co_5b, co_5),
-      co_5_lo1 = co_5_error + co_5a_lo, co_5_lo = co_5_lo1 - co_5b_lo;
+  const double co_3a = D->m22 * D->m13, co_3b = D->m12 * D->m23, co_3 = co_3a - co_3b,
+      co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
+      co_3_left_rest = ksl_product_rest(D->m22, D->m13, co_3a, co_3_left),
+      co_3_right_rest = ksl_product_rest(D->m12, D->m23, co_3b, co_3_right),
+      co_3_lo = co_3_left_rest - co_3_right_rest;
+  const double co_4a = D->m02 * D->m23, co_4b = D->m22 * D->m03, co_4 = co_4a - co_4b,
+      co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
+      co_4_left_rest = ksl_product_rest(D->m02, D->m23, co_4a, co_4_left),
+      co_4_right_rest = ksl_product_rest(D->m22, D->m03, co_4b, co_4_right),
+      co_4_lo = co_4_left_rest - co_4_right_rest;
+  const double co_5a = D->m12 * D->m03, co_5b = D->m02 * D->m13, co_5 = co_5a - co_5b,
+      co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
+      co_5_left_rest = ksl_product_rest(D->m12, D->m03, co_5a, co_5_left),
+      co_5_right_rest = ksl_product_rest(D->m02, D->m13, co_5b, co_5_right),
+      co_5_lo = co_5_left_rest - co_5_right_rest;
   const double co_3_rounded = co_3 + co_3_lo;
   const double co_4_rounded = co_4 + co_4_lo;
   const double co_5_rounded = co_5 + co_5_lo;
@@ -1222,25 +1482,28 @@ static inline void ksl_hctz_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = -h_tx: -column 0 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 12 add, 6 product error, 3 sum error, 3 neg.
-   Error <= u |result| + (lin: 0, ang: 4) u^2 S, S the sum of the |terms| of the expanded
+   6 mul, 15 add, 6 product rest, 3 neg.
+   Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctxinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m00;
   const double co_1 = -D->m10;
   const double co_2 = -D->m20;
-  const double co_3a = D->m10 * D->m23, co_3a_lo = ksl_product_error(D->m10, D->m23, co_3a),
-      co_3b = D->m20 * D->m13, co_3b_lo = ksl_product_error(D->m20, D->m13, co_3b),
-      co_3 = co_3a - co_3b, co_3_error = ksl_difference_error(co_3a, co_3b, co_3),
-      co_3_lo1 = co_3_error + co_3a_lo, co_3_lo = co_3_lo1 - co_3b_lo;
-  const double co_4a = D->m20 * D->m03, co_4a_lo = ksl_product_error(D->m20, D->m03, co_4a),
-      co_4b = D->m00 * D->m23, co_4b_lo = ksl_product_error(D->m00, D->m23, co_4b),
-      co_4 = co_4a - co_4b, co_4_error = ksl_difference_error(co_4a, co_4b, co_4),
-      co_4_lo1 = co_4_error + co_4a_lo, co_4_lo = co_4_lo1 - co_4b_lo;
-  const double co_5a = D->m00 * D->m13, co_5a_lo = ksl_product_error(D->m00, D->m13, co_5a),
-      co_5b = D->m10 * D->m03, co_5b_lo = ksl_product_error(D->m10, D->m03, co_5b),
-      co_5 = co_5a - co_5b, co_5_error = ksl_difference_error(co_5a, co_5b, co_5),
-      co_5_lo1 = co_5_error + co_5a_lo, co_5_lo = co_5_lo1 - co_5b_lo;
+  const double co_3a = D->m10 * D->m23, co_3b = D->m20 * D->m13, co_3 = co_3a - co_3b,
+      co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
+      co_3_left_rest = ksl_product_rest(D->m10, D->m23, co_3a, co_3_left),
+      co_3_right_rest = ksl_product_rest(D->m20, D->m13, co_3b, co_3_right),
+      co_3_lo = co_3_left_rest - co_3_right_rest;
+  const double co_4a = D->m20 * D->m03, co_4b = D->m00 * D->m23, co_4 = co_4a - co_4b,
+      co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
+      co_4_left_rest = ksl_product_rest(D->m20, D->m03, co_4a, co_4_left),
+      co_4_right_rest = ksl_product_rest(D->m00, D->m23, co_4b, co_4_right),
+      co_4_lo = co_4_left_rest - co_4_right_rest;
+  const double co_5a = D->m00 * D->m13, co_5b = D->m10 * D->m03, co_5 = co_5a - co_5b,
+      co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
+      co_5_left_rest = ksl_product_rest(D->m00, D->m13, co_5a, co_5_left),
+      co_5_right_rest = ksl_product_rest(D->m10, D->m03, co_5b, co_5_right),
+      co_5_lo = co_5_left_rest - co_5_right_rest;
   const double co_3_rounded = co_3 + co_3_lo;
   const double co_4_rounded = co_4 + co_4_lo;
   const double co_5_rounded = co_5 + co_5_lo;
@@ -1254,25 +1517,28 @@ static inline void ksl_hctxinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = -h_ty: -column 1 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 12 add, 6 product error, 3 sum error, 3 neg.
-   Error <= u |result| + (lin: 0, ang: 4) u^2 S, S the sum of the |terms| of the expanded
+   6 mul, 15 add, 6 product rest, 3 neg.
+   Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctyinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m01;
   const double co_1 = -D->m11;
   const double co_2 = -D->m21;
-  const double co_3a = D->m11 * D->m23, co_3a_lo = ksl_product_error(D->m11, D->m23, co_3a),
-      co_3b = D->m21 * D->m13, co_3b_lo = ksl_product_error(D->m21, D->m13, co_3b),
-      co_3 = co_3a - co_3b, co_3_error = ksl_difference_error(co_3a, co_3b, co_3),
-      co_3_lo1 = co_3_error + co_3a_lo, co_3_lo = co_3_lo1 - co_3b_lo;
-  const double co_4a = D->m21 * D->m03, co_4a_lo = ksl_product_error(D->m21, D->m03, co_4a),
-      co_4b = D->m01 * D->m23, co_4b_lo = ksl_product_error(D->m01, D->m23, co_4b),
-      co_4 = co_4a - co_4b, co_4_error = ksl_difference_error(co_4a, co_4b, co_4),
-      co_4_lo1 = co_4_error + co_4a_lo, co_4_lo = co_4_lo1 - co_4b_lo;
-  const double co_5a = D->m01 * D->m13, co_5a_lo = ksl_product_error(D->m01, D->m13, co_5a),
-      co_5b = D->m11 * D->m03, co_5b_lo = ksl_product_error(D->m11, D->m03, co_5b),
-      co_5 = co_5a - co_5b, co_5_error = ksl_difference_error(co_5a, co_5b, co_5),
-      co_5_lo1 = co_5_error + co_5a_lo, co_5_lo = co_5_lo1 - co_5b_lo;
+  const double co_3a = D->m11 * D->m23, co_3b = D->m21 * D->m13, co_3 = co_3a - co_3b,
+      co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
+      co_3_left_rest = ksl_product_rest(D->m11, D->m23, co_3a, co_3_left),
+      co_3_right_rest = ksl_product_rest(D->m21, D->m13, co_3b, co_3_right),
+      co_3_lo = co_3_left_rest - co_3_right_rest;
+  const double co_4a = D->m21 * D->m03, co_4b = D->m01 * D->m23, co_4 = co_4a - co_4b,
+      co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
+      co_4_left_rest = ksl_product_rest(D->m21, D->m03, co_4a, co_4_left),
+      co_4_right_rest = ksl_product_rest(D->m01, D->m23, co_4b, co_4_right),
+      co_4_lo = co_4_left_rest - co_4_right_rest;
+  const double co_5a = D->m01 * D->m13, co_5b = D->m11 * D->m03, co_5 = co_5a - co_5b,
+      co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
+      co_5_left_rest = ksl_product_rest(D->m01, D->m13, co_5a, co_5_left),
+      co_5_right_rest = ksl_product_rest(D->m11, D->m03, co_5b, co_5_right),
+      co_5_lo = co_5_left_rest - co_5_right_rest;
   const double co_3_rounded = co_3 + co_3_lo;
   const double co_4_rounded = co_4 + co_4_lo;
   const double co_5_rounded = co_5 + co_5_lo;
@@ -1286,25 +1552,28 @@ static inline void ksl_hctyinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* co = -h_tz: -column 2 of [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-   6 mul, 12 add, 6 product error, 3 sum error, 3 neg.
-   Error <= u |result| + (lin: 0, ang: 4) u^2 S, S the sum of the |terms| of the expanded
+   6 mul, 15 add, 6 product rest, 3 neg.
+   Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctzinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m02;
   const double co_1 = -D->m12;
   const double co_2 = -D->m22;
-  const double co_3a = D->m12 * D->m23, co_3a_lo = ksl_product_error(D->m12, D->m23, co_3a),
-      co_3b = D->m22 * D->m13, co_3b_lo = ksl_product_error(D->m22, D->m13, co_3b),
-      co_3 = co_3a - co_3b, co_3_error = ksl_difference_error(co_3a, co_3b, co_3),
-      co_3_lo1 = co_3_error + co_3a_lo, co_3_lo = co_3_lo1 - co_3b_lo;
-  const double co_4a = D->m22 * D->m03, co_4a_lo = ksl_product_error(D->m22, D->m03, co_4a),
-      co_4b = D->m02 * D->m23, co_4b_lo = ksl_product_error(D->m02, D->m23, co_4b),
-      co_4 = co_4a - co_4b, co_4_error = ksl_difference_error(co_4a, co_4b, co_4),
-      co_4_lo1 = co_4_error + co_4a_lo, co_4_lo = co_4_lo1 - co_4b_lo;
-  const double co_5a = D->m02 * D->m13, co_5a_lo = ksl_product_error(D->m02, D->m13, co_5a),
-      co_5b = D->m12 * D->m03, co_5b_lo = ksl_product_error(D->m12, D->m03, co_5b),
-      co_5 = co_5a - co_5b, co_5_error = ksl_difference_error(co_5a, co_5b, co_5),
-      co_5_lo1 = co_5_error + co_5a_lo, co_5_lo = co_5_lo1 - co_5b_lo;
+  const double co_3a = D->m12 * D->m23, co_3b = D->m22 * D->m13, co_3 = co_3a - co_3b,
+      co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
+      co_3_left_rest = ksl_product_rest(D->m12, D->m23, co_3a, co_3_left),
+      co_3_right_rest = ksl_product_rest(D->m22, D->m13, co_3b, co_3_right),
+      co_3_lo = co_3_left_rest - co_3_right_rest;
+  const double co_4a = D->m22 * D->m03, co_4b = D->m02 * D->m23, co_4 = co_4a - co_4b,
+      co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
+      co_4_left_rest = ksl_product_rest(D->m22, D->m03, co_4a, co_4_left),
+      co_4_right_rest = ksl_product_rest(D->m02, D->m23, co_4b, co_4_right),
+      co_4_lo = co_4_left_rest - co_4_right_rest;
+  const double co_5a = D->m02 * D->m13, co_5b = D->m12 * D->m03, co_5 = co_5a - co_5b,
+      co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
+      co_5_left_rest = ksl_product_rest(D->m02, D->m13, co_5a, co_5_left),
+      co_5_right_rest = ksl_product_rest(D->m12, D->m03, co_5b, co_5_right),
+      co_5_lo = co_5_left_rest - co_5_right_rest;
   const double co_3_rounded = co_3 + co_3_lo;
   const double co_4_rounded = co_4 + co_4_lo;
   const double co_5_rounded = co_5 + co_5_lo;
@@ -1318,46 +1587,55 @@ static inline void ksl_hctzinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
 
 /* M = [Ad]*(D).
    D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-   18 mul, 36 add, 18 product error, 9 sum error.
-   Error <= u |result| + 4 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+   18 mul, 45 add, 18 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_CoAd_accurate(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
-  const double M_30a = D->m20 * D->m13, M_30a_lo = ksl_product_error(D->m20, D->m13, M_30a),
-      M_30b = D->m10 * D->m23, M_30b_lo = ksl_product_error(D->m10, D->m23, M_30b),
-      M_30 = M_30a - M_30b, M_30_error = ksl_difference_error(M_30a, M_30b, M_30),
-      M_30_lo1 = M_30_error + M_30a_lo, M_30_lo = M_30_lo1 - M_30b_lo;
-  const double M_31a = D->m21 * D->m13, M_31a_lo = ksl_product_error(D->m21, D->m13, M_31a),
-      M_31b = D->m11 * D->m23, M_31b_lo = ksl_product_error(D->m11, D->m23, M_31b),
-      M_31 = M_31a - M_31b, M_31_error = ksl_difference_error(M_31a, M_31b, M_31),
-      M_31_lo1 = M_31_error + M_31a_lo, M_31_lo = M_31_lo1 - M_31b_lo;
-  const double M_32a = D->m22 * D->m13, M_32a_lo = ksl_product_error(D->m22, D->m13, M_32a),
-      M_32b = D->m12 * D->m23, M_32b_lo = ksl_product_error(D->m12, D->m23, M_32b),
-      M_32 = M_32a - M_32b, M_32_error = ksl_difference_error(M_32a, M_32b, M_32),
-      M_32_lo1 = M_32_error + M_32a_lo, M_32_lo = M_32_lo1 - M_32b_lo;
-  const double M_40a = D->m00 * D->m23, M_40a_lo = ksl_product_error(D->m00, D->m23, M_40a),
-      M_40b = D->m20 * D->m03, M_40b_lo = ksl_product_error(D->m20, D->m03, M_40b),
-      M_40 = M_40a - M_40b, M_40_error = ksl_difference_error(M_40a, M_40b, M_40),
-      M_40_lo1 = M_40_error + M_40a_lo, M_40_lo = M_40_lo1 - M_40b_lo;
-  const double M_41a = D->m01 * D->m23, M_41a_lo = ksl_product_error(D->m01, D->m23, M_41a),
-      M_41b = D->m21 * D->m03, M_41b_lo = ksl_product_error(D->m21, D->m03, M_41b),
-      M_41 = M_41a - M_41b, M_41_error = ksl_difference_error(M_41a, M_41b, M_41),
-      M_41_lo1 = M_41_error + M_41a_lo, M_41_lo = M_41_lo1 - M_41b_lo;
-  const double M_42a = D->m02 * D->m23, M_42a_lo = ksl_product_error(D->m02, D->m23, M_42a),
-      M_42b = D->m22 * D->m03, M_42b_lo = ksl_product_error(D->m22, D->m03, M_42b),
-      M_42 = M_42a - M_42b, M_42_error = ksl_difference_error(M_42a, M_42b, M_42),
-      M_42_lo1 = M_42_error + M_42a_lo, M_42_lo = M_42_lo1 - M_42b_lo;
-  const double M_50a = D->m10 * D->m03, M_50a_lo = ksl_product_error(D->m10, D->m03, M_50a),
-      M_50b = D->m00 * D->m13, M_50b_lo = ksl_product_error(D->m00, D->m13, M_50b),
-      M_50 = M_50a - M_50b, M_50_error = ksl_difference_error(M_50a, M_50b, M_50),
-      M_50_lo1 = M_50_error + M_50a_lo, M_50_lo = M_50_lo1 - M_50b_lo;
-  const double M_51a = D->m11 * D->m03, M_51a_lo = ksl_product_error(D->m11, D->m03, M_51a),
-      M_51b = D->m01 * D->m13, M_51b_lo = ksl_product_error(D->m01, D->m13, M_51b),
-      M_51 = M_51a - M_51b, M_51_error = ksl_difference_error(M_51a, M_51b, M_51),
-      M_51_lo1 = M_51_error + M_51a_lo, M_51_lo = M_51_lo1 - M_51b_lo;
-  const double M_52a = D->m12 * D->m03, M_52a_lo = ksl_product_error(D->m12, D->m03, M_52a),
-      M_52b = D->m02 * D->m13, M_52b_lo = ksl_product_error(D->m02, D->m13, M_52b),
-      M_52 = M_52a - M_52b, M_52_error = ksl_difference_error(M_52a, M_52b, M_52),
-      M_52_lo1 = M_52_error + M_52a_lo, M_52_lo = M_52_lo1 - M_52b_lo;
+  const double M_30a = D->m20 * D->m13, M_30b = D->m10 * D->m23, M_30 = M_30a - M_30b,
+      M_30_right = M_30a - M_30, M_30_left = M_30 + M_30_right,
+      M_30_left_rest = ksl_product_rest(D->m20, D->m13, M_30a, M_30_left),
+      M_30_right_rest = ksl_product_rest(D->m10, D->m23, M_30b, M_30_right),
+      M_30_lo = M_30_left_rest - M_30_right_rest;
+  const double M_31a = D->m21 * D->m13, M_31b = D->m11 * D->m23, M_31 = M_31a - M_31b,
+      M_31_right = M_31a - M_31, M_31_left = M_31 + M_31_right,
+      M_31_left_rest = ksl_product_rest(D->m21, D->m13, M_31a, M_31_left),
+      M_31_right_rest = ksl_product_rest(D->m11, D->m23, M_31b, M_31_right),
+      M_31_lo = M_31_left_rest - M_31_right_rest;
+  const double M_32a = D->m22 * D->m13, M_32b = D->m12 * D->m23, M_32 = M_32a - M_32b,
+      M_32_right = M_32a - M_32, M_32_left = M_32 + M_32_right,
+      M_32_left_rest = ksl_product_rest(D->m22, D->m13, M_32a, M_32_left),
+      M_32_right_rest = ksl_product_rest(D->m12, D->m23, M_32b, M_32_right),
+      M_32_lo = M_32_left_rest - M_32_right_rest;
+  const double M_40a = D->m00 * D->m23, M_40b = D->m20 * D->m03, M_40 = M_40a - M_40b,
+      M_40_right = M_40a - M_40, M_40_left = M_40 + M_40_right,
+      M_40_left_rest = ksl_product_rest(D->m00, D->m23, M_40a, M_40_left),
+      M_40_right_rest = ksl_product_rest(D->m20, D->m03, M_40b, M_40_right),
+      M_40_lo = M_40_left_rest - M_40_right_rest;
+  const double M_41a = D->m01 * D->m23, M_41b = D->m21 * D->m03, M_41 = M_41a - M_41b,
+      M_41_right = M_41a - M_41, M_41_left = M_41 + M_41_right,
+      M_41_left_rest = ksl_product_rest(D->m01, D->m23, M_41a, M_41_left),
+      M_41_right_rest = ksl_product_rest(D->m21, D->m03, M_41b, M_41_right),
+      M_41_lo = M_41_left_rest - M_41_right_rest;
+  const double M_42a = D->m02 * D->m23, M_42b = D->m22 * D->m03, M_42 = M_42a - M_42b,
+      M_42_right = M_42a - M_42, M_42_left = M_42 + M_42_right,
+      M_42_left_rest = ksl_product_rest(D->m02, D->m23, M_42a, M_42_left),
+      M_42_right_rest = ksl_product_rest(D->m22, D->m03, M_42b, M_42_right),
+      M_42_lo = M_42_left_rest - M_42_right_rest;
+  const double M_50a = D->m10 * D->m03, M_50b = D->m00 * D->m13, M_50 = M_50a - M_50b,
+      M_50_right = M_50a - M_50, M_50_left = M_50 + M_50_right,
+      M_50_left_rest = ksl_product_rest(D->m10, D->m03, M_50a, M_50_left),
+      M_50_right_rest = ksl_product_rest(D->m00, D->m13, M_50b, M_50_right),
+      M_50_lo = M_50_left_rest - M_50_right_rest;
+  const double M_51a = D->m11 * D->m03, M_51b = D->m01 * D->m13, M_51 = M_51a - M_51b,
+      M_51_right = M_51a - M_51, M_51_left = M_51 + M_51_right,
+      M_51_left_rest = ksl_product_rest(D->m11, D->m03, M_51a, M_51_left),
+      M_51_right_rest = ksl_product_rest(D->m01, D->m13, M_51b, M_51_right),
+      M_51_lo = M_51_left_rest - M_51_right_rest;
+  const double M_52a = D->m12 * D->m03, M_52b = D->m02 * D->m13, M_52 = M_52a - M_52b,
+      M_52_right = M_52a - M_52, M_52_left = M_52 + M_52_right,
+      M_52_left_rest = ksl_product_rest(D->m12, D->m03, M_52a, M_52_left),
+      M_52_right_rest = ksl_product_rest(D->m02, D->m13, M_52b, M_52_right),
+      M_52_lo = M_52_left_rest - M_52_right_rest;
   const double M_30_rounded = M_30 + M_30_lo;
   const double M_31_rounded = M_31 + M_31_lo;
   const double M_32_rounded = M_32 + M_32_lo;
@@ -1416,79 +1694,94 @@ static inline void ksl_CoAd_accurate(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
 
 /* power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).
    c: coscrew (f in N; τ in N m); x: six components with the angular part on top.
-   6 mul, 16 add, 6 product error, 5 sum error.
-   Error <= u |result| + 18 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   6 mul, 29 add, 6 product rest.
+   Error <= u |result| + 19 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline double ksl_reciprocal_product_accurate(const ksl_coscrew_t *c, const double x[6]) {
-  const double power_a = c->m0 * x[3], power_a_lo = ksl_product_error(c->m0, x[3], power_a),
-      power_b = c->m1 * x[4], power_b_lo = ksl_product_error(c->m1, x[4], power_b),
-      power_c = power_a + power_b, power_c_error = ksl_sum_error(power_a, power_b, power_c),
-      power_c_lo1 = power_c_error + power_a_lo, power_c_lo = power_c_lo1 + power_b_lo,
-      power_d = c->m2 * x[5], power_d_lo = ksl_product_error(c->m2, x[5], power_d),
-      power_e = power_c + power_d, power_e_error = ksl_sum_error(power_c, power_d, power_e),
-      power_e_lo1 = power_e_error + power_c_lo, power_e_lo = power_e_lo1 + power_d_lo,
-      power_f = c->m3 * x[0], power_f_lo = ksl_product_error(c->m3, x[0], power_f),
-      power_g = c->m4 * x[1], power_g_lo = ksl_product_error(c->m4, x[1], power_g),
-      power_h = power_f + power_g, power_h_error = ksl_sum_error(power_f, power_g, power_h),
-      power_h_lo1 = power_h_error + power_f_lo, power_h_lo = power_h_lo1 + power_g_lo,
-      power_i = c->m5 * x[2], power_i_lo = ksl_product_error(c->m5, x[2], power_i),
-      power_j = power_h + power_i, power_j_error = ksl_sum_error(power_h, power_i, power_j),
-      power_j_lo1 = power_j_error + power_h_lo, power_j_lo = power_j_lo1 + power_i_lo,
-      power = power_e + power_j, power_error = ksl_sum_error(power_e, power_j, power),
-      power_lo1 = power_error + power_e_lo, power_lo = power_lo1 + power_j_lo;
+  const double power_a = c->m0 * x[3], power_b = c->m1 * x[4], power_c = power_a + power_b,
+      power_c_right = power_c - power_a, power_c_left = power_c - power_c_right,
+      power_c_left_rest = ksl_product_rest(c->m0, x[3], power_a, power_c_left),
+      power_c_right_rest = ksl_product_rest(c->m1, x[4], power_b, power_c_right),
+      power_c_lo = power_c_left_rest + power_c_right_rest, power_d = c->m2 * x[5],
+      power_e = power_c + power_d, power_e_right = power_e - power_c,
+      power_e_left = power_e - power_e_right, power_e_left_rest = power_c - power_e_left,
+      power_e_right_rest = ksl_product_rest(c->m2, x[5], power_d, power_e_right),
+      power_e_lo1 = power_e_left_rest + power_e_right_rest, power_e_lo = power_e_lo1 + power_c_lo,
+      power_f = c->m3 * x[0], power_g = c->m4 * x[1], power_h = power_f + power_g,
+      power_h_right = power_h - power_f, power_h_left = power_h - power_h_right,
+      power_h_left_rest = ksl_product_rest(c->m3, x[0], power_f, power_h_left),
+      power_h_right_rest = ksl_product_rest(c->m4, x[1], power_g, power_h_right),
+      power_h_lo = power_h_left_rest + power_h_right_rest, power_i = c->m5 * x[2],
+      power_j = power_h + power_i, power_j_right = power_j - power_h,
+      power_j_left = power_j - power_j_right, power_j_left_rest = power_h - power_j_left,
+      power_j_right_rest = ksl_product_rest(c->m5, x[2], power_i, power_j_right),
+      power_j_lo1 = power_j_left_rest + power_j_right_rest, power_j_lo = power_j_lo1 + power_h_lo,
+      power = power_e + power_j, power_right = power - power_e, power_left = power - power_right,
+      power_left_rest = power_e - power_left, power_right_rest = power_j - power_right,
+      power_lo1 = power_left_rest + power_right_rest, power_lo2 = power_lo1 + power_j_lo,
+      power_lo = power_lo2 + power_e_lo;
   const double power_rounded = power + power_lo;
   return power_rounded;
 }
 
 /* co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
    s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-   18 mul, 42 add, 18 product error, 12 sum error.
-   Error <= u |result| + (lin: 4, ang: 10) u^2 S, S the sum of the |terms| of the expanded
+   18 mul, 66 add, 18 product rest.
+   Error <= u |result| + (lin: 6, ang: 12) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_cross_sc_accurate(const ksl_screw_t *s, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double co_0a = s->m4 * c->m2, co_0a_lo = ksl_product_error(s->m4, c->m2, co_0a),
-      co_0b = s->m5 * c->m1, co_0b_lo = ksl_product_error(s->m5, c->m1, co_0b),
-      co_0 = co_0a - co_0b, co_0_error = ksl_difference_error(co_0a, co_0b, co_0),
-      co_0_lo1 = co_0_error + co_0a_lo, co_0_lo = co_0_lo1 - co_0b_lo;
-  const double co_1a = s->m5 * c->m0, co_1a_lo = ksl_product_error(s->m5, c->m0, co_1a),
-      co_1b = s->m3 * c->m2, co_1b_lo = ksl_product_error(s->m3, c->m2, co_1b),
-      co_1 = co_1a - co_1b, co_1_error = ksl_difference_error(co_1a, co_1b, co_1),
-      co_1_lo1 = co_1_error + co_1a_lo, co_1_lo = co_1_lo1 - co_1b_lo;
-  const double co_2a = s->m3 * c->m1, co_2a_lo = ksl_product_error(s->m3, c->m1, co_2a),
-      co_2b = s->m4 * c->m0, co_2b_lo = ksl_product_error(s->m4, c->m0, co_2b),
-      co_2 = co_2a - co_2b, co_2_error = ksl_difference_error(co_2a, co_2b, co_2),
-      co_2_lo1 = co_2_error + co_2a_lo, co_2_lo = co_2_lo1 - co_2b_lo;
-  const double co_3a = s->m1 * c->m2, co_3a_lo = ksl_product_error(s->m1, c->m2, co_3a),
-      co_3b = s->m2 * c->m1, co_3b_lo = ksl_product_error(s->m2, c->m1, co_3b),
-      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
-      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3d = s->m4 * c->m5,
-      co_3d_lo = ksl_product_error(s->m4, c->m5, co_3d), co_3e = s->m5 * c->m4,
-      co_3e_lo = ksl_product_error(s->m5, c->m4, co_3e), co_3f = co_3d - co_3e,
-      co_3f_error = ksl_difference_error(co_3d, co_3e, co_3f), co_3f_lo1 = co_3f_error + co_3d_lo,
-      co_3f_lo = co_3f_lo1 - co_3e_lo, co_3 = co_3c + co_3f,
-      co_3_error = ksl_sum_error(co_3c, co_3f, co_3), co_3_lo1 = co_3_error + co_3c_lo,
-      co_3_lo = co_3_lo1 + co_3f_lo;
-  const double co_4a = s->m2 * c->m0, co_4a_lo = ksl_product_error(s->m2, c->m0, co_4a),
-      co_4b = s->m0 * c->m2, co_4b_lo = ksl_product_error(s->m0, c->m2, co_4b),
-      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
-      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4d = s->m5 * c->m3,
-      co_4d_lo = ksl_product_error(s->m5, c->m3, co_4d), co_4e = s->m3 * c->m5,
-      co_4e_lo = ksl_product_error(s->m3, c->m5, co_4e), co_4f = co_4d - co_4e,
-      co_4f_error = ksl_difference_error(co_4d, co_4e, co_4f), co_4f_lo1 = co_4f_error + co_4d_lo,
-      co_4f_lo = co_4f_lo1 - co_4e_lo, co_4 = co_4c + co_4f,
-      co_4_error = ksl_sum_error(co_4c, co_4f, co_4), co_4_lo1 = co_4_error + co_4c_lo,
-      co_4_lo = co_4_lo1 + co_4f_lo;
-  const double co_5a = s->m0 * c->m1, co_5a_lo = ksl_product_error(s->m0, c->m1, co_5a),
-      co_5b = s->m1 * c->m0, co_5b_lo = ksl_product_error(s->m1, c->m0, co_5b),
-      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
-      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5d = s->m3 * c->m4,
-      co_5d_lo = ksl_product_error(s->m3, c->m4, co_5d), co_5e = s->m4 * c->m3,
-      co_5e_lo = ksl_product_error(s->m4, c->m3, co_5e), co_5f = co_5d - co_5e,
-      co_5f_error = ksl_difference_error(co_5d, co_5e, co_5f), co_5f_lo1 = co_5f_error + co_5d_lo,
-      co_5f_lo = co_5f_lo1 - co_5e_lo, co_5 = co_5c + co_5f,
-      co_5_error = ksl_sum_error(co_5c, co_5f, co_5), co_5_lo1 = co_5_error + co_5c_lo,
-      co_5_lo = co_5_lo1 + co_5f_lo;
+  const double co_0a = s->m4 * c->m2, co_0b = s->m5 * c->m1, co_0 = co_0a - co_0b,
+      co_0_right = co_0a - co_0, co_0_left = co_0 + co_0_right,
+      co_0_left_rest = ksl_product_rest(s->m4, c->m2, co_0a, co_0_left),
+      co_0_right_rest = ksl_product_rest(s->m5, c->m1, co_0b, co_0_right),
+      co_0_lo = co_0_left_rest - co_0_right_rest;
+  const double co_1a = s->m5 * c->m0, co_1b = s->m3 * c->m2, co_1 = co_1a - co_1b,
+      co_1_right = co_1a - co_1, co_1_left = co_1 + co_1_right,
+      co_1_left_rest = ksl_product_rest(s->m5, c->m0, co_1a, co_1_left),
+      co_1_right_rest = ksl_product_rest(s->m3, c->m2, co_1b, co_1_right),
+      co_1_lo = co_1_left_rest - co_1_right_rest;
+  const double co_2a = s->m3 * c->m1, co_2b = s->m4 * c->m0, co_2 = co_2a - co_2b,
+      co_2_right = co_2a - co_2, co_2_left = co_2 + co_2_right,
+      co_2_left_rest = ksl_product_rest(s->m3, c->m1, co_2a, co_2_left),
+      co_2_right_rest = ksl_product_rest(s->m4, c->m0, co_2b, co_2_right),
+      co_2_lo = co_2_left_rest - co_2_right_rest;
+  const double co_3a = s->m1 * c->m2, co_3b = s->m2 * c->m1, co_3c = co_3a - co_3b,
+      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
+      co_3c_left_rest = ksl_product_rest(s->m1, c->m2, co_3a, co_3c_left),
+      co_3c_right_rest = ksl_product_rest(s->m2, c->m1, co_3b, co_3c_right),
+      co_3c_lo = co_3c_left_rest - co_3c_right_rest, co_3d = s->m4 * c->m5, co_3e = s->m5 * c->m4,
+      co_3f = co_3d - co_3e, co_3f_right = co_3d - co_3f, co_3f_left = co_3f + co_3f_right,
+      co_3f_left_rest = ksl_product_rest(s->m4, c->m5, co_3d, co_3f_left),
+      co_3f_right_rest = ksl_product_rest(s->m5, c->m4, co_3e, co_3f_right),
+      co_3f_lo = co_3f_left_rest - co_3f_right_rest, co_3 = co_3c + co_3f,
+      co_3_right = co_3 - co_3c, co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
+      co_3_right_rest = co_3f - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
+      co_3_lo2 = co_3_lo1 + co_3f_lo, co_3_lo = co_3_lo2 + co_3c_lo;
+  const double co_4a = s->m2 * c->m0, co_4b = s->m0 * c->m2, co_4c = co_4a - co_4b,
+      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
+      co_4c_left_rest = ksl_product_rest(s->m2, c->m0, co_4a, co_4c_left),
+      co_4c_right_rest = ksl_product_rest(s->m0, c->m2, co_4b, co_4c_right),
+      co_4c_lo = co_4c_left_rest - co_4c_right_rest, co_4d = s->m5 * c->m3, co_4e = s->m3 * c->m5,
+      co_4f = co_4d - co_4e, co_4f_right = co_4d - co_4f, co_4f_left = co_4f + co_4f_right,
+      co_4f_left_rest = ksl_product_rest(s->m5, c->m3, co_4d, co_4f_left),
+      co_4f_right_rest = ksl_product_rest(s->m3, c->m5, co_4e, co_4f_right),
+      co_4f_lo = co_4f_left_rest - co_4f_right_rest, co_4 = co_4c + co_4f,
+      co_4_right = co_4 - co_4c, co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
+      co_4_right_rest = co_4f - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
+      co_4_lo2 = co_4_lo1 + co_4f_lo, co_4_lo = co_4_lo2 + co_4c_lo;
+  const double co_5a = s->m0 * c->m1, co_5b = s->m1 * c->m0, co_5c = co_5a - co_5b,
+      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
+      co_5c_left_rest = ksl_product_rest(s->m0, c->m1, co_5a, co_5c_left),
+      co_5c_right_rest = ksl_product_rest(s->m1, c->m0, co_5b, co_5c_right),
+      co_5c_lo = co_5c_left_rest - co_5c_right_rest, co_5d = s->m3 * c->m4, co_5e = s->m4 * c->m3,
+      co_5f = co_5d - co_5e, co_5f_right = co_5d - co_5f, co_5f_left = co_5f + co_5f_right,
+      co_5f_left_rest = ksl_product_rest(s->m3, c->m4, co_5d, co_5f_left),
+      co_5f_right_rest = ksl_product_rest(s->m4, c->m3, co_5e, co_5f_right),
+      co_5f_lo = co_5f_left_rest - co_5f_right_rest, co_5 = co_5c + co_5f,
+      co_5_right = co_5 - co_5c, co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
+      co_5_right_rest = co_5f - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
+      co_5_lo2 = co_5_lo1 + co_5f_lo, co_5_lo = co_5_lo2 + co_5c_lo;
   const double co_0_rounded = co_0 + co_0_lo;
   const double co_1_rounded = co_1 + co_1_lo;
   const double co_2_rounded = co_2 + co_2_lo;
@@ -1505,23 +1798,26 @@ static inline void ksl_cross_sc_accurate(const ksl_screw_t *s, const ksl_coscrew
 
 /* co = (0 ; ω×τ).
    s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-   6 mul, 12 add, 6 product error, 3 sum error.
-   Error <= u |result| + (lin: 0, ang: 4) u^2 S, S the sum of the |terms| of the expanded
+   6 mul, 15 add, 6 product rest.
+   Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_cross_sca_accurate(const ksl_screw_t *s, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double co_3a = s->m4 * c->m5, co_3a_lo = ksl_product_error(s->m4, c->m5, co_3a),
-      co_3b = s->m5 * c->m4, co_3b_lo = ksl_product_error(s->m5, c->m4, co_3b),
-      co_3 = co_3a - co_3b, co_3_error = ksl_difference_error(co_3a, co_3b, co_3),
-      co_3_lo1 = co_3_error + co_3a_lo, co_3_lo = co_3_lo1 - co_3b_lo;
-  const double co_4a = s->m5 * c->m3, co_4a_lo = ksl_product_error(s->m5, c->m3, co_4a),
-      co_4b = s->m3 * c->m5, co_4b_lo = ksl_product_error(s->m3, c->m5, co_4b),
-      co_4 = co_4a - co_4b, co_4_error = ksl_difference_error(co_4a, co_4b, co_4),
-      co_4_lo1 = co_4_error + co_4a_lo, co_4_lo = co_4_lo1 - co_4b_lo;
-  const double co_5a = s->m3 * c->m4, co_5a_lo = ksl_product_error(s->m3, c->m4, co_5a),
-      co_5b = s->m4 * c->m3, co_5b_lo = ksl_product_error(s->m4, c->m3, co_5b),
-      co_5 = co_5a - co_5b, co_5_error = ksl_difference_error(co_5a, co_5b, co_5),
-      co_5_lo1 = co_5_error + co_5a_lo, co_5_lo = co_5_lo1 - co_5b_lo;
+  const double co_3a = s->m4 * c->m5, co_3b = s->m5 * c->m4, co_3 = co_3a - co_3b,
+      co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
+      co_3_left_rest = ksl_product_rest(s->m4, c->m5, co_3a, co_3_left),
+      co_3_right_rest = ksl_product_rest(s->m5, c->m4, co_3b, co_3_right),
+      co_3_lo = co_3_left_rest - co_3_right_rest;
+  const double co_4a = s->m5 * c->m3, co_4b = s->m3 * c->m5, co_4 = co_4a - co_4b,
+      co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
+      co_4_left_rest = ksl_product_rest(s->m5, c->m3, co_4a, co_4_left),
+      co_4_right_rest = ksl_product_rest(s->m3, c->m5, co_4b, co_4_right),
+      co_4_lo = co_4_left_rest - co_4_right_rest;
+  const double co_5a = s->m3 * c->m4, co_5b = s->m4 * c->m3, co_5 = co_5a - co_5b,
+      co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
+      co_5_left_rest = ksl_product_rest(s->m3, c->m4, co_5a, co_5_left),
+      co_5_right_rest = ksl_product_rest(s->m4, c->m3, co_5b, co_5_right),
+      co_5_lo = co_5_left_rest - co_5_right_rest;
   const double co_3_rounded = co_3 + co_3_lo;
   const double co_4_rounded = co_4 + co_4_lo;
   const double co_5_rounded = co_5 + co_5_lo;
@@ -1535,68 +1831,80 @@ static inline void ksl_cross_sca_accurate(const ksl_screw_t *s, const ksl_coscre
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   27 mul, 57 add, 21 product error, 15 sum error.
-   Error <= u |result| + (lin: 4, ang: 27) u^2 S, S the sum of the |terms| of the expanded
+   27 mul, 90 add, 21 product rest.
+   Error <= u |result| + (lin: 6, ang: 26) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_constraint_ctx_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m01 * c->m1, w_0a_lo = ksl_product_error(D->m01, c->m1, w_0a),
-      w_0b = D->m02 * c->m2, w_0b_lo = ksl_product_error(D->m02, c->m2, w_0b), w_0 = w_0a + w_0b,
-      w_0_error = ksl_sum_error(w_0a, w_0b, w_0), w_0_lo1 = w_0_error + w_0a_lo,
-      w_0_lo = w_0_lo1 + w_0b_lo;
-  const double w_1a = D->m11 * c->m1, w_1a_lo = ksl_product_error(D->m11, c->m1, w_1a),
-      w_1b = D->m12 * c->m2, w_1b_lo = ksl_product_error(D->m12, c->m2, w_1b), w_1 = w_1a + w_1b,
-      w_1_error = ksl_sum_error(w_1a, w_1b, w_1), w_1_lo1 = w_1_error + w_1a_lo,
-      w_1_lo = w_1_lo1 + w_1b_lo;
-  const double w_2a = D->m21 * c->m1, w_2a_lo = ksl_product_error(D->m21, c->m1, w_2a),
-      w_2b = D->m22 * c->m2, w_2b_lo = ksl_product_error(D->m22, c->m2, w_2b), w_2 = w_2a + w_2b,
-      w_2_error = ksl_sum_error(w_2a, w_2b, w_2), w_2_lo1 = w_2_error + w_2a_lo,
-      w_2_lo = w_2_lo1 + w_2b_lo;
-  const double w_3a = D->m00 * c->m3, w_3a_lo = ksl_product_error(D->m00, c->m3, w_3a),
-      w_3b = D->m01 * c->m4, w_3b_lo = ksl_product_error(D->m01, c->m4, w_3b), w_3c = w_3a + w_3b,
-      w_3c_error = ksl_sum_error(w_3a, w_3b, w_3c), w_3c_lo1 = w_3c_error + w_3a_lo,
-      w_3c_lo = w_3c_lo1 + w_3b_lo, w_3d = D->m02 * c->m5,
-      w_3d_lo = ksl_product_error(D->m02, c->m5, w_3d), w_3 = w_3c + w_3d,
-      w_3_error = ksl_sum_error(w_3c, w_3d, w_3), w_3_lo1 = w_3_error + w_3c_lo,
-      w_3_lo = w_3_lo1 + w_3d_lo;
-  const double w_4a = D->m10 * c->m3, w_4a_lo = ksl_product_error(D->m10, c->m3, w_4a),
-      w_4b = D->m11 * c->m4, w_4b_lo = ksl_product_error(D->m11, c->m4, w_4b), w_4c = w_4a + w_4b,
-      w_4c_error = ksl_sum_error(w_4a, w_4b, w_4c), w_4c_lo1 = w_4c_error + w_4a_lo,
-      w_4c_lo = w_4c_lo1 + w_4b_lo, w_4d = D->m12 * c->m5,
-      w_4d_lo = ksl_product_error(D->m12, c->m5, w_4d), w_4 = w_4c + w_4d,
-      w_4_error = ksl_sum_error(w_4c, w_4d, w_4), w_4_lo1 = w_4_error + w_4c_lo,
-      w_4_lo = w_4_lo1 + w_4d_lo;
-  const double w_5a = D->m20 * c->m3, w_5a_lo = ksl_product_error(D->m20, c->m3, w_5a),
-      w_5b = D->m21 * c->m4, w_5b_lo = ksl_product_error(D->m21, c->m4, w_5b), w_5c = w_5a + w_5b,
-      w_5c_error = ksl_sum_error(w_5a, w_5b, w_5c), w_5c_lo1 = w_5c_error + w_5a_lo,
-      w_5c_lo = w_5c_lo1 + w_5b_lo, w_5d = D->m22 * c->m5,
-      w_5d_lo = ksl_product_error(D->m22, c->m5, w_5d), w_5 = w_5c + w_5d,
-      w_5_error = ksl_sum_error(w_5c, w_5d, w_5), w_5_lo1 = w_5_error + w_5c_lo,
-      w_5_lo = w_5_lo1 + w_5d_lo;
-  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
-      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
-      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
-      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
-      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
-      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c + w_3,
-      co_3_error = ksl_sum_error(co_3c, w_3, co_3), co_3_lo1 = co_3_error + co_3c_lo,
-      co_3_lo = co_3_lo1 + w_3_lo;
-  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
-      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
-      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
-      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
-      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
-      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c + w_4,
-      co_4_error = ksl_sum_error(co_4c, w_4, co_4), co_4_lo1 = co_4_error + co_4c_lo,
-      co_4_lo = co_4_lo1 + w_4_lo;
-  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
-      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
-      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
-      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
-      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
-      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c + w_5,
-      co_5_error = ksl_sum_error(co_5c, w_5, co_5), co_5_lo1 = co_5_error + co_5c_lo,
-      co_5_lo = co_5_lo1 + w_5_lo;
+  const double w_0a = D->m01 * c->m1, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b,
+      w_0_right = w_0 - w_0a, w_0_left = w_0 - w_0_right,
+      w_0_left_rest = ksl_product_rest(D->m01, c->m1, w_0a, w_0_left),
+      w_0_right_rest = ksl_product_rest(D->m02, c->m2, w_0b, w_0_right),
+      w_0_lo = w_0_left_rest + w_0_right_rest;
+  const double w_1a = D->m11 * c->m1, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b,
+      w_1_right = w_1 - w_1a, w_1_left = w_1 - w_1_right,
+      w_1_left_rest = ksl_product_rest(D->m11, c->m1, w_1a, w_1_left),
+      w_1_right_rest = ksl_product_rest(D->m12, c->m2, w_1b, w_1_right),
+      w_1_lo = w_1_left_rest + w_1_right_rest;
+  const double w_2a = D->m21 * c->m1, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b,
+      w_2_right = w_2 - w_2a, w_2_left = w_2 - w_2_right,
+      w_2_left_rest = ksl_product_rest(D->m21, c->m1, w_2a, w_2_left),
+      w_2_right_rest = ksl_product_rest(D->m22, c->m2, w_2b, w_2_right),
+      w_2_lo = w_2_left_rest + w_2_right_rest;
+  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
+      w_3c_right = w_3c - w_3a, w_3c_left = w_3c - w_3c_right,
+      w_3c_left_rest = ksl_product_rest(D->m00, c->m3, w_3a, w_3c_left),
+      w_3c_right_rest = ksl_product_rest(D->m01, c->m4, w_3b, w_3c_right),
+      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d,
+      w_3_right = w_3 - w_3c, w_3_left = w_3 - w_3_right, w_3_left_rest = w_3c - w_3_left,
+      w_3_right_rest = ksl_product_rest(D->m02, c->m5, w_3d, w_3_right),
+      w_3_lo1 = w_3_left_rest + w_3_right_rest, w_3_lo = w_3_lo1 + w_3c_lo;
+  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
+      w_4c_right = w_4c - w_4a, w_4c_left = w_4c - w_4c_right,
+      w_4c_left_rest = ksl_product_rest(D->m10, c->m3, w_4a, w_4c_left),
+      w_4c_right_rest = ksl_product_rest(D->m11, c->m4, w_4b, w_4c_right),
+      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d,
+      w_4_right = w_4 - w_4c, w_4_left = w_4 - w_4_right, w_4_left_rest = w_4c - w_4_left,
+      w_4_right_rest = ksl_product_rest(D->m12, c->m5, w_4d, w_4_right),
+      w_4_lo1 = w_4_left_rest + w_4_right_rest, w_4_lo = w_4_lo1 + w_4c_lo;
+  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
+      w_5c_right = w_5c - w_5a, w_5c_left = w_5c - w_5c_right,
+      w_5c_left_rest = ksl_product_rest(D->m20, c->m3, w_5a, w_5c_left),
+      w_5c_right_rest = ksl_product_rest(D->m21, c->m4, w_5b, w_5c_right),
+      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d,
+      w_5_right = w_5 - w_5c, w_5_left = w_5 - w_5_right, w_5_left_rest = w_5c - w_5_left,
+      w_5_right_rest = ksl_product_rest(D->m22, c->m5, w_5d, w_5_right),
+      w_5_lo1 = w_5_left_rest + w_5_right_rest, w_5_lo = w_5_lo1 + w_5c_lo;
+  const double co_3a = D->m13 * w_2, co_3a_cross2 = D->m13 * w_2_lo, co_3b = D->m23 * w_1,
+      co_3b_cross2 = D->m23 * w_1_lo, co_3c = co_3a - co_3b, co_3c_right = co_3a - co_3c,
+      co_3c_left = co_3c + co_3c_right,
+      co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
+      co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
+      co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
+      co_3c_lo = co_3c_lo1 + co_3c_cross, co_3 = co_3c + w_3, co_3_right = co_3 - co_3c,
+      co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
+      co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
+      co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
+  const double co_4a = D->m23 * w_0, co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2,
+      co_4b_cross2 = D->m03 * w_2_lo, co_4c = co_4a - co_4b, co_4c_right = co_4a - co_4c,
+      co_4c_left = co_4c + co_4c_right,
+      co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
+      co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
+      co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
+      co_4c_lo = co_4c_lo1 + co_4c_cross, co_4 = co_4c + w_4, co_4_right = co_4 - co_4c,
+      co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
+      co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
+      co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
+  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
+      co_5b_cross2 = D->m13 * w_0_lo, co_5c = co_5a - co_5b, co_5c_right = co_5a - co_5c,
+      co_5c_left = co_5c + co_5c_right,
+      co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
+      co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
+      co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
+      co_5c_lo = co_5c_lo1 + co_5c_cross, co_5 = co_5c + w_5, co_5_right = co_5 - co_5c,
+      co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
+      co_5_right_rest = w_5 - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
+      co_5_lo2 = co_5_lo1 + w_5_lo, co_5_lo = co_5_lo2 + co_5c_lo;
   const double w_0_rounded = w_0 + w_0_lo;
   const double w_1_rounded = w_1 + w_1_lo;
   const double w_2_rounded = w_2 + w_2_lo;
@@ -1613,68 +1921,80 @@ static inline void ksl_constraint_ctx_accurate(const ksl_SE3_t *D, const ksl_cos
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   27 mul, 57 add, 21 product error, 15 sum error.
-   Error <= u |result| + (lin: 4, ang: 27) u^2 S, S the sum of the |terms| of the expanded
+   27 mul, 90 add, 21 product rest.
+   Error <= u |result| + (lin: 6, ang: 26) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_constraint_cty_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0a_lo = ksl_product_error(D->m00, c->m0, w_0a),
-      w_0b = D->m02 * c->m2, w_0b_lo = ksl_product_error(D->m02, c->m2, w_0b), w_0 = w_0a + w_0b,
-      w_0_error = ksl_sum_error(w_0a, w_0b, w_0), w_0_lo1 = w_0_error + w_0a_lo,
-      w_0_lo = w_0_lo1 + w_0b_lo;
-  const double w_1a = D->m10 * c->m0, w_1a_lo = ksl_product_error(D->m10, c->m0, w_1a),
-      w_1b = D->m12 * c->m2, w_1b_lo = ksl_product_error(D->m12, c->m2, w_1b), w_1 = w_1a + w_1b,
-      w_1_error = ksl_sum_error(w_1a, w_1b, w_1), w_1_lo1 = w_1_error + w_1a_lo,
-      w_1_lo = w_1_lo1 + w_1b_lo;
-  const double w_2a = D->m20 * c->m0, w_2a_lo = ksl_product_error(D->m20, c->m0, w_2a),
-      w_2b = D->m22 * c->m2, w_2b_lo = ksl_product_error(D->m22, c->m2, w_2b), w_2 = w_2a + w_2b,
-      w_2_error = ksl_sum_error(w_2a, w_2b, w_2), w_2_lo1 = w_2_error + w_2a_lo,
-      w_2_lo = w_2_lo1 + w_2b_lo;
-  const double w_3a = D->m00 * c->m3, w_3a_lo = ksl_product_error(D->m00, c->m3, w_3a),
-      w_3b = D->m01 * c->m4, w_3b_lo = ksl_product_error(D->m01, c->m4, w_3b), w_3c = w_3a + w_3b,
-      w_3c_error = ksl_sum_error(w_3a, w_3b, w_3c), w_3c_lo1 = w_3c_error + w_3a_lo,
-      w_3c_lo = w_3c_lo1 + w_3b_lo, w_3d = D->m02 * c->m5,
-      w_3d_lo = ksl_product_error(D->m02, c->m5, w_3d), w_3 = w_3c + w_3d,
-      w_3_error = ksl_sum_error(w_3c, w_3d, w_3), w_3_lo1 = w_3_error + w_3c_lo,
-      w_3_lo = w_3_lo1 + w_3d_lo;
-  const double w_4a = D->m10 * c->m3, w_4a_lo = ksl_product_error(D->m10, c->m3, w_4a),
-      w_4b = D->m11 * c->m4, w_4b_lo = ksl_product_error(D->m11, c->m4, w_4b), w_4c = w_4a + w_4b,
-      w_4c_error = ksl_sum_error(w_4a, w_4b, w_4c), w_4c_lo1 = w_4c_error + w_4a_lo,
-      w_4c_lo = w_4c_lo1 + w_4b_lo, w_4d = D->m12 * c->m5,
-      w_4d_lo = ksl_product_error(D->m12, c->m5, w_4d), w_4 = w_4c + w_4d,
-      w_4_error = ksl_sum_error(w_4c, w_4d, w_4), w_4_lo1 = w_4_error + w_4c_lo,
-      w_4_lo = w_4_lo1 + w_4d_lo;
-  const double w_5a = D->m20 * c->m3, w_5a_lo = ksl_product_error(D->m20, c->m3, w_5a),
-      w_5b = D->m21 * c->m4, w_5b_lo = ksl_product_error(D->m21, c->m4, w_5b), w_5c = w_5a + w_5b,
-      w_5c_error = ksl_sum_error(w_5a, w_5b, w_5c), w_5c_lo1 = w_5c_error + w_5a_lo,
-      w_5c_lo = w_5c_lo1 + w_5b_lo, w_5d = D->m22 * c->m5,
-      w_5d_lo = ksl_product_error(D->m22, c->m5, w_5d), w_5 = w_5c + w_5d,
-      w_5_error = ksl_sum_error(w_5c, w_5d, w_5), w_5_lo1 = w_5_error + w_5c_lo,
-      w_5_lo = w_5_lo1 + w_5d_lo;
-  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
-      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
-      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
-      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
-      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
-      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c + w_3,
-      co_3_error = ksl_sum_error(co_3c, w_3, co_3), co_3_lo1 = co_3_error + co_3c_lo,
-      co_3_lo = co_3_lo1 + w_3_lo;
-  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
-      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
-      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
-      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
-      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
-      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c + w_4,
-      co_4_error = ksl_sum_error(co_4c, w_4, co_4), co_4_lo1 = co_4_error + co_4c_lo,
-      co_4_lo = co_4_lo1 + w_4_lo;
-  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
-      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
-      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
-      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
-      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
-      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c + w_5,
-      co_5_error = ksl_sum_error(co_5c, w_5, co_5), co_5_lo1 = co_5_error + co_5c_lo,
-      co_5_lo = co_5_lo1 + w_5_lo;
+  const double w_0a = D->m00 * c->m0, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b,
+      w_0_right = w_0 - w_0a, w_0_left = w_0 - w_0_right,
+      w_0_left_rest = ksl_product_rest(D->m00, c->m0, w_0a, w_0_left),
+      w_0_right_rest = ksl_product_rest(D->m02, c->m2, w_0b, w_0_right),
+      w_0_lo = w_0_left_rest + w_0_right_rest;
+  const double w_1a = D->m10 * c->m0, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b,
+      w_1_right = w_1 - w_1a, w_1_left = w_1 - w_1_right,
+      w_1_left_rest = ksl_product_rest(D->m10, c->m0, w_1a, w_1_left),
+      w_1_right_rest = ksl_product_rest(D->m12, c->m2, w_1b, w_1_right),
+      w_1_lo = w_1_left_rest + w_1_right_rest;
+  const double w_2a = D->m20 * c->m0, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b,
+      w_2_right = w_2 - w_2a, w_2_left = w_2 - w_2_right,
+      w_2_left_rest = ksl_product_rest(D->m20, c->m0, w_2a, w_2_left),
+      w_2_right_rest = ksl_product_rest(D->m22, c->m2, w_2b, w_2_right),
+      w_2_lo = w_2_left_rest + w_2_right_rest;
+  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
+      w_3c_right = w_3c - w_3a, w_3c_left = w_3c - w_3c_right,
+      w_3c_left_rest = ksl_product_rest(D->m00, c->m3, w_3a, w_3c_left),
+      w_3c_right_rest = ksl_product_rest(D->m01, c->m4, w_3b, w_3c_right),
+      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d,
+      w_3_right = w_3 - w_3c, w_3_left = w_3 - w_3_right, w_3_left_rest = w_3c - w_3_left,
+      w_3_right_rest = ksl_product_rest(D->m02, c->m5, w_3d, w_3_right),
+      w_3_lo1 = w_3_left_rest + w_3_right_rest, w_3_lo = w_3_lo1 + w_3c_lo;
+  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
+      w_4c_right = w_4c - w_4a, w_4c_left = w_4c - w_4c_right,
+      w_4c_left_rest = ksl_product_rest(D->m10, c->m3, w_4a, w_4c_left),
+      w_4c_right_rest = ksl_product_rest(D->m11, c->m4, w_4b, w_4c_right),
+      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d,
+      w_4_right = w_4 - w_4c, w_4_left = w_4 - w_4_right, w_4_left_rest = w_4c - w_4_left,
+      w_4_right_rest = ksl_product_rest(D->m12, c->m5, w_4d, w_4_right),
+      w_4_lo1 = w_4_left_rest + w_4_right_rest, w_4_lo = w_4_lo1 + w_4c_lo;
+  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
+      w_5c_right = w_5c - w_5a, w_5c_left = w_5c - w_5c_right,
+      w_5c_left_rest = ksl_product_rest(D->m20, c->m3, w_5a, w_5c_left),
+      w_5c_right_rest = ksl_product_rest(D->m21, c->m4, w_5b, w_5c_right),
+      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d,
+      w_5_right = w_5 - w_5c, w_5_left = w_5 - w_5_right, w_5_left_rest = w_5c - w_5_left,
+      w_5_right_rest = ksl_product_rest(D->m22, c->m5, w_5d, w_5_right),
+      w_5_lo1 = w_5_left_rest + w_5_right_rest, w_5_lo = w_5_lo1 + w_5c_lo;
+  const double co_3a = D->m13 * w_2, co_3a_cross2 = D->m13 * w_2_lo, co_3b = D->m23 * w_1,
+      co_3b_cross2 = D->m23 * w_1_lo, co_3c = co_3a - co_3b, co_3c_right = co_3a - co_3c,
+      co_3c_left = co_3c + co_3c_right,
+      co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
+      co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
+      co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
+      co_3c_lo = co_3c_lo1 + co_3c_cross, co_3 = co_3c + w_3, co_3_right = co_3 - co_3c,
+      co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
+      co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
+      co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
+  const double co_4a = D->m23 * w_0, co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2,
+      co_4b_cross2 = D->m03 * w_2_lo, co_4c = co_4a - co_4b, co_4c_right = co_4a - co_4c,
+      co_4c_left = co_4c + co_4c_right,
+      co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
+      co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
+      co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
+      co_4c_lo = co_4c_lo1 + co_4c_cross, co_4 = co_4c + w_4, co_4_right = co_4 - co_4c,
+      co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
+      co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
+      co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
+  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
+      co_5b_cross2 = D->m13 * w_0_lo, co_5c = co_5a - co_5b, co_5c_right = co_5a - co_5c,
+      co_5c_left = co_5c + co_5c_right,
+      co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
+      co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
+      co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
+      co_5c_lo = co_5c_lo1 + co_5c_cross, co_5 = co_5c + w_5, co_5_right = co_5 - co_5c,
+      co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
+      co_5_right_rest = w_5 - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
+      co_5_lo2 = co_5_lo1 + w_5_lo, co_5_lo = co_5_lo2 + co_5c_lo;
   const double w_0_rounded = w_0 + w_0_lo;
   const double w_1_rounded = w_1 + w_1_lo;
   const double w_2_rounded = w_2 + w_2_lo;
@@ -1691,68 +2011,80 @@ static inline void ksl_constraint_cty_accurate(const ksl_SE3_t *D, const ksl_cos
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   27 mul, 57 add, 21 product error, 15 sum error.
-   Error <= u |result| + (lin: 4, ang: 27) u^2 S, S the sum of the |terms| of the expanded
+   27 mul, 90 add, 21 product rest.
+   Error <= u |result| + (lin: 6, ang: 26) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_constraint_ctz_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0a_lo = ksl_product_error(D->m00, c->m0, w_0a),
-      w_0b = D->m01 * c->m1, w_0b_lo = ksl_product_error(D->m01, c->m1, w_0b), w_0 = w_0a + w_0b,
-      w_0_error = ksl_sum_error(w_0a, w_0b, w_0), w_0_lo1 = w_0_error + w_0a_lo,
-      w_0_lo = w_0_lo1 + w_0b_lo;
-  const double w_1a = D->m10 * c->m0, w_1a_lo = ksl_product_error(D->m10, c->m0, w_1a),
-      w_1b = D->m11 * c->m1, w_1b_lo = ksl_product_error(D->m11, c->m1, w_1b), w_1 = w_1a + w_1b,
-      w_1_error = ksl_sum_error(w_1a, w_1b, w_1), w_1_lo1 = w_1_error + w_1a_lo,
-      w_1_lo = w_1_lo1 + w_1b_lo;
-  const double w_2a = D->m20 * c->m0, w_2a_lo = ksl_product_error(D->m20, c->m0, w_2a),
-      w_2b = D->m21 * c->m1, w_2b_lo = ksl_product_error(D->m21, c->m1, w_2b), w_2 = w_2a + w_2b,
-      w_2_error = ksl_sum_error(w_2a, w_2b, w_2), w_2_lo1 = w_2_error + w_2a_lo,
-      w_2_lo = w_2_lo1 + w_2b_lo;
-  const double w_3a = D->m00 * c->m3, w_3a_lo = ksl_product_error(D->m00, c->m3, w_3a),
-      w_3b = D->m01 * c->m4, w_3b_lo = ksl_product_error(D->m01, c->m4, w_3b), w_3c = w_3a + w_3b,
-      w_3c_error = ksl_sum_error(w_3a, w_3b, w_3c), w_3c_lo1 = w_3c_error + w_3a_lo,
-      w_3c_lo = w_3c_lo1 + w_3b_lo, w_3d = D->m02 * c->m5,
-      w_3d_lo = ksl_product_error(D->m02, c->m5, w_3d), w_3 = w_3c + w_3d,
-      w_3_error = ksl_sum_error(w_3c, w_3d, w_3), w_3_lo1 = w_3_error + w_3c_lo,
-      w_3_lo = w_3_lo1 + w_3d_lo;
-  const double w_4a = D->m10 * c->m3, w_4a_lo = ksl_product_error(D->m10, c->m3, w_4a),
-      w_4b = D->m11 * c->m4, w_4b_lo = ksl_product_error(D->m11, c->m4, w_4b), w_4c = w_4a + w_4b,
-      w_4c_error = ksl_sum_error(w_4a, w_4b, w_4c), w_4c_lo1 = w_4c_error + w_4a_lo,
-      w_4c_lo = w_4c_lo1 + w_4b_lo, w_4d = D->m12 * c->m5,
-      w_4d_lo = ksl_product_error(D->m12, c->m5, w_4d), w_4 = w_4c + w_4d,
-      w_4_error = ksl_sum_error(w_4c, w_4d, w_4), w_4_lo1 = w_4_error + w_4c_lo,
-      w_4_lo = w_4_lo1 + w_4d_lo;
-  const double w_5a = D->m20 * c->m3, w_5a_lo = ksl_product_error(D->m20, c->m3, w_5a),
-      w_5b = D->m21 * c->m4, w_5b_lo = ksl_product_error(D->m21, c->m4, w_5b), w_5c = w_5a + w_5b,
-      w_5c_error = ksl_sum_error(w_5a, w_5b, w_5c), w_5c_lo1 = w_5c_error + w_5a_lo,
-      w_5c_lo = w_5c_lo1 + w_5b_lo, w_5d = D->m22 * c->m5,
-      w_5d_lo = ksl_product_error(D->m22, c->m5, w_5d), w_5 = w_5c + w_5d,
-      w_5_error = ksl_sum_error(w_5c, w_5d, w_5), w_5_lo1 = w_5_error + w_5c_lo,
-      w_5_lo = w_5_lo1 + w_5d_lo;
-  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
-      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
-      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
-      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
-      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
-      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c + w_3,
-      co_3_error = ksl_sum_error(co_3c, w_3, co_3), co_3_lo1 = co_3_error + co_3c_lo,
-      co_3_lo = co_3_lo1 + w_3_lo;
-  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
-      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
-      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
-      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
-      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
-      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c + w_4,
-      co_4_error = ksl_sum_error(co_4c, w_4, co_4), co_4_lo1 = co_4_error + co_4c_lo,
-      co_4_lo = co_4_lo1 + w_4_lo;
-  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
-      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
-      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
-      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
-      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
-      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c + w_5,
-      co_5_error = ksl_sum_error(co_5c, w_5, co_5), co_5_lo1 = co_5_error + co_5c_lo,
-      co_5_lo = co_5_lo1 + w_5_lo;
+  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0 = w_0a + w_0b,
+      w_0_right = w_0 - w_0a, w_0_left = w_0 - w_0_right,
+      w_0_left_rest = ksl_product_rest(D->m00, c->m0, w_0a, w_0_left),
+      w_0_right_rest = ksl_product_rest(D->m01, c->m1, w_0b, w_0_right),
+      w_0_lo = w_0_left_rest + w_0_right_rest;
+  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1 = w_1a + w_1b,
+      w_1_right = w_1 - w_1a, w_1_left = w_1 - w_1_right,
+      w_1_left_rest = ksl_product_rest(D->m10, c->m0, w_1a, w_1_left),
+      w_1_right_rest = ksl_product_rest(D->m11, c->m1, w_1b, w_1_right),
+      w_1_lo = w_1_left_rest + w_1_right_rest;
+  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2 = w_2a + w_2b,
+      w_2_right = w_2 - w_2a, w_2_left = w_2 - w_2_right,
+      w_2_left_rest = ksl_product_rest(D->m20, c->m0, w_2a, w_2_left),
+      w_2_right_rest = ksl_product_rest(D->m21, c->m1, w_2b, w_2_right),
+      w_2_lo = w_2_left_rest + w_2_right_rest;
+  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
+      w_3c_right = w_3c - w_3a, w_3c_left = w_3c - w_3c_right,
+      w_3c_left_rest = ksl_product_rest(D->m00, c->m3, w_3a, w_3c_left),
+      w_3c_right_rest = ksl_product_rest(D->m01, c->m4, w_3b, w_3c_right),
+      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d,
+      w_3_right = w_3 - w_3c, w_3_left = w_3 - w_3_right, w_3_left_rest = w_3c - w_3_left,
+      w_3_right_rest = ksl_product_rest(D->m02, c->m5, w_3d, w_3_right),
+      w_3_lo1 = w_3_left_rest + w_3_right_rest, w_3_lo = w_3_lo1 + w_3c_lo;
+  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
+      w_4c_right = w_4c - w_4a, w_4c_left = w_4c - w_4c_right,
+      w_4c_left_rest = ksl_product_rest(D->m10, c->m3, w_4a, w_4c_left),
+      w_4c_right_rest = ksl_product_rest(D->m11, c->m4, w_4b, w_4c_right),
+      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d,
+      w_4_right = w_4 - w_4c, w_4_left = w_4 - w_4_right, w_4_left_rest = w_4c - w_4_left,
+      w_4_right_rest = ksl_product_rest(D->m12, c->m5, w_4d, w_4_right),
+      w_4_lo1 = w_4_left_rest + w_4_right_rest, w_4_lo = w_4_lo1 + w_4c_lo;
+  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
+      w_5c_right = w_5c - w_5a, w_5c_left = w_5c - w_5c_right,
+      w_5c_left_rest = ksl_product_rest(D->m20, c->m3, w_5a, w_5c_left),
+      w_5c_right_rest = ksl_product_rest(D->m21, c->m4, w_5b, w_5c_right),
+      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d,
+      w_5_right = w_5 - w_5c, w_5_left = w_5 - w_5_right, w_5_left_rest = w_5c - w_5_left,
+      w_5_right_rest = ksl_product_rest(D->m22, c->m5, w_5d, w_5_right),
+      w_5_lo1 = w_5_left_rest + w_5_right_rest, w_5_lo = w_5_lo1 + w_5c_lo;
+  const double co_3a = D->m13 * w_2, co_3a_cross2 = D->m13 * w_2_lo, co_3b = D->m23 * w_1,
+      co_3b_cross2 = D->m23 * w_1_lo, co_3c = co_3a - co_3b, co_3c_right = co_3a - co_3c,
+      co_3c_left = co_3c + co_3c_right,
+      co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
+      co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
+      co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
+      co_3c_lo = co_3c_lo1 + co_3c_cross, co_3 = co_3c + w_3, co_3_right = co_3 - co_3c,
+      co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
+      co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
+      co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
+  const double co_4a = D->m23 * w_0, co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2,
+      co_4b_cross2 = D->m03 * w_2_lo, co_4c = co_4a - co_4b, co_4c_right = co_4a - co_4c,
+      co_4c_left = co_4c + co_4c_right,
+      co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
+      co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
+      co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
+      co_4c_lo = co_4c_lo1 + co_4c_cross, co_4 = co_4c + w_4, co_4_right = co_4 - co_4c,
+      co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
+      co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
+      co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
+  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
+      co_5b_cross2 = D->m13 * w_0_lo, co_5c = co_5a - co_5b, co_5c_right = co_5a - co_5c,
+      co_5c_left = co_5c + co_5c_right,
+      co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
+      co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
+      co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
+      co_5c_lo = co_5c_lo1 + co_5c_cross, co_5 = co_5c + w_5, co_5_right = co_5 - co_5c,
+      co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
+      co_5_right_rest = w_5 - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
+      co_5_lo2 = co_5_lo1 + w_5_lo, co_5_lo = co_5_lo2 + co_5c_lo;
   const double w_0_rounded = w_0 + w_0_lo;
   const double w_1_rounded = w_1 + w_1_lo;
   const double w_2_rounded = w_2 + w_2_lo;
@@ -1769,68 +2101,80 @@ static inline void ksl_constraint_ctz_accurate(const ksl_SE3_t *D, const ksl_cos
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   27 mul, 57 add, 21 product error, 15 sum error.
-   Error <= u |result| + (lin: 10, ang: 39) u^2 S, S the sum of the |terms| of the expanded
+   27 mul, 90 add, 21 product rest.
+   Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_constraint_crx_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0a_lo = ksl_product_error(D->m00, c->m0, w_0a),
-      w_0b = D->m01 * c->m1, w_0b_lo = ksl_product_error(D->m01, c->m1, w_0b), w_0c = w_0a + w_0b,
-      w_0c_error = ksl_sum_error(w_0a, w_0b, w_0c), w_0c_lo1 = w_0c_error + w_0a_lo,
-      w_0c_lo = w_0c_lo1 + w_0b_lo, w_0d = D->m02 * c->m2,
-      w_0d_lo = ksl_product_error(D->m02, c->m2, w_0d), w_0 = w_0c + w_0d,
-      w_0_error = ksl_sum_error(w_0c, w_0d, w_0), w_0_lo1 = w_0_error + w_0c_lo,
-      w_0_lo = w_0_lo1 + w_0d_lo;
-  const double w_1a = D->m10 * c->m0, w_1a_lo = ksl_product_error(D->m10, c->m0, w_1a),
-      w_1b = D->m11 * c->m1, w_1b_lo = ksl_product_error(D->m11, c->m1, w_1b), w_1c = w_1a + w_1b,
-      w_1c_error = ksl_sum_error(w_1a, w_1b, w_1c), w_1c_lo1 = w_1c_error + w_1a_lo,
-      w_1c_lo = w_1c_lo1 + w_1b_lo, w_1d = D->m12 * c->m2,
-      w_1d_lo = ksl_product_error(D->m12, c->m2, w_1d), w_1 = w_1c + w_1d,
-      w_1_error = ksl_sum_error(w_1c, w_1d, w_1), w_1_lo1 = w_1_error + w_1c_lo,
-      w_1_lo = w_1_lo1 + w_1d_lo;
-  const double w_2a = D->m20 * c->m0, w_2a_lo = ksl_product_error(D->m20, c->m0, w_2a),
-      w_2b = D->m21 * c->m1, w_2b_lo = ksl_product_error(D->m21, c->m1, w_2b), w_2c = w_2a + w_2b,
-      w_2c_error = ksl_sum_error(w_2a, w_2b, w_2c), w_2c_lo1 = w_2c_error + w_2a_lo,
-      w_2c_lo = w_2c_lo1 + w_2b_lo, w_2d = D->m22 * c->m2,
-      w_2d_lo = ksl_product_error(D->m22, c->m2, w_2d), w_2 = w_2c + w_2d,
-      w_2_error = ksl_sum_error(w_2c, w_2d, w_2), w_2_lo1 = w_2_error + w_2c_lo,
-      w_2_lo = w_2_lo1 + w_2d_lo;
-  const double w_3a = D->m01 * c->m4, w_3a_lo = ksl_product_error(D->m01, c->m4, w_3a),
-      w_3b = D->m02 * c->m5, w_3b_lo = ksl_product_error(D->m02, c->m5, w_3b), w_3 = w_3a + w_3b,
-      w_3_error = ksl_sum_error(w_3a, w_3b, w_3), w_3_lo1 = w_3_error + w_3a_lo,
-      w_3_lo = w_3_lo1 + w_3b_lo;
-  const double w_4a = D->m11 * c->m4, w_4a_lo = ksl_product_error(D->m11, c->m4, w_4a),
-      w_4b = D->m12 * c->m5, w_4b_lo = ksl_product_error(D->m12, c->m5, w_4b), w_4 = w_4a + w_4b,
-      w_4_error = ksl_sum_error(w_4a, w_4b, w_4), w_4_lo1 = w_4_error + w_4a_lo,
-      w_4_lo = w_4_lo1 + w_4b_lo;
-  const double w_5a = D->m21 * c->m4, w_5a_lo = ksl_product_error(D->m21, c->m4, w_5a),
-      w_5b = D->m22 * c->m5, w_5b_lo = ksl_product_error(D->m22, c->m5, w_5b), w_5 = w_5a + w_5b,
-      w_5_error = ksl_sum_error(w_5a, w_5b, w_5), w_5_lo1 = w_5_error + w_5a_lo,
-      w_5_lo = w_5_lo1 + w_5b_lo;
-  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
-      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
-      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
-      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
-      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
-      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c + w_3,
-      co_3_error = ksl_sum_error(co_3c, w_3, co_3), co_3_lo1 = co_3_error + co_3c_lo,
-      co_3_lo = co_3_lo1 + w_3_lo;
-  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
-      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
-      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
-      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
-      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
-      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c + w_4,
-      co_4_error = ksl_sum_error(co_4c, w_4, co_4), co_4_lo1 = co_4_error + co_4c_lo,
-      co_4_lo = co_4_lo1 + w_4_lo;
-  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
-      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
-      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
-      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
-      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
-      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c + w_5,
-      co_5_error = ksl_sum_error(co_5c, w_5, co_5), co_5_lo1 = co_5_error + co_5c_lo,
-      co_5_lo = co_5_lo1 + w_5_lo;
+  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
+      w_0c_right = w_0c - w_0a, w_0c_left = w_0c - w_0c_right,
+      w_0c_left_rest = ksl_product_rest(D->m00, c->m0, w_0a, w_0c_left),
+      w_0c_right_rest = ksl_product_rest(D->m01, c->m1, w_0b, w_0c_right),
+      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d,
+      w_0_right = w_0 - w_0c, w_0_left = w_0 - w_0_right, w_0_left_rest = w_0c - w_0_left,
+      w_0_right_rest = ksl_product_rest(D->m02, c->m2, w_0d, w_0_right),
+      w_0_lo1 = w_0_left_rest + w_0_right_rest, w_0_lo = w_0_lo1 + w_0c_lo;
+  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
+      w_1c_right = w_1c - w_1a, w_1c_left = w_1c - w_1c_right,
+      w_1c_left_rest = ksl_product_rest(D->m10, c->m0, w_1a, w_1c_left),
+      w_1c_right_rest = ksl_product_rest(D->m11, c->m1, w_1b, w_1c_right),
+      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d,
+      w_1_right = w_1 - w_1c, w_1_left = w_1 - w_1_right, w_1_left_rest = w_1c - w_1_left,
+      w_1_right_rest = ksl_product_rest(D->m12, c->m2, w_1d, w_1_right),
+      w_1_lo1 = w_1_left_rest + w_1_right_rest, w_1_lo = w_1_lo1 + w_1c_lo;
+  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
+      w_2c_right = w_2c - w_2a, w_2c_left = w_2c - w_2c_right,
+      w_2c_left_rest = ksl_product_rest(D->m20, c->m0, w_2a, w_2c_left),
+      w_2c_right_rest = ksl_product_rest(D->m21, c->m1, w_2b, w_2c_right),
+      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d,
+      w_2_right = w_2 - w_2c, w_2_left = w_2 - w_2_right, w_2_left_rest = w_2c - w_2_left,
+      w_2_right_rest = ksl_product_rest(D->m22, c->m2, w_2d, w_2_right),
+      w_2_lo1 = w_2_left_rest + w_2_right_rest, w_2_lo = w_2_lo1 + w_2c_lo;
+  const double w_3a = D->m01 * c->m4, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b,
+      w_3_right = w_3 - w_3a, w_3_left = w_3 - w_3_right,
+      w_3_left_rest = ksl_product_rest(D->m01, c->m4, w_3a, w_3_left),
+      w_3_right_rest = ksl_product_rest(D->m02, c->m5, w_3b, w_3_right),
+      w_3_lo = w_3_left_rest + w_3_right_rest;
+  const double w_4a = D->m11 * c->m4, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b,
+      w_4_right = w_4 - w_4a, w_4_left = w_4 - w_4_right,
+      w_4_left_rest = ksl_product_rest(D->m11, c->m4, w_4a, w_4_left),
+      w_4_right_rest = ksl_product_rest(D->m12, c->m5, w_4b, w_4_right),
+      w_4_lo = w_4_left_rest + w_4_right_rest;
+  const double w_5a = D->m21 * c->m4, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b,
+      w_5_right = w_5 - w_5a, w_5_left = w_5 - w_5_right,
+      w_5_left_rest = ksl_product_rest(D->m21, c->m4, w_5a, w_5_left),
+      w_5_right_rest = ksl_product_rest(D->m22, c->m5, w_5b, w_5_right),
+      w_5_lo = w_5_left_rest + w_5_right_rest;
+  const double co_3a = D->m13 * w_2, co_3a_cross2 = D->m13 * w_2_lo, co_3b = D->m23 * w_1,
+      co_3b_cross2 = D->m23 * w_1_lo, co_3c = co_3a - co_3b, co_3c_right = co_3a - co_3c,
+      co_3c_left = co_3c + co_3c_right,
+      co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
+      co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
+      co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
+      co_3c_lo = co_3c_lo1 + co_3c_cross, co_3 = co_3c + w_3, co_3_right = co_3 - co_3c,
+      co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
+      co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
+      co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
+  const double co_4a = D->m23 * w_0, co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2,
+      co_4b_cross2 = D->m03 * w_2_lo, co_4c = co_4a - co_4b, co_4c_right = co_4a - co_4c,
+      co_4c_left = co_4c + co_4c_right,
+      co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
+      co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
+      co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
+      co_4c_lo = co_4c_lo1 + co_4c_cross, co_4 = co_4c + w_4, co_4_right = co_4 - co_4c,
+      co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
+      co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
+      co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
+  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
+      co_5b_cross2 = D->m13 * w_0_lo, co_5c = co_5a - co_5b, co_5c_right = co_5a - co_5c,
+      co_5c_left = co_5c + co_5c_right,
+      co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
+      co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
+      co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
+      co_5c_lo = co_5c_lo1 + co_5c_cross, co_5 = co_5c + w_5, co_5_right = co_5 - co_5c,
+      co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
+      co_5_right_rest = w_5 - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
+      co_5_lo2 = co_5_lo1 + w_5_lo, co_5_lo = co_5_lo2 + co_5c_lo;
   const double w_0_rounded = w_0 + w_0_lo;
   const double w_1_rounded = w_1 + w_1_lo;
   const double w_2_rounded = w_2 + w_2_lo;
@@ -1847,68 +2191,80 @@ static inline void ksl_constraint_crx_accurate(const ksl_SE3_t *D, const ksl_cos
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   27 mul, 57 add, 21 product error, 15 sum error.
-   Error <= u |result| + (lin: 10, ang: 39) u^2 S, S the sum of the |terms| of the expanded
+   27 mul, 90 add, 21 product rest.
+   Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_constraint_cry_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0a_lo = ksl_product_error(D->m00, c->m0, w_0a),
-      w_0b = D->m01 * c->m1, w_0b_lo = ksl_product_error(D->m01, c->m1, w_0b), w_0c = w_0a + w_0b,
-      w_0c_error = ksl_sum_error(w_0a, w_0b, w_0c), w_0c_lo1 = w_0c_error + w_0a_lo,
-      w_0c_lo = w_0c_lo1 + w_0b_lo, w_0d = D->m02 * c->m2,
-      w_0d_lo = ksl_product_error(D->m02, c->m2, w_0d), w_0 = w_0c + w_0d,
-      w_0_error = ksl_sum_error(w_0c, w_0d, w_0), w_0_lo1 = w_0_error + w_0c_lo,
-      w_0_lo = w_0_lo1 + w_0d_lo;
-  const double w_1a = D->m10 * c->m0, w_1a_lo = ksl_product_error(D->m10, c->m0, w_1a),
-      w_1b = D->m11 * c->m1, w_1b_lo = ksl_product_error(D->m11, c->m1, w_1b), w_1c = w_1a + w_1b,
-      w_1c_error = ksl_sum_error(w_1a, w_1b, w_1c), w_1c_lo1 = w_1c_error + w_1a_lo,
-      w_1c_lo = w_1c_lo1 + w_1b_lo, w_1d = D->m12 * c->m2,
-      w_1d_lo = ksl_product_error(D->m12, c->m2, w_1d), w_1 = w_1c + w_1d,
-      w_1_error = ksl_sum_error(w_1c, w_1d, w_1), w_1_lo1 = w_1_error + w_1c_lo,
-      w_1_lo = w_1_lo1 + w_1d_lo;
-  const double w_2a = D->m20 * c->m0, w_2a_lo = ksl_product_error(D->m20, c->m0, w_2a),
-      w_2b = D->m21 * c->m1, w_2b_lo = ksl_product_error(D->m21, c->m1, w_2b), w_2c = w_2a + w_2b,
-      w_2c_error = ksl_sum_error(w_2a, w_2b, w_2c), w_2c_lo1 = w_2c_error + w_2a_lo,
-      w_2c_lo = w_2c_lo1 + w_2b_lo, w_2d = D->m22 * c->m2,
-      w_2d_lo = ksl_product_error(D->m22, c->m2, w_2d), w_2 = w_2c + w_2d,
-      w_2_error = ksl_sum_error(w_2c, w_2d, w_2), w_2_lo1 = w_2_error + w_2c_lo,
-      w_2_lo = w_2_lo1 + w_2d_lo;
-  const double w_3a = D->m00 * c->m3, w_3a_lo = ksl_product_error(D->m00, c->m3, w_3a),
-      w_3b = D->m02 * c->m5, w_3b_lo = ksl_product_error(D->m02, c->m5, w_3b), w_3 = w_3a + w_3b,
-      w_3_error = ksl_sum_error(w_3a, w_3b, w_3), w_3_lo1 = w_3_error + w_3a_lo,
-      w_3_lo = w_3_lo1 + w_3b_lo;
-  const double w_4a = D->m10 * c->m3, w_4a_lo = ksl_product_error(D->m10, c->m3, w_4a),
-      w_4b = D->m12 * c->m5, w_4b_lo = ksl_product_error(D->m12, c->m5, w_4b), w_4 = w_4a + w_4b,
-      w_4_error = ksl_sum_error(w_4a, w_4b, w_4), w_4_lo1 = w_4_error + w_4a_lo,
-      w_4_lo = w_4_lo1 + w_4b_lo;
-  const double w_5a = D->m20 * c->m3, w_5a_lo = ksl_product_error(D->m20, c->m3, w_5a),
-      w_5b = D->m22 * c->m5, w_5b_lo = ksl_product_error(D->m22, c->m5, w_5b), w_5 = w_5a + w_5b,
-      w_5_error = ksl_sum_error(w_5a, w_5b, w_5), w_5_lo1 = w_5_error + w_5a_lo,
-      w_5_lo = w_5_lo1 + w_5b_lo;
-  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
-      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
-      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
-      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
-      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
-      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c + w_3,
-      co_3_error = ksl_sum_error(co_3c, w_3, co_3), co_3_lo1 = co_3_error + co_3c_lo,
-      co_3_lo = co_3_lo1 + w_3_lo;
-  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
-      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
-      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
-      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
-      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
-      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c + w_4,
-      co_4_error = ksl_sum_error(co_4c, w_4, co_4), co_4_lo1 = co_4_error + co_4c_lo,
-      co_4_lo = co_4_lo1 + w_4_lo;
-  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
-      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
-      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
-      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
-      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
-      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c + w_5,
-      co_5_error = ksl_sum_error(co_5c, w_5, co_5), co_5_lo1 = co_5_error + co_5c_lo,
-      co_5_lo = co_5_lo1 + w_5_lo;
+  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
+      w_0c_right = w_0c - w_0a, w_0c_left = w_0c - w_0c_right,
+      w_0c_left_rest = ksl_product_rest(D->m00, c->m0, w_0a, w_0c_left),
+      w_0c_right_rest = ksl_product_rest(D->m01, c->m1, w_0b, w_0c_right),
+      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d,
+      w_0_right = w_0 - w_0c, w_0_left = w_0 - w_0_right, w_0_left_rest = w_0c - w_0_left,
+      w_0_right_rest = ksl_product_rest(D->m02, c->m2, w_0d, w_0_right),
+      w_0_lo1 = w_0_left_rest + w_0_right_rest, w_0_lo = w_0_lo1 + w_0c_lo;
+  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
+      w_1c_right = w_1c - w_1a, w_1c_left = w_1c - w_1c_right,
+      w_1c_left_rest = ksl_product_rest(D->m10, c->m0, w_1a, w_1c_left),
+      w_1c_right_rest = ksl_product_rest(D->m11, c->m1, w_1b, w_1c_right),
+      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d,
+      w_1_right = w_1 - w_1c, w_1_left = w_1 - w_1_right, w_1_left_rest = w_1c - w_1_left,
+      w_1_right_rest = ksl_product_rest(D->m12, c->m2, w_1d, w_1_right),
+      w_1_lo1 = w_1_left_rest + w_1_right_rest, w_1_lo = w_1_lo1 + w_1c_lo;
+  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
+      w_2c_right = w_2c - w_2a, w_2c_left = w_2c - w_2c_right,
+      w_2c_left_rest = ksl_product_rest(D->m20, c->m0, w_2a, w_2c_left),
+      w_2c_right_rest = ksl_product_rest(D->m21, c->m1, w_2b, w_2c_right),
+      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d,
+      w_2_right = w_2 - w_2c, w_2_left = w_2 - w_2_right, w_2_left_rest = w_2c - w_2_left,
+      w_2_right_rest = ksl_product_rest(D->m22, c->m2, w_2d, w_2_right),
+      w_2_lo1 = w_2_left_rest + w_2_right_rest, w_2_lo = w_2_lo1 + w_2c_lo;
+  const double w_3a = D->m00 * c->m3, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b,
+      w_3_right = w_3 - w_3a, w_3_left = w_3 - w_3_right,
+      w_3_left_rest = ksl_product_rest(D->m00, c->m3, w_3a, w_3_left),
+      w_3_right_rest = ksl_product_rest(D->m02, c->m5, w_3b, w_3_right),
+      w_3_lo = w_3_left_rest + w_3_right_rest;
+  const double w_4a = D->m10 * c->m3, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b,
+      w_4_right = w_4 - w_4a, w_4_left = w_4 - w_4_right,
+      w_4_left_rest = ksl_product_rest(D->m10, c->m3, w_4a, w_4_left),
+      w_4_right_rest = ksl_product_rest(D->m12, c->m5, w_4b, w_4_right),
+      w_4_lo = w_4_left_rest + w_4_right_rest;
+  const double w_5a = D->m20 * c->m3, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b,
+      w_5_right = w_5 - w_5a, w_5_left = w_5 - w_5_right,
+      w_5_left_rest = ksl_product_rest(D->m20, c->m3, w_5a, w_5_left),
+      w_5_right_rest = ksl_product_rest(D->m22, c->m5, w_5b, w_5_right),
+      w_5_lo = w_5_left_rest + w_5_right_rest;
+  const double co_3a = D->m13 * w_2, co_3a_cross2 = D->m13 * w_2_lo, co_3b = D->m23 * w_1,
+      co_3b_cross2 = D->m23 * w_1_lo, co_3c = co_3a - co_3b, co_3c_right = co_3a - co_3c,
+      co_3c_left = co_3c + co_3c_right,
+      co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
+      co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
+      co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
+      co_3c_lo = co_3c_lo1 + co_3c_cross, co_3 = co_3c + w_3, co_3_right = co_3 - co_3c,
+      co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
+      co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
+      co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
+  const double co_4a = D->m23 * w_0, co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2,
+      co_4b_cross2 = D->m03 * w_2_lo, co_4c = co_4a - co_4b, co_4c_right = co_4a - co_4c,
+      co_4c_left = co_4c + co_4c_right,
+      co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
+      co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
+      co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
+      co_4c_lo = co_4c_lo1 + co_4c_cross, co_4 = co_4c + w_4, co_4_right = co_4 - co_4c,
+      co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
+      co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
+      co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
+  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
+      co_5b_cross2 = D->m13 * w_0_lo, co_5c = co_5a - co_5b, co_5c_right = co_5a - co_5c,
+      co_5c_left = co_5c + co_5c_right,
+      co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
+      co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
+      co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
+      co_5c_lo = co_5c_lo1 + co_5c_cross, co_5 = co_5c + w_5, co_5_right = co_5 - co_5c,
+      co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
+      co_5_right_rest = w_5 - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
+      co_5_lo2 = co_5_lo1 + w_5_lo, co_5_lo = co_5_lo2 + co_5c_lo;
   const double w_0_rounded = w_0 + w_0_lo;
   const double w_1_rounded = w_1 + w_1_lo;
   const double w_2_rounded = w_2 + w_2_lo;
@@ -1925,68 +2281,80 @@ static inline void ksl_constraint_cry_accurate(const ksl_SE3_t *D, const ksl_cos
 
 /* co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   27 mul, 57 add, 21 product error, 15 sum error.
-   Error <= u |result| + (lin: 10, ang: 39) u^2 S, S the sum of the |terms| of the expanded
+   27 mul, 90 add, 21 product rest.
+   Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_constraint_crz_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0a_lo = ksl_product_error(D->m00, c->m0, w_0a),
-      w_0b = D->m01 * c->m1, w_0b_lo = ksl_product_error(D->m01, c->m1, w_0b), w_0c = w_0a + w_0b,
-      w_0c_error = ksl_sum_error(w_0a, w_0b, w_0c), w_0c_lo1 = w_0c_error + w_0a_lo,
-      w_0c_lo = w_0c_lo1 + w_0b_lo, w_0d = D->m02 * c->m2,
-      w_0d_lo = ksl_product_error(D->m02, c->m2, w_0d), w_0 = w_0c + w_0d,
-      w_0_error = ksl_sum_error(w_0c, w_0d, w_0), w_0_lo1 = w_0_error + w_0c_lo,
-      w_0_lo = w_0_lo1 + w_0d_lo;
-  const double w_1a = D->m10 * c->m0, w_1a_lo = ksl_product_error(D->m10, c->m0, w_1a),
-      w_1b = D->m11 * c->m1, w_1b_lo = ksl_product_error(D->m11, c->m1, w_1b), w_1c = w_1a + w_1b,
-      w_1c_error = ksl_sum_error(w_1a, w_1b, w_1c), w_1c_lo1 = w_1c_error + w_1a_lo,
-      w_1c_lo = w_1c_lo1 + w_1b_lo, w_1d = D->m12 * c->m2,
-      w_1d_lo = ksl_product_error(D->m12, c->m2, w_1d), w_1 = w_1c + w_1d,
-      w_1_error = ksl_sum_error(w_1c, w_1d, w_1), w_1_lo1 = w_1_error + w_1c_lo,
-      w_1_lo = w_1_lo1 + w_1d_lo;
-  const double w_2a = D->m20 * c->m0, w_2a_lo = ksl_product_error(D->m20, c->m0, w_2a),
-      w_2b = D->m21 * c->m1, w_2b_lo = ksl_product_error(D->m21, c->m1, w_2b), w_2c = w_2a + w_2b,
-      w_2c_error = ksl_sum_error(w_2a, w_2b, w_2c), w_2c_lo1 = w_2c_error + w_2a_lo,
-      w_2c_lo = w_2c_lo1 + w_2b_lo, w_2d = D->m22 * c->m2,
-      w_2d_lo = ksl_product_error(D->m22, c->m2, w_2d), w_2 = w_2c + w_2d,
-      w_2_error = ksl_sum_error(w_2c, w_2d, w_2), w_2_lo1 = w_2_error + w_2c_lo,
-      w_2_lo = w_2_lo1 + w_2d_lo;
-  const double w_3a = D->m00 * c->m3, w_3a_lo = ksl_product_error(D->m00, c->m3, w_3a),
-      w_3b = D->m01 * c->m4, w_3b_lo = ksl_product_error(D->m01, c->m4, w_3b), w_3 = w_3a + w_3b,
-      w_3_error = ksl_sum_error(w_3a, w_3b, w_3), w_3_lo1 = w_3_error + w_3a_lo,
-      w_3_lo = w_3_lo1 + w_3b_lo;
-  const double w_4a = D->m10 * c->m3, w_4a_lo = ksl_product_error(D->m10, c->m3, w_4a),
-      w_4b = D->m11 * c->m4, w_4b_lo = ksl_product_error(D->m11, c->m4, w_4b), w_4 = w_4a + w_4b,
-      w_4_error = ksl_sum_error(w_4a, w_4b, w_4), w_4_lo1 = w_4_error + w_4a_lo,
-      w_4_lo = w_4_lo1 + w_4b_lo;
-  const double w_5a = D->m20 * c->m3, w_5a_lo = ksl_product_error(D->m20, c->m3, w_5a),
-      w_5b = D->m21 * c->m4, w_5b_lo = ksl_product_error(D->m21, c->m4, w_5b), w_5 = w_5a + w_5b,
-      w_5_error = ksl_sum_error(w_5a, w_5b, w_5), w_5_lo1 = w_5_error + w_5a_lo,
-      w_5_lo = w_5_lo1 + w_5b_lo;
-  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
-      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
-      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
-      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
-      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
-      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3 = co_3c + w_3,
-      co_3_error = ksl_sum_error(co_3c, w_3, co_3), co_3_lo1 = co_3_error + co_3c_lo,
-      co_3_lo = co_3_lo1 + w_3_lo;
-  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
-      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
-      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
-      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
-      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
-      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4 = co_4c + w_4,
-      co_4_error = ksl_sum_error(co_4c, w_4, co_4), co_4_lo1 = co_4_error + co_4c_lo,
-      co_4_lo = co_4_lo1 + w_4_lo;
-  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
-      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
-      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
-      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
-      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
-      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5 = co_5c + w_5,
-      co_5_error = ksl_sum_error(co_5c, w_5, co_5), co_5_lo1 = co_5_error + co_5c_lo,
-      co_5_lo = co_5_lo1 + w_5_lo;
+  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
+      w_0c_right = w_0c - w_0a, w_0c_left = w_0c - w_0c_right,
+      w_0c_left_rest = ksl_product_rest(D->m00, c->m0, w_0a, w_0c_left),
+      w_0c_right_rest = ksl_product_rest(D->m01, c->m1, w_0b, w_0c_right),
+      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d,
+      w_0_right = w_0 - w_0c, w_0_left = w_0 - w_0_right, w_0_left_rest = w_0c - w_0_left,
+      w_0_right_rest = ksl_product_rest(D->m02, c->m2, w_0d, w_0_right),
+      w_0_lo1 = w_0_left_rest + w_0_right_rest, w_0_lo = w_0_lo1 + w_0c_lo;
+  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
+      w_1c_right = w_1c - w_1a, w_1c_left = w_1c - w_1c_right,
+      w_1c_left_rest = ksl_product_rest(D->m10, c->m0, w_1a, w_1c_left),
+      w_1c_right_rest = ksl_product_rest(D->m11, c->m1, w_1b, w_1c_right),
+      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d,
+      w_1_right = w_1 - w_1c, w_1_left = w_1 - w_1_right, w_1_left_rest = w_1c - w_1_left,
+      w_1_right_rest = ksl_product_rest(D->m12, c->m2, w_1d, w_1_right),
+      w_1_lo1 = w_1_left_rest + w_1_right_rest, w_1_lo = w_1_lo1 + w_1c_lo;
+  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
+      w_2c_right = w_2c - w_2a, w_2c_left = w_2c - w_2c_right,
+      w_2c_left_rest = ksl_product_rest(D->m20, c->m0, w_2a, w_2c_left),
+      w_2c_right_rest = ksl_product_rest(D->m21, c->m1, w_2b, w_2c_right),
+      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d,
+      w_2_right = w_2 - w_2c, w_2_left = w_2 - w_2_right, w_2_left_rest = w_2c - w_2_left,
+      w_2_right_rest = ksl_product_rest(D->m22, c->m2, w_2d, w_2_right),
+      w_2_lo1 = w_2_left_rest + w_2_right_rest, w_2_lo = w_2_lo1 + w_2c_lo;
+  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3 = w_3a + w_3b,
+      w_3_right = w_3 - w_3a, w_3_left = w_3 - w_3_right,
+      w_3_left_rest = ksl_product_rest(D->m00, c->m3, w_3a, w_3_left),
+      w_3_right_rest = ksl_product_rest(D->m01, c->m4, w_3b, w_3_right),
+      w_3_lo = w_3_left_rest + w_3_right_rest;
+  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4 = w_4a + w_4b,
+      w_4_right = w_4 - w_4a, w_4_left = w_4 - w_4_right,
+      w_4_left_rest = ksl_product_rest(D->m10, c->m3, w_4a, w_4_left),
+      w_4_right_rest = ksl_product_rest(D->m11, c->m4, w_4b, w_4_right),
+      w_4_lo = w_4_left_rest + w_4_right_rest;
+  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5 = w_5a + w_5b,
+      w_5_right = w_5 - w_5a, w_5_left = w_5 - w_5_right,
+      w_5_left_rest = ksl_product_rest(D->m20, c->m3, w_5a, w_5_left),
+      w_5_right_rest = ksl_product_rest(D->m21, c->m4, w_5b, w_5_right),
+      w_5_lo = w_5_left_rest + w_5_right_rest;
+  const double co_3a = D->m13 * w_2, co_3a_cross2 = D->m13 * w_2_lo, co_3b = D->m23 * w_1,
+      co_3b_cross2 = D->m23 * w_1_lo, co_3c = co_3a - co_3b, co_3c_right = co_3a - co_3c,
+      co_3c_left = co_3c + co_3c_right,
+      co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
+      co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
+      co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
+      co_3c_lo = co_3c_lo1 + co_3c_cross, co_3 = co_3c + w_3, co_3_right = co_3 - co_3c,
+      co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
+      co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
+      co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
+  const double co_4a = D->m23 * w_0, co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2,
+      co_4b_cross2 = D->m03 * w_2_lo, co_4c = co_4a - co_4b, co_4c_right = co_4a - co_4c,
+      co_4c_left = co_4c + co_4c_right,
+      co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
+      co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
+      co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
+      co_4c_lo = co_4c_lo1 + co_4c_cross, co_4 = co_4c + w_4, co_4_right = co_4 - co_4c,
+      co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
+      co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
+      co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
+  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
+      co_5b_cross2 = D->m13 * w_0_lo, co_5c = co_5a - co_5b, co_5c_right = co_5a - co_5c,
+      co_5c_left = co_5c + co_5c_right,
+      co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
+      co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
+      co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
+      co_5c_lo = co_5c_lo1 + co_5c_cross, co_5 = co_5c + w_5, co_5_right = co_5 - co_5c,
+      co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
+      co_5_right_rest = w_5 - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
+      co_5_lo2 = co_5_lo1 + w_5_lo, co_5_lo = co_5_lo2 + co_5c_lo;
   const double w_0_rounded = w_0 + w_0_lo;
   const double w_1_rounded = w_1 + w_1_lo;
   const double w_2_rounded = w_2 + w_2_lo;
@@ -2003,32 +2371,36 @@ static inline void ksl_constraint_crz_accurate(const ksl_SE3_t *D, const ksl_cos
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   15 mul, 21 add, 9 product error, 3 sum error.
-   Error <= u |result| + (lin: 0, ang: 9) u^2 S, S the sum of the |terms| of the expanded
+   15 mul, 24 add, 3 product error, 6 product rest.
+   Error <= u |result| + (lin: 0, ang: 11) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_working_ctx_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = D->m00 * c->m0, w_0_lo = ksl_product_error(D->m00, c->m0, w_0);
-  const double w_1 = D->m10 * c->m0, w_1_lo = ksl_product_error(D->m10, c->m0, w_1);
-  const double w_2 = D->m20 * c->m0, w_2_lo = ksl_product_error(D->m20, c->m0, w_2);
-  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
-      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
-      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
-      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
-      co_3 = co_3a - co_3b, co_3_error = ksl_difference_error(co_3a, co_3b, co_3),
-      co_3_lo1 = co_3_error + co_3a_lo, co_3_lo = co_3_lo1 - co_3b_lo;
-  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
-      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
-      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
-      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
-      co_4 = co_4a - co_4b, co_4_error = ksl_difference_error(co_4a, co_4b, co_4),
-      co_4_lo1 = co_4_error + co_4a_lo, co_4_lo = co_4_lo1 - co_4b_lo;
-  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
-      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
-      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
-      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
-      co_5 = co_5a - co_5b, co_5_error = ksl_difference_error(co_5a, co_5b, co_5),
-      co_5_lo1 = co_5_error + co_5a_lo, co_5_lo = co_5_lo1 - co_5b_lo;
+  const double w_0 = D->m00 * c->m0;
+  const double w_1 = D->m10 * c->m0;
+  const double w_2 = D->m20 * c->m0;
+  const double w_2_lo = ksl_product_error(D->m20, c->m0, w_2), co_3a = D->m13 * w_2,
+      co_3a_cross2 = D->m13 * w_2_lo, w_1_lo = ksl_product_error(D->m10, c->m0, w_1),
+      co_3b = D->m23 * w_1, co_3b_cross2 = D->m23 * w_1_lo, co_3 = co_3a - co_3b,
+      co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
+      co_3_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3_left),
+      co_3_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3_right),
+      co_3_cross = co_3a_cross2 - co_3b_cross2, co_3_lo1 = co_3_left_rest - co_3_right_rest,
+      co_3_lo = co_3_lo1 + co_3_cross;
+  const double w_0_lo = ksl_product_error(D->m00, c->m0, w_0), co_4a = D->m23 * w_0,
+      co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2, co_4b_cross2 = D->m03 * w_2_lo,
+      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
+      co_4_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4_left),
+      co_4_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4_right),
+      co_4_cross = co_4a_cross2 - co_4b_cross2, co_4_lo1 = co_4_left_rest - co_4_right_rest,
+      co_4_lo = co_4_lo1 + co_4_cross;
+  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
+      co_5b_cross2 = D->m13 * w_0_lo, co_5 = co_5a - co_5b, co_5_right = co_5a - co_5,
+      co_5_left = co_5 + co_5_right,
+      co_5_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5_left),
+      co_5_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5_right),
+      co_5_cross = co_5a_cross2 - co_5b_cross2, co_5_lo1 = co_5_left_rest - co_5_right_rest,
+      co_5_lo = co_5_lo1 + co_5_cross;
   const double w_0_rounded = w_0 + w_0_lo;
   const double w_1_rounded = w_1 + w_1_lo;
   const double w_2_rounded = w_2 + w_2_lo;
@@ -2045,32 +2417,36 @@ static inline void ksl_working_ctx_accurate(const ksl_SE3_t *D, const ksl_coscre
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   15 mul, 21 add, 9 product error, 3 sum error.
-   Error <= u |result| + (lin: 0, ang: 9) u^2 S, S the sum of the |terms| of the expanded
+   15 mul, 24 add, 3 product error, 6 product rest.
+   Error <= u |result| + (lin: 0, ang: 11) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_working_cty_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = D->m01 * c->m1, w_0_lo = ksl_product_error(D->m01, c->m1, w_0);
-  const double w_1 = D->m11 * c->m1, w_1_lo = ksl_product_error(D->m11, c->m1, w_1);
-  const double w_2 = D->m21 * c->m1, w_2_lo = ksl_product_error(D->m21, c->m1, w_2);
-  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
-      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
-      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
-      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
-      co_3 = co_3a - co_3b, co_3_error = ksl_difference_error(co_3a, co_3b, co_3),
-      co_3_lo1 = co_3_error + co_3a_lo, co_3_lo = co_3_lo1 - co_3b_lo;
-  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
-      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
-      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
-      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
-      co_4 = co_4a - co_4b, co_4_error = ksl_difference_error(co_4a, co_4b, co_4),
-      co_4_lo1 = co_4_error + co_4a_lo, co_4_lo = co_4_lo1 - co_4b_lo;
-  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
-      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
-      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
-      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
-      co_5 = co_5a - co_5b, co_5_error = ksl_difference_error(co_5a, co_5b, co_5),
-      co_5_lo1 = co_5_error + co_5a_lo, co_5_lo = co_5_lo1 - co_5b_lo;
+  const double w_0 = D->m01 * c->m1;
+  const double w_1 = D->m11 * c->m1;
+  const double w_2 = D->m21 * c->m1;
+  const double w_2_lo = ksl_product_error(D->m21, c->m1, w_2), co_3a = D->m13 * w_2,
+      co_3a_cross2 = D->m13 * w_2_lo, w_1_lo = ksl_product_error(D->m11, c->m1, w_1),
+      co_3b = D->m23 * w_1, co_3b_cross2 = D->m23 * w_1_lo, co_3 = co_3a - co_3b,
+      co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
+      co_3_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3_left),
+      co_3_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3_right),
+      co_3_cross = co_3a_cross2 - co_3b_cross2, co_3_lo1 = co_3_left_rest - co_3_right_rest,
+      co_3_lo = co_3_lo1 + co_3_cross;
+  const double w_0_lo = ksl_product_error(D->m01, c->m1, w_0), co_4a = D->m23 * w_0,
+      co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2, co_4b_cross2 = D->m03 * w_2_lo,
+      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
+      co_4_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4_left),
+      co_4_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4_right),
+      co_4_cross = co_4a_cross2 - co_4b_cross2, co_4_lo1 = co_4_left_rest - co_4_right_rest,
+      co_4_lo = co_4_lo1 + co_4_cross;
+  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
+      co_5b_cross2 = D->m13 * w_0_lo, co_5 = co_5a - co_5b, co_5_right = co_5a - co_5,
+      co_5_left = co_5 + co_5_right,
+      co_5_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5_left),
+      co_5_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5_right),
+      co_5_cross = co_5a_cross2 - co_5b_cross2, co_5_lo1 = co_5_left_rest - co_5_right_rest,
+      co_5_lo = co_5_lo1 + co_5_cross;
   const double w_0_rounded = w_0 + w_0_lo;
   const double w_1_rounded = w_1 + w_1_lo;
   const double w_2_rounded = w_2 + w_2_lo;
@@ -2087,32 +2463,36 @@ static inline void ksl_working_cty_accurate(const ksl_SE3_t *D, const ksl_coscre
 
 /* co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.
    D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N m).
-   15 mul, 21 add, 9 product error, 3 sum error.
-   Error <= u |result| + (lin: 0, ang: 9) u^2 S, S the sum of the |terms| of the expanded
+   15 mul, 24 add, 3 product error, 6 product rest.
+   Error <= u |result| + (lin: 0, ang: 11) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_working_ctz_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = D->m02 * c->m2, w_0_lo = ksl_product_error(D->m02, c->m2, w_0);
-  const double w_1 = D->m12 * c->m2, w_1_lo = ksl_product_error(D->m12, c->m2, w_1);
-  const double w_2 = D->m22 * c->m2, w_2_lo = ksl_product_error(D->m22, c->m2, w_2);
-  const double co_3a = D->m13 * w_2, co_3a_cross1 = D->m13 * w_2_lo,
-      co_3a_error = ksl_product_error(D->m13, w_2, co_3a), co_3a_lo = co_3a_error + co_3a_cross1,
-      co_3b = D->m23 * w_1, co_3b_cross1 = D->m23 * w_1_lo,
-      co_3b_error = ksl_product_error(D->m23, w_1, co_3b), co_3b_lo = co_3b_error + co_3b_cross1,
-      co_3 = co_3a - co_3b, co_3_error = ksl_difference_error(co_3a, co_3b, co_3),
-      co_3_lo1 = co_3_error + co_3a_lo, co_3_lo = co_3_lo1 - co_3b_lo;
-  const double co_4a = D->m23 * w_0, co_4a_cross1 = D->m23 * w_0_lo,
-      co_4a_error = ksl_product_error(D->m23, w_0, co_4a), co_4a_lo = co_4a_error + co_4a_cross1,
-      co_4b = D->m03 * w_2, co_4b_cross1 = D->m03 * w_2_lo,
-      co_4b_error = ksl_product_error(D->m03, w_2, co_4b), co_4b_lo = co_4b_error + co_4b_cross1,
-      co_4 = co_4a - co_4b, co_4_error = ksl_difference_error(co_4a, co_4b, co_4),
-      co_4_lo1 = co_4_error + co_4a_lo, co_4_lo = co_4_lo1 - co_4b_lo;
-  const double co_5a = D->m03 * w_1, co_5a_cross1 = D->m03 * w_1_lo,
-      co_5a_error = ksl_product_error(D->m03, w_1, co_5a), co_5a_lo = co_5a_error + co_5a_cross1,
-      co_5b = D->m13 * w_0, co_5b_cross1 = D->m13 * w_0_lo,
-      co_5b_error = ksl_product_error(D->m13, w_0, co_5b), co_5b_lo = co_5b_error + co_5b_cross1,
-      co_5 = co_5a - co_5b, co_5_error = ksl_difference_error(co_5a, co_5b, co_5),
-      co_5_lo1 = co_5_error + co_5a_lo, co_5_lo = co_5_lo1 - co_5b_lo;
+  const double w_0 = D->m02 * c->m2;
+  const double w_1 = D->m12 * c->m2;
+  const double w_2 = D->m22 * c->m2;
+  const double w_2_lo = ksl_product_error(D->m22, c->m2, w_2), co_3a = D->m13 * w_2,
+      co_3a_cross2 = D->m13 * w_2_lo, w_1_lo = ksl_product_error(D->m12, c->m2, w_1),
+      co_3b = D->m23 * w_1, co_3b_cross2 = D->m23 * w_1_lo, co_3 = co_3a - co_3b,
+      co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
+      co_3_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3_left),
+      co_3_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3_right),
+      co_3_cross = co_3a_cross2 - co_3b_cross2, co_3_lo1 = co_3_left_rest - co_3_right_rest,
+      co_3_lo = co_3_lo1 + co_3_cross;
+  const double w_0_lo = ksl_product_error(D->m02, c->m2, w_0), co_4a = D->m23 * w_0,
+      co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2, co_4b_cross2 = D->m03 * w_2_lo,
+      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
+      co_4_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4_left),
+      co_4_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4_right),
+      co_4_cross = co_4a_cross2 - co_4b_cross2, co_4_lo1 = co_4_left_rest - co_4_right_rest,
+      co_4_lo = co_4_lo1 + co_4_cross;
+  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
+      co_5b_cross2 = D->m13 * w_0_lo, co_5 = co_5a - co_5b, co_5_right = co_5a - co_5,
+      co_5_left = co_5 + co_5_right,
+      co_5_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5_left),
+      co_5_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5_right),
+      co_5_cross = co_5a_cross2 - co_5b_cross2, co_5_lo1 = co_5_left_rest - co_5_right_rest,
+      co_5_lo = co_5_lo1 + co_5_cross;
   const double w_0_rounded = w_0 + w_0_lo;
   const double w_1_rounded = w_1 + w_1_lo;
   const double w_2_rounded = w_2 + w_2_lo;
@@ -2133,12 +2513,12 @@ static inline void ksl_working_ctz_accurate(const ksl_SE3_t *D, const ksl_coscre
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crx_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_3 = D->m00 * c->m3, w_3_lo = ksl_product_error(D->m00, c->m3, w_3);
-  const double w_4 = D->m10 * c->m3, w_4_lo = ksl_product_error(D->m10, c->m3, w_4);
-  const double w_5 = D->m20 * c->m3, w_5_lo = ksl_product_error(D->m20, c->m3, w_5);
-  const double w_3_rounded = w_3 + w_3_lo;
-  const double w_4_rounded = w_4 + w_4_lo;
-  const double w_5_rounded = w_5 + w_5_lo;
+  const double w_3 = D->m00 * c->m3;
+  const double w_4 = D->m10 * c->m3;
+  const double w_5 = D->m20 * c->m3;
+  const double w_3_lo = ksl_product_error(D->m00, c->m3, w_3), w_3_rounded = w_3 + w_3_lo;
+  const double w_4_lo = ksl_product_error(D->m10, c->m3, w_4), w_4_rounded = w_4 + w_4_lo;
+  const double w_5_lo = ksl_product_error(D->m20, c->m3, w_5), w_5_rounded = w_5 + w_5_lo;
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -2153,12 +2533,12 @@ static inline void ksl_working_crx_accurate(const ksl_SE3_t *D, const ksl_coscre
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_cry_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_3 = D->m01 * c->m4, w_3_lo = ksl_product_error(D->m01, c->m4, w_3);
-  const double w_4 = D->m11 * c->m4, w_4_lo = ksl_product_error(D->m11, c->m4, w_4);
-  const double w_5 = D->m21 * c->m4, w_5_lo = ksl_product_error(D->m21, c->m4, w_5);
-  const double w_3_rounded = w_3 + w_3_lo;
-  const double w_4_rounded = w_4 + w_4_lo;
-  const double w_5_rounded = w_5 + w_5_lo;
+  const double w_3 = D->m01 * c->m4;
+  const double w_4 = D->m11 * c->m4;
+  const double w_5 = D->m21 * c->m4;
+  const double w_3_lo = ksl_product_error(D->m01, c->m4, w_3), w_3_rounded = w_3 + w_3_lo;
+  const double w_4_lo = ksl_product_error(D->m11, c->m4, w_4), w_4_rounded = w_4 + w_4_lo;
+  const double w_5_lo = ksl_product_error(D->m21, c->m4, w_5), w_5_rounded = w_5 + w_5_lo;
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -2173,12 +2553,12 @@ static inline void ksl_working_cry_accurate(const ksl_SE3_t *D, const ksl_coscre
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crz_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_3 = D->m02 * c->m5, w_3_lo = ksl_product_error(D->m02, c->m5, w_3);
-  const double w_4 = D->m12 * c->m5, w_4_lo = ksl_product_error(D->m12, c->m5, w_4);
-  const double w_5 = D->m22 * c->m5, w_5_lo = ksl_product_error(D->m22, c->m5, w_5);
-  const double w_3_rounded = w_3 + w_3_lo;
-  const double w_4_rounded = w_4 + w_4_lo;
-  const double w_5_rounded = w_5 + w_5_lo;
+  const double w_3 = D->m02 * c->m5;
+  const double w_4 = D->m12 * c->m5;
+  const double w_5 = D->m22 * c->m5;
+  const double w_3_lo = ksl_product_error(D->m02, c->m5, w_3), w_3_rounded = w_3 + w_3_lo;
+  const double w_4_lo = ksl_product_error(D->m12, c->m5, w_4), w_4_rounded = w_4 + w_4_lo;
+  const double w_5_lo = ksl_product_error(D->m22, c->m5, w_5), w_5_rounded = w_5 + w_5_lo;
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;

@@ -12,35 +12,36 @@
    10 mul, 10 add, 10 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_inertia_scale_accurate(ksl_inertia_t *self, const double a) {
-  const double self_0_new = self->m * a, self_0_new_lo = ksl_product_error(self->m, a, self_0_new);
-  const double self_1_new = self->h.x * a,
-      self_1_new_lo = ksl_product_error(self->h.x, a, self_1_new);
-  const double self_2_new = self->h.y * a,
-      self_2_new_lo = ksl_product_error(self->h.y, a, self_2_new);
-  const double self_3_new = self->h.z * a,
-      self_3_new_lo = ksl_product_error(self->h.z, a, self_3_new);
-  const double self_4_new = self->xx * a,
-      self_4_new_lo = ksl_product_error(self->xx, a, self_4_new);
-  const double self_5_new = self->yy * a,
-      self_5_new_lo = ksl_product_error(self->yy, a, self_5_new);
-  const double self_6_new = self->zz * a,
-      self_6_new_lo = ksl_product_error(self->zz, a, self_6_new);
-  const double self_7_new = self->xy * a,
-      self_7_new_lo = ksl_product_error(self->xy, a, self_7_new);
-  const double self_8_new = self->xz * a,
-      self_8_new_lo = ksl_product_error(self->xz, a, self_8_new);
-  const double self_9_new = self->yz * a,
-      self_9_new_lo = ksl_product_error(self->yz, a, self_9_new);
-  const double self_0_new_rounded = self_0_new + self_0_new_lo;
-  const double self_1_new_rounded = self_1_new + self_1_new_lo;
-  const double self_2_new_rounded = self_2_new + self_2_new_lo;
-  const double self_3_new_rounded = self_3_new + self_3_new_lo;
-  const double self_4_new_rounded = self_4_new + self_4_new_lo;
-  const double self_5_new_rounded = self_5_new + self_5_new_lo;
-  const double self_6_new_rounded = self_6_new + self_6_new_lo;
-  const double self_7_new_rounded = self_7_new + self_7_new_lo;
-  const double self_8_new_rounded = self_8_new + self_8_new_lo;
-  const double self_9_new_rounded = self_9_new + self_9_new_lo;
+  const double self_0_new = self->m * a;
+  const double self_1_new = self->h.x * a;
+  const double self_2_new = self->h.y * a;
+  const double self_3_new = self->h.z * a;
+  const double self_4_new = self->xx * a;
+  const double self_5_new = self->yy * a;
+  const double self_6_new = self->zz * a;
+  const double self_7_new = self->xy * a;
+  const double self_8_new = self->xz * a;
+  const double self_9_new = self->yz * a;
+  const double self_0_new_lo = ksl_product_error(self->m, a, self_0_new),
+      self_0_new_rounded = self_0_new + self_0_new_lo;
+  const double self_1_new_lo = ksl_product_error(self->h.x, a, self_1_new),
+      self_1_new_rounded = self_1_new + self_1_new_lo;
+  const double self_2_new_lo = ksl_product_error(self->h.y, a, self_2_new),
+      self_2_new_rounded = self_2_new + self_2_new_lo;
+  const double self_3_new_lo = ksl_product_error(self->h.z, a, self_3_new),
+      self_3_new_rounded = self_3_new + self_3_new_lo;
+  const double self_4_new_lo = ksl_product_error(self->xx, a, self_4_new),
+      self_4_new_rounded = self_4_new + self_4_new_lo;
+  const double self_5_new_lo = ksl_product_error(self->yy, a, self_5_new),
+      self_5_new_rounded = self_5_new + self_5_new_lo;
+  const double self_6_new_lo = ksl_product_error(self->zz, a, self_6_new),
+      self_6_new_rounded = self_6_new + self_6_new_lo;
+  const double self_7_new_lo = ksl_product_error(self->xy, a, self_7_new),
+      self_7_new_rounded = self_7_new + self_7_new_lo;
+  const double self_8_new_lo = ksl_product_error(self->xz, a, self_8_new),
+      self_8_new_rounded = self_8_new + self_8_new_lo;
+  const double self_9_new_lo = ksl_product_error(self->yz, a, self_9_new),
+      self_9_new_rounded = self_9_new + self_9_new_lo;
   self->m = self_0_new_rounded;
   self->h.x = self_1_new_rounded;
   self->h.y = self_2_new_rounded;
@@ -56,20 +57,40 @@ static inline void ksl_inertia_scale_accurate(ksl_inertia_t *self, const double 
 /* Bo = B1 + B2.
    B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz,
      yz in kg m^2).
-   20 add, 10 sum error.
+   70 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_BB_accurate(const ksl_inertia_t *B1, const ksl_inertia_t *B2,
     ksl_inertia_t *Bo) {
-  const double Bo_0 = B1->m + B2->m, Bo_0_lo = ksl_sum_error(B1->m, B2->m, Bo_0);
-  const double Bo_1 = B1->h.x + B2->h.x, Bo_1_lo = ksl_sum_error(B1->h.x, B2->h.x, Bo_1);
-  const double Bo_2 = B1->h.y + B2->h.y, Bo_2_lo = ksl_sum_error(B1->h.y, B2->h.y, Bo_2);
-  const double Bo_3 = B1->h.z + B2->h.z, Bo_3_lo = ksl_sum_error(B1->h.z, B2->h.z, Bo_3);
-  const double Bo_4 = B1->xx + B2->xx, Bo_4_lo = ksl_sum_error(B1->xx, B2->xx, Bo_4);
-  const double Bo_5 = B1->yy + B2->yy, Bo_5_lo = ksl_sum_error(B1->yy, B2->yy, Bo_5);
-  const double Bo_6 = B1->zz + B2->zz, Bo_6_lo = ksl_sum_error(B1->zz, B2->zz, Bo_6);
-  const double Bo_7 = B1->xy + B2->xy, Bo_7_lo = ksl_sum_error(B1->xy, B2->xy, Bo_7);
-  const double Bo_8 = B1->xz + B2->xz, Bo_8_lo = ksl_sum_error(B1->xz, B2->xz, Bo_8);
-  const double Bo_9 = B1->yz + B2->yz, Bo_9_lo = ksl_sum_error(B1->yz, B2->yz, Bo_9);
+  const double Bo_0 = B1->m + B2->m, Bo_0_right = Bo_0 - B1->m, Bo_0_left = Bo_0 - Bo_0_right,
+      Bo_0_left_rest = B1->m - Bo_0_left, Bo_0_right_rest = B2->m - Bo_0_right,
+      Bo_0_lo = Bo_0_left_rest + Bo_0_right_rest;
+  const double Bo_1 = B1->h.x + B2->h.x, Bo_1_right = Bo_1 - B1->h.x, Bo_1_left = Bo_1 - Bo_1_right,
+      Bo_1_left_rest = B1->h.x - Bo_1_left, Bo_1_right_rest = B2->h.x - Bo_1_right,
+      Bo_1_lo = Bo_1_left_rest + Bo_1_right_rest;
+  const double Bo_2 = B1->h.y + B2->h.y, Bo_2_right = Bo_2 - B1->h.y, Bo_2_left = Bo_2 - Bo_2_right,
+      Bo_2_left_rest = B1->h.y - Bo_2_left, Bo_2_right_rest = B2->h.y - Bo_2_right,
+      Bo_2_lo = Bo_2_left_rest + Bo_2_right_rest;
+  const double Bo_3 = B1->h.z + B2->h.z, Bo_3_right = Bo_3 - B1->h.z, Bo_3_left = Bo_3 - Bo_3_right,
+      Bo_3_left_rest = B1->h.z - Bo_3_left, Bo_3_right_rest = B2->h.z - Bo_3_right,
+      Bo_3_lo = Bo_3_left_rest + Bo_3_right_rest;
+  const double Bo_4 = B1->xx + B2->xx, Bo_4_right = Bo_4 - B1->xx, Bo_4_left = Bo_4 - Bo_4_right,
+      Bo_4_left_rest = B1->xx - Bo_4_left, Bo_4_right_rest = B2->xx - Bo_4_right,
+      Bo_4_lo = Bo_4_left_rest + Bo_4_right_rest;
+  const double Bo_5 = B1->yy + B2->yy, Bo_5_right = Bo_5 - B1->yy, Bo_5_left = Bo_5 - Bo_5_right,
+      Bo_5_left_rest = B1->yy - Bo_5_left, Bo_5_right_rest = B2->yy - Bo_5_right,
+      Bo_5_lo = Bo_5_left_rest + Bo_5_right_rest;
+  const double Bo_6 = B1->zz + B2->zz, Bo_6_right = Bo_6 - B1->zz, Bo_6_left = Bo_6 - Bo_6_right,
+      Bo_6_left_rest = B1->zz - Bo_6_left, Bo_6_right_rest = B2->zz - Bo_6_right,
+      Bo_6_lo = Bo_6_left_rest + Bo_6_right_rest;
+  const double Bo_7 = B1->xy + B2->xy, Bo_7_right = Bo_7 - B1->xy, Bo_7_left = Bo_7 - Bo_7_right,
+      Bo_7_left_rest = B1->xy - Bo_7_left, Bo_7_right_rest = B2->xy - Bo_7_right,
+      Bo_7_lo = Bo_7_left_rest + Bo_7_right_rest;
+  const double Bo_8 = B1->xz + B2->xz, Bo_8_right = Bo_8 - B1->xz, Bo_8_left = Bo_8 - Bo_8_right,
+      Bo_8_left_rest = B1->xz - Bo_8_left, Bo_8_right_rest = B2->xz - Bo_8_right,
+      Bo_8_lo = Bo_8_left_rest + Bo_8_right_rest;
+  const double Bo_9 = B1->yz + B2->yz, Bo_9_right = Bo_9 - B1->yz, Bo_9_left = Bo_9 - Bo_9_right,
+      Bo_9_left_rest = B1->yz - Bo_9_left, Bo_9_right_rest = B2->yz - Bo_9_right,
+      Bo_9_lo = Bo_9_left_rest + Bo_9_right_rest;
   const double Bo_0_rounded = Bo_0 + Bo_0_lo;
   const double Bo_1_rounded = Bo_1 + Bo_1_lo;
   const double Bo_2_rounded = Bo_2 + Bo_2_lo;
@@ -95,20 +116,40 @@ static inline void ksl_add_BB_accurate(const ksl_inertia_t *B1, const ksl_inerti
 /* Bo = B1 - B2.
    B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz,
      yz in kg m^2).
-   20 add, 10 sum error.
+   70 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_BB_accurate(const ksl_inertia_t *B1, const ksl_inertia_t *B2,
     ksl_inertia_t *Bo) {
-  const double Bo_0 = B1->m - B2->m, Bo_0_lo = ksl_difference_error(B1->m, B2->m, Bo_0);
-  const double Bo_1 = B1->h.x - B2->h.x, Bo_1_lo = ksl_difference_error(B1->h.x, B2->h.x, Bo_1);
-  const double Bo_2 = B1->h.y - B2->h.y, Bo_2_lo = ksl_difference_error(B1->h.y, B2->h.y, Bo_2);
-  const double Bo_3 = B1->h.z - B2->h.z, Bo_3_lo = ksl_difference_error(B1->h.z, B2->h.z, Bo_3);
-  const double Bo_4 = B1->xx - B2->xx, Bo_4_lo = ksl_difference_error(B1->xx, B2->xx, Bo_4);
-  const double Bo_5 = B1->yy - B2->yy, Bo_5_lo = ksl_difference_error(B1->yy, B2->yy, Bo_5);
-  const double Bo_6 = B1->zz - B2->zz, Bo_6_lo = ksl_difference_error(B1->zz, B2->zz, Bo_6);
-  const double Bo_7 = B1->xy - B2->xy, Bo_7_lo = ksl_difference_error(B1->xy, B2->xy, Bo_7);
-  const double Bo_8 = B1->xz - B2->xz, Bo_8_lo = ksl_difference_error(B1->xz, B2->xz, Bo_8);
-  const double Bo_9 = B1->yz - B2->yz, Bo_9_lo = ksl_difference_error(B1->yz, B2->yz, Bo_9);
+  const double Bo_0 = B1->m - B2->m, Bo_0_right = B1->m - Bo_0, Bo_0_left = Bo_0 + Bo_0_right,
+      Bo_0_left_rest = B1->m - Bo_0_left, Bo_0_right_rest = B2->m - Bo_0_right,
+      Bo_0_lo = Bo_0_left_rest - Bo_0_right_rest;
+  const double Bo_1 = B1->h.x - B2->h.x, Bo_1_right = B1->h.x - Bo_1, Bo_1_left = Bo_1 + Bo_1_right,
+      Bo_1_left_rest = B1->h.x - Bo_1_left, Bo_1_right_rest = B2->h.x - Bo_1_right,
+      Bo_1_lo = Bo_1_left_rest - Bo_1_right_rest;
+  const double Bo_2 = B1->h.y - B2->h.y, Bo_2_right = B1->h.y - Bo_2, Bo_2_left = Bo_2 + Bo_2_right,
+      Bo_2_left_rest = B1->h.y - Bo_2_left, Bo_2_right_rest = B2->h.y - Bo_2_right,
+      Bo_2_lo = Bo_2_left_rest - Bo_2_right_rest;
+  const double Bo_3 = B1->h.z - B2->h.z, Bo_3_right = B1->h.z - Bo_3, Bo_3_left = Bo_3 + Bo_3_right,
+      Bo_3_left_rest = B1->h.z - Bo_3_left, Bo_3_right_rest = B2->h.z - Bo_3_right,
+      Bo_3_lo = Bo_3_left_rest - Bo_3_right_rest;
+  const double Bo_4 = B1->xx - B2->xx, Bo_4_right = B1->xx - Bo_4, Bo_4_left = Bo_4 + Bo_4_right,
+      Bo_4_left_rest = B1->xx - Bo_4_left, Bo_4_right_rest = B2->xx - Bo_4_right,
+      Bo_4_lo = Bo_4_left_rest - Bo_4_right_rest;
+  const double Bo_5 = B1->yy - B2->yy, Bo_5_right = B1->yy - Bo_5, Bo_5_left = Bo_5 + Bo_5_right,
+      Bo_5_left_rest = B1->yy - Bo_5_left, Bo_5_right_rest = B2->yy - Bo_5_right,
+      Bo_5_lo = Bo_5_left_rest - Bo_5_right_rest;
+  const double Bo_6 = B1->zz - B2->zz, Bo_6_right = B1->zz - Bo_6, Bo_6_left = Bo_6 + Bo_6_right,
+      Bo_6_left_rest = B1->zz - Bo_6_left, Bo_6_right_rest = B2->zz - Bo_6_right,
+      Bo_6_lo = Bo_6_left_rest - Bo_6_right_rest;
+  const double Bo_7 = B1->xy - B2->xy, Bo_7_right = B1->xy - Bo_7, Bo_7_left = Bo_7 + Bo_7_right,
+      Bo_7_left_rest = B1->xy - Bo_7_left, Bo_7_right_rest = B2->xy - Bo_7_right,
+      Bo_7_lo = Bo_7_left_rest - Bo_7_right_rest;
+  const double Bo_8 = B1->xz - B2->xz, Bo_8_right = B1->xz - Bo_8, Bo_8_left = Bo_8 + Bo_8_right,
+      Bo_8_left_rest = B1->xz - Bo_8_left, Bo_8_right_rest = B2->xz - Bo_8_right,
+      Bo_8_lo = Bo_8_left_rest - Bo_8_right_rest;
+  const double Bo_9 = B1->yz - B2->yz, Bo_9_right = B1->yz - Bo_9, Bo_9_left = Bo_9 + Bo_9_right,
+      Bo_9_left_rest = B1->yz - Bo_9_left, Bo_9_right_rest = B2->yz - Bo_9_right,
+      Bo_9_lo = Bo_9_left_rest - Bo_9_right_rest;
   const double Bo_0_rounded = Bo_0 + Bo_0_lo;
   const double Bo_1_rounded = Bo_1 + Bo_1_lo;
   const double Bo_2_rounded = Bo_2 + Bo_2_lo;
@@ -135,50 +176,62 @@ static inline void ksl_subtract_BB_accurate(const ksl_inertia_t *B1, const ksl_i
      the upper triangle): h = m com, I = Ic - m com~ com~.
    m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial inertia (m in kg; h = m
      c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
-   15 mul, 36 add, 9 product error, 9 sum error.
-   Error <= u |result| + (m: 0, h: 0, I: 13) u^2 S, S the sum of the |terms| of the expanded
+   15 mul, 66 add, 3 product error, 9 product rest.
+   Error <= u |result| + (m: 0, h: 0, I: 15) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertia_from_com_accurate(const double m, const ksl_vec3_t *com,
     const ksl_mat3x3_t *Ic, ksl_inertia_t *Bo) {
-  const double h_0 = m * com->x, h_0_lo = ksl_product_error(m, com->x, h_0);
-  const double h_1 = m * com->y, h_1_lo = ksl_product_error(m, com->y, h_1);
-  const double h_2 = m * com->z, h_2_lo = ksl_product_error(m, com->z, h_2);
-  const double squares_0 = com->x * h_0, squares_0_cross1 = com->x * h_0_lo,
-      squares_0_error = ksl_product_error(com->x, h_0, squares_0),
-      squares_0_lo = squares_0_error + squares_0_cross1;
-  const double squares_1 = com->y * h_1, squares_1_cross1 = com->y * h_1_lo,
-      squares_1_error = ksl_product_error(com->y, h_1, squares_1),
-      squares_1_lo = squares_1_error + squares_1_cross1;
-  const double squares_2 = com->z * h_2, squares_2_cross1 = com->z * h_2_lo,
-      squares_2_error = ksl_product_error(com->z, h_2, squares_2),
-      squares_2_lo = squares_2_error + squares_2_cross1;
-  const double Bo_4a = squares_1 + squares_2,
-      Bo_4a_error = ksl_sum_error(squares_1, squares_2, Bo_4a),
-      Bo_4a_lo1 = Bo_4a_error + squares_1_lo, Bo_4a_lo = Bo_4a_lo1 + squares_2_lo,
-      Bo_4 = Ic->m00 + Bo_4a, Bo_4_error = ksl_sum_error(Ic->m00, Bo_4a, Bo_4),
-      Bo_4_lo = Bo_4_error + Bo_4a_lo;
-  const double Bo_5a = squares_0 + squares_2,
-      Bo_5a_error = ksl_sum_error(squares_0, squares_2, Bo_5a),
-      Bo_5a_lo1 = Bo_5a_error + squares_0_lo, Bo_5a_lo = Bo_5a_lo1 + squares_2_lo,
-      Bo_5 = Ic->m11 + Bo_5a, Bo_5_error = ksl_sum_error(Ic->m11, Bo_5a, Bo_5),
-      Bo_5_lo = Bo_5_error + Bo_5a_lo;
-  const double Bo_6a = squares_0 + squares_1,
-      Bo_6a_error = ksl_sum_error(squares_0, squares_1, Bo_6a),
-      Bo_6a_lo1 = Bo_6a_error + squares_0_lo, Bo_6a_lo = Bo_6a_lo1 + squares_1_lo,
-      Bo_6 = Ic->m22 + Bo_6a, Bo_6_error = ksl_sum_error(Ic->m22, Bo_6a, Bo_6),
-      Bo_6_lo = Bo_6_error + Bo_6a_lo;
-  const double Bo_7a = com->y * h_0, Bo_7a_cross1 = com->y * h_0_lo,
-      Bo_7a_error = ksl_product_error(com->y, h_0, Bo_7a), Bo_7a_lo = Bo_7a_error + Bo_7a_cross1,
-      Bo_7 = Ic->m01 - Bo_7a, Bo_7_error = ksl_difference_error(Ic->m01, Bo_7a, Bo_7),
-      Bo_7_lo = Bo_7_error - Bo_7a_lo;
-  const double Bo_8a = com->z * h_0, Bo_8a_cross1 = com->z * h_0_lo,
-      Bo_8a_error = ksl_product_error(com->z, h_0, Bo_8a), Bo_8a_lo = Bo_8a_error + Bo_8a_cross1,
-      Bo_8 = Ic->m02 - Bo_8a, Bo_8_error = ksl_difference_error(Ic->m02, Bo_8a, Bo_8),
-      Bo_8_lo = Bo_8_error - Bo_8a_lo;
-  const double Bo_9a = com->z * h_1, Bo_9a_cross1 = com->z * h_1_lo,
-      Bo_9a_error = ksl_product_error(com->z, h_1, Bo_9a), Bo_9a_lo = Bo_9a_error + Bo_9a_cross1,
-      Bo_9 = Ic->m12 - Bo_9a, Bo_9_error = ksl_difference_error(Ic->m12, Bo_9a, Bo_9),
-      Bo_9_lo = Bo_9_error - Bo_9a_lo;
+  const double h_0 = m * com->x;
+  const double h_1 = m * com->y;
+  const double h_2 = m * com->z;
+  const double h_0_lo = ksl_product_error(m, com->x, h_0), squares_0 = com->x * h_0,
+      squares_0_cross2 = com->x * h_0_lo;
+  const double h_1_lo = ksl_product_error(m, com->y, h_1), squares_1 = com->y * h_1,
+      squares_1_cross2 = com->y * h_1_lo;
+  const double h_2_lo = ksl_product_error(m, com->z, h_2), squares_2 = com->z * h_2,
+      squares_2_cross2 = com->z * h_2_lo;
+  const double Bo_4a = squares_1 + squares_2, Bo_4a_right = Bo_4a - squares_1,
+      Bo_4a_left = Bo_4a - Bo_4a_right,
+      Bo_4a_left_rest = ksl_product_rest(com->y, h_1, squares_1, Bo_4a_left),
+      Bo_4a_right_rest = ksl_product_rest(com->z, h_2, squares_2, Bo_4a_right),
+      Bo_4a_cross = squares_1_cross2 + squares_2_cross2,
+      Bo_4a_lo1 = Bo_4a_left_rest + Bo_4a_right_rest, Bo_4a_lo = Bo_4a_lo1 + Bo_4a_cross,
+      Bo_4 = Ic->m00 + Bo_4a, Bo_4_right = Bo_4 - Ic->m00, Bo_4_left = Bo_4 - Bo_4_right,
+      Bo_4_left_rest = Ic->m00 - Bo_4_left, Bo_4_right_rest = Bo_4a - Bo_4_right,
+      Bo_4_lo1 = Bo_4_left_rest + Bo_4_right_rest, Bo_4_lo = Bo_4_lo1 + Bo_4a_lo;
+  const double Bo_5a = squares_0 + squares_2, Bo_5a_right = Bo_5a - squares_0,
+      Bo_5a_left = Bo_5a - Bo_5a_right,
+      Bo_5a_left_rest = ksl_product_rest(com->x, h_0, squares_0, Bo_5a_left),
+      Bo_5a_right_rest = ksl_product_rest(com->z, h_2, squares_2, Bo_5a_right),
+      Bo_5a_cross = squares_0_cross2 + squares_2_cross2,
+      Bo_5a_lo1 = Bo_5a_left_rest + Bo_5a_right_rest, Bo_5a_lo = Bo_5a_lo1 + Bo_5a_cross,
+      Bo_5 = Ic->m11 + Bo_5a, Bo_5_right = Bo_5 - Ic->m11, Bo_5_left = Bo_5 - Bo_5_right,
+      Bo_5_left_rest = Ic->m11 - Bo_5_left, Bo_5_right_rest = Bo_5a - Bo_5_right,
+      Bo_5_lo1 = Bo_5_left_rest + Bo_5_right_rest, Bo_5_lo = Bo_5_lo1 + Bo_5a_lo;
+  const double Bo_6a = squares_0 + squares_1, Bo_6a_right = Bo_6a - squares_0,
+      Bo_6a_left = Bo_6a - Bo_6a_right,
+      Bo_6a_left_rest = ksl_product_rest(com->x, h_0, squares_0, Bo_6a_left),
+      Bo_6a_right_rest = ksl_product_rest(com->y, h_1, squares_1, Bo_6a_right),
+      Bo_6a_cross = squares_0_cross2 + squares_1_cross2,
+      Bo_6a_lo1 = Bo_6a_left_rest + Bo_6a_right_rest, Bo_6a_lo = Bo_6a_lo1 + Bo_6a_cross,
+      Bo_6 = Ic->m22 + Bo_6a, Bo_6_right = Bo_6 - Ic->m22, Bo_6_left = Bo_6 - Bo_6_right,
+      Bo_6_left_rest = Ic->m22 - Bo_6_left, Bo_6_right_rest = Bo_6a - Bo_6_right,
+      Bo_6_lo1 = Bo_6_left_rest + Bo_6_right_rest, Bo_6_lo = Bo_6_lo1 + Bo_6a_lo;
+  const double Bo_7a = com->y * h_0, Bo_7a_cross2 = com->y * h_0_lo, Bo_7 = Ic->m01 - Bo_7a,
+      Bo_7_right = Ic->m01 - Bo_7, Bo_7_left = Bo_7 + Bo_7_right,
+      Bo_7_left_rest = Ic->m01 - Bo_7_left,
+      Bo_7_right_rest = ksl_product_rest(com->y, h_0, Bo_7a, Bo_7_right),
+      Bo_7_lo1 = Bo_7_left_rest - Bo_7_right_rest, Bo_7_lo = Bo_7_lo1 - Bo_7a_cross2;
+  const double Bo_8a = com->z * h_0, Bo_8a_cross2 = com->z * h_0_lo, Bo_8 = Ic->m02 - Bo_8a,
+      Bo_8_right = Ic->m02 - Bo_8, Bo_8_left = Bo_8 + Bo_8_right,
+      Bo_8_left_rest = Ic->m02 - Bo_8_left,
+      Bo_8_right_rest = ksl_product_rest(com->z, h_0, Bo_8a, Bo_8_right),
+      Bo_8_lo1 = Bo_8_left_rest - Bo_8_right_rest, Bo_8_lo = Bo_8_lo1 - Bo_8a_cross2;
+  const double Bo_9a = com->z * h_1, Bo_9a_cross2 = com->z * h_1_lo, Bo_9 = Ic->m12 - Bo_9a,
+      Bo_9_right = Ic->m12 - Bo_9, Bo_9_left = Bo_9 + Bo_9_right,
+      Bo_9_left_rest = Ic->m12 - Bo_9_left,
+      Bo_9_right_rest = ksl_product_rest(com->z, h_1, Bo_9a, Bo_9_right),
+      Bo_9_lo1 = Bo_9_left_rest - Bo_9_right_rest, Bo_9_lo = Bo_9_lo1 - Bo_9a_cross2;
   const double h_0_rounded = h_0 + h_0_lo;
   const double h_1_rounded = h_1 + h_1_lo;
   const double h_2_rounded = h_2 + h_2_lo;
@@ -217,21 +270,21 @@ static inline void ksl_inertia_com_accurate(const ksl_inertia_t *B, ksl_vec3_t *
       vo_2_product_error = ksl_product_error(vo_2, B->m, vo_2_product),
       vo_2_rest = B->h.z - vo_2_product, vo_2_exact = vo_2_rest - vo_2_product_error,
       vo_2_lo = vo_2_exact / B->m;
-  const double vo_0_total = vo_0 + vo_0_lo,
-      vo_0_rounded = vo_0_total == vo_0_total ? vo_0_total : vo_0;
-  const double vo_1_total = vo_1 + vo_1_lo,
-      vo_1_rounded = vo_1_total == vo_1_total ? vo_1_total : vo_1;
-  const double vo_2_total = vo_2 + vo_2_lo,
-      vo_2_rounded = vo_2_total == vo_2_total ? vo_2_total : vo_2;
-  vo->x = vo_0_rounded;
-  vo->y = vo_1_rounded;
-  vo->z = vo_2_rounded;
+  const double vo_0_rounded = vo_0 + vo_0_lo,
+      vo_0_final = vo_0_rounded == vo_0_rounded ? vo_0_rounded : vo_0;
+  const double vo_1_rounded = vo_1 + vo_1_lo,
+      vo_1_final = vo_1_rounded == vo_1_rounded ? vo_1_rounded : vo_1;
+  const double vo_2_rounded = vo_2 + vo_2_lo,
+      vo_2_final = vo_2_rounded == vo_2_rounded ? vo_2_rounded : vo_2;
+  vo->x = vo_0_final;
+  vo->y = vo_1_final;
+  vo->z = vo_2_final;
 }
 
 /* Ro = I + h~ h~ / m, the second moments about the centre of mass.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); Ro: rotation or other 3×3 matrix.
-   15 mul, 39 add, 9 product error, 9 sum error, 6 div, 6 equal, 6 select. */
+   15 mul, 69 add, 3 product error, 9 product rest, 6 div, 6 equal, 6 select. */
 static inline void ksl_inertia_about_com_accurate(const ksl_inertia_t *B, ksl_mat3x3_t *Ro) {
   const double c_0 = B->h.x / B->m, c_0_product = c_0 * B->m,
       c_0_product_error = ksl_product_error(c_0, B->m, c_0_product),
@@ -245,136 +298,169 @@ static inline void ksl_inertia_about_com_accurate(const ksl_inertia_t *B, ksl_ma
       c_2_product_error = ksl_product_error(c_2, B->m, c_2_product),
       c_2_rest = B->h.z - c_2_product, c_2_exact = c_2_rest - c_2_product_error,
       c_2_lo = c_2_exact / B->m;
-  const double squares_0 = B->h.x * c_0, squares_0_cross1 = B->h.x * c_0_lo,
-      squares_0_error = ksl_product_error(B->h.x, c_0, squares_0),
-      squares_0_lo = squares_0_error + squares_0_cross1;
-  const double squares_1 = B->h.y * c_1, squares_1_cross1 = B->h.y * c_1_lo,
-      squares_1_error = ksl_product_error(B->h.y, c_1, squares_1),
-      squares_1_lo = squares_1_error + squares_1_cross1;
-  const double squares_2 = B->h.z * c_2, squares_2_cross1 = B->h.z * c_2_lo,
-      squares_2_error = ksl_product_error(B->h.z, c_2, squares_2),
-      squares_2_lo = squares_2_error + squares_2_cross1;
-  const double about_0a = squares_1 + squares_2,
-      about_0a_error = ksl_sum_error(squares_1, squares_2, about_0a),
-      about_0a_lo1 = about_0a_error + squares_1_lo, about_0a_lo = about_0a_lo1 + squares_2_lo,
-      about_0 = B->xx - about_0a, about_0_error = ksl_difference_error(B->xx, about_0a, about_0),
-      about_0_lo = about_0_error - about_0a_lo;
-  const double about_1a = squares_0 + squares_2,
-      about_1a_error = ksl_sum_error(squares_0, squares_2, about_1a),
-      about_1a_lo1 = about_1a_error + squares_0_lo, about_1a_lo = about_1a_lo1 + squares_2_lo,
-      about_1 = B->yy - about_1a, about_1_error = ksl_difference_error(B->yy, about_1a, about_1),
-      about_1_lo = about_1_error - about_1a_lo;
-  const double about_2a = squares_0 + squares_1,
-      about_2a_error = ksl_sum_error(squares_0, squares_1, about_2a),
-      about_2a_lo1 = about_2a_error + squares_0_lo, about_2a_lo = about_2a_lo1 + squares_1_lo,
-      about_2 = B->zz - about_2a, about_2_error = ksl_difference_error(B->zz, about_2a, about_2),
-      about_2_lo = about_2_error - about_2a_lo;
-  const double about_3a = B->h.x * c_1, about_3a_cross1 = B->h.x * c_1_lo,
-      about_3a_error = ksl_product_error(B->h.x, c_1, about_3a),
-      about_3a_lo = about_3a_error + about_3a_cross1, about_3 = about_3a + B->xy,
-      about_3_error = ksl_sum_error(about_3a, B->xy, about_3),
-      about_3_lo = about_3_error + about_3a_lo;
-  const double about_4a = B->h.x * c_2, about_4a_cross1 = B->h.x * c_2_lo,
-      about_4a_error = ksl_product_error(B->h.x, c_2, about_4a),
-      about_4a_lo = about_4a_error + about_4a_cross1, about_4 = about_4a + B->xz,
-      about_4_error = ksl_sum_error(about_4a, B->xz, about_4),
-      about_4_lo = about_4_error + about_4a_lo;
-  const double about_5a = B->h.y * c_2, about_5a_cross1 = B->h.y * c_2_lo,
-      about_5a_error = ksl_product_error(B->h.y, c_2, about_5a),
-      about_5a_lo = about_5a_error + about_5a_cross1, about_5 = about_5a + B->yz,
-      about_5_error = ksl_sum_error(about_5a, B->yz, about_5),
-      about_5_lo = about_5_error + about_5a_lo;
-  const double about_0_total = about_0 + about_0_lo,
-      about_0_rounded = about_0_total == about_0_total ? about_0_total : about_0;
-  const double about_3_total = about_3 + about_3_lo,
-      about_3_rounded = about_3_total == about_3_total ? about_3_total : about_3;
-  const double about_4_total = about_4 + about_4_lo,
-      about_4_rounded = about_4_total == about_4_total ? about_4_total : about_4;
-  const double about_1_total = about_1 + about_1_lo,
-      about_1_rounded = about_1_total == about_1_total ? about_1_total : about_1;
-  const double about_5_total = about_5 + about_5_lo,
-      about_5_rounded = about_5_total == about_5_total ? about_5_total : about_5;
-  const double about_2_total = about_2 + about_2_lo,
-      about_2_rounded = about_2_total == about_2_total ? about_2_total : about_2;
-  Ro->m00 = about_0_rounded;
-  Ro->m01 = about_3_rounded;
-  Ro->m02 = about_4_rounded;
-  Ro->m10 = about_3_rounded;
-  Ro->m11 = about_1_rounded;
-  Ro->m12 = about_5_rounded;
-  Ro->m20 = about_4_rounded;
-  Ro->m21 = about_5_rounded;
-  Ro->m22 = about_2_rounded;
+  const double squares_0 = B->h.x * c_0, squares_0_cross2 = B->h.x * c_0_lo;
+  const double squares_1 = B->h.y * c_1, squares_1_cross2 = B->h.y * c_1_lo;
+  const double squares_2 = B->h.z * c_2, squares_2_cross2 = B->h.z * c_2_lo;
+  const double about_0a = squares_1 + squares_2, about_0a_right = about_0a - squares_1,
+      about_0a_left = about_0a - about_0a_right,
+      about_0a_left_rest = ksl_product_rest(B->h.y, c_1, squares_1, about_0a_left),
+      about_0a_right_rest = ksl_product_rest(B->h.z, c_2, squares_2, about_0a_right),
+      about_0a_cross = squares_1_cross2 + squares_2_cross2,
+      about_0a_lo1 = about_0a_left_rest + about_0a_right_rest,
+      about_0a_lo = about_0a_lo1 + about_0a_cross, about_0 = B->xx - about_0a,
+      about_0_right = B->xx - about_0, about_0_left = about_0 + about_0_right,
+      about_0_left_rest = B->xx - about_0_left, about_0_right_rest = about_0a - about_0_right,
+      about_0_lo1 = about_0_left_rest - about_0_right_rest, about_0_lo = about_0_lo1 - about_0a_lo;
+  const double about_1a = squares_0 + squares_2, about_1a_right = about_1a - squares_0,
+      about_1a_left = about_1a - about_1a_right,
+      about_1a_left_rest = ksl_product_rest(B->h.x, c_0, squares_0, about_1a_left),
+      about_1a_right_rest = ksl_product_rest(B->h.z, c_2, squares_2, about_1a_right),
+      about_1a_cross = squares_0_cross2 + squares_2_cross2,
+      about_1a_lo1 = about_1a_left_rest + about_1a_right_rest,
+      about_1a_lo = about_1a_lo1 + about_1a_cross, about_1 = B->yy - about_1a,
+      about_1_right = B->yy - about_1, about_1_left = about_1 + about_1_right,
+      about_1_left_rest = B->yy - about_1_left, about_1_right_rest = about_1a - about_1_right,
+      about_1_lo1 = about_1_left_rest - about_1_right_rest, about_1_lo = about_1_lo1 - about_1a_lo;
+  const double about_2a = squares_0 + squares_1, about_2a_right = about_2a - squares_0,
+      about_2a_left = about_2a - about_2a_right,
+      about_2a_left_rest = ksl_product_rest(B->h.x, c_0, squares_0, about_2a_left),
+      about_2a_right_rest = ksl_product_rest(B->h.y, c_1, squares_1, about_2a_right),
+      about_2a_cross = squares_0_cross2 + squares_1_cross2,
+      about_2a_lo1 = about_2a_left_rest + about_2a_right_rest,
+      about_2a_lo = about_2a_lo1 + about_2a_cross, about_2 = B->zz - about_2a,
+      about_2_right = B->zz - about_2, about_2_left = about_2 + about_2_right,
+      about_2_left_rest = B->zz - about_2_left, about_2_right_rest = about_2a - about_2_right,
+      about_2_lo1 = about_2_left_rest - about_2_right_rest, about_2_lo = about_2_lo1 - about_2a_lo;
+  const double about_3a = B->h.x * c_1, about_3a_cross2 = B->h.x * c_1_lo,
+      about_3 = about_3a + B->xy, about_3_right = about_3 - about_3a,
+      about_3_left = about_3 - about_3_right,
+      about_3_left_rest = ksl_product_rest(B->h.x, c_1, about_3a, about_3_left),
+      about_3_right_rest = B->xy - about_3_right,
+      about_3_lo1 = about_3_left_rest + about_3_right_rest,
+      about_3_lo = about_3_lo1 + about_3a_cross2;
+  const double about_4a = B->h.x * c_2, about_4a_cross2 = B->h.x * c_2_lo,
+      about_4 = about_4a + B->xz, about_4_right = about_4 - about_4a,
+      about_4_left = about_4 - about_4_right,
+      about_4_left_rest = ksl_product_rest(B->h.x, c_2, about_4a, about_4_left),
+      about_4_right_rest = B->xz - about_4_right,
+      about_4_lo1 = about_4_left_rest + about_4_right_rest,
+      about_4_lo = about_4_lo1 + about_4a_cross2;
+  const double about_5a = B->h.y * c_2, about_5a_cross2 = B->h.y * c_2_lo,
+      about_5 = about_5a + B->yz, about_5_right = about_5 - about_5a,
+      about_5_left = about_5 - about_5_right,
+      about_5_left_rest = ksl_product_rest(B->h.y, c_2, about_5a, about_5_left),
+      about_5_right_rest = B->yz - about_5_right,
+      about_5_lo1 = about_5_left_rest + about_5_right_rest,
+      about_5_lo = about_5_lo1 + about_5a_cross2;
+  const double about_0_rounded = about_0 + about_0_lo,
+      about_0_final = about_0_rounded == about_0_rounded ? about_0_rounded : about_0;
+  const double about_3_rounded = about_3 + about_3_lo,
+      about_3_final = about_3_rounded == about_3_rounded ? about_3_rounded : about_3;
+  const double about_4_rounded = about_4 + about_4_lo,
+      about_4_final = about_4_rounded == about_4_rounded ? about_4_rounded : about_4;
+  const double about_1_rounded = about_1 + about_1_lo,
+      about_1_final = about_1_rounded == about_1_rounded ? about_1_rounded : about_1;
+  const double about_5_rounded = about_5 + about_5_lo,
+      about_5_final = about_5_rounded == about_5_rounded ? about_5_rounded : about_5;
+  const double about_2_rounded = about_2 + about_2_lo,
+      about_2_final = about_2_rounded == about_2_rounded ? about_2_rounded : about_2;
+  Ro->m00 = about_0_final;
+  Ro->m01 = about_3_final;
+  Ro->m02 = about_4_final;
+  Ro->m10 = about_3_final;
+  Ro->m11 = about_1_final;
+  Ro->m12 = about_5_final;
+  Ro->m20 = about_4_final;
+  Ro->m21 = about_5_final;
+  Ro->m22 = about_2_final;
 }
 
 /* co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
-   24 mul, 60 add, 24 product error, 18 sum error.
-   Error <= u |result| + (lin: 8, ang: 15) u^2 S, S the sum of the |terms| of the expanded
+   24 mul, 102 add, 24 product rest.
+   Error <= u |result| + (lin: 11, ang: 19) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_product_Bs_accurate(const ksl_inertia_t *B, const ksl_screw_t *s,
     ksl_coscrew_t *co) {
-  const double co_0a = B->m * s->m0, co_0a_lo = ksl_product_error(B->m, s->m0, co_0a),
-      co_0b = B->h.z * s->m4, co_0b_lo = ksl_product_error(B->h.z, s->m4, co_0b),
-      co_0c = B->h.y * s->m5, co_0c_lo = ksl_product_error(B->h.y, s->m5, co_0c),
-      co_0d = co_0b - co_0c, co_0d_error = ksl_difference_error(co_0b, co_0c, co_0d),
-      co_0d_lo1 = co_0d_error + co_0b_lo, co_0d_lo = co_0d_lo1 - co_0c_lo, co_0 = co_0a + co_0d,
-      co_0_error = ksl_sum_error(co_0a, co_0d, co_0), co_0_lo1 = co_0_error + co_0a_lo,
+  const double co_0a = B->m * s->m0, co_0b = B->h.z * s->m4, co_0c = B->h.y * s->m5,
+      co_0d = co_0b - co_0c, co_0d_right = co_0b - co_0d, co_0d_left = co_0d + co_0d_right,
+      co_0d_left_rest = ksl_product_rest(B->h.z, s->m4, co_0b, co_0d_left),
+      co_0d_right_rest = ksl_product_rest(B->h.y, s->m5, co_0c, co_0d_right),
+      co_0d_lo = co_0d_left_rest - co_0d_right_rest, co_0 = co_0a + co_0d,
+      co_0_right = co_0 - co_0a, co_0_left = co_0 - co_0_right,
+      co_0_left_rest = ksl_product_rest(B->m, s->m0, co_0a, co_0_left),
+      co_0_right_rest = co_0d - co_0_right, co_0_lo1 = co_0_left_rest + co_0_right_rest,
       co_0_lo = co_0_lo1 + co_0d_lo;
-  const double co_1a = B->m * s->m1, co_1a_lo = ksl_product_error(B->m, s->m1, co_1a),
-      co_1b = B->h.x * s->m5, co_1b_lo = ksl_product_error(B->h.x, s->m5, co_1b),
-      co_1c = B->h.z * s->m3, co_1c_lo = ksl_product_error(B->h.z, s->m3, co_1c),
-      co_1d = co_1b - co_1c, co_1d_error = ksl_difference_error(co_1b, co_1c, co_1d),
-      co_1d_lo1 = co_1d_error + co_1b_lo, co_1d_lo = co_1d_lo1 - co_1c_lo, co_1 = co_1a + co_1d,
-      co_1_error = ksl_sum_error(co_1a, co_1d, co_1), co_1_lo1 = co_1_error + co_1a_lo,
+  const double co_1a = B->m * s->m1, co_1b = B->h.x * s->m5, co_1c = B->h.z * s->m3,
+      co_1d = co_1b - co_1c, co_1d_right = co_1b - co_1d, co_1d_left = co_1d + co_1d_right,
+      co_1d_left_rest = ksl_product_rest(B->h.x, s->m5, co_1b, co_1d_left),
+      co_1d_right_rest = ksl_product_rest(B->h.z, s->m3, co_1c, co_1d_right),
+      co_1d_lo = co_1d_left_rest - co_1d_right_rest, co_1 = co_1a + co_1d,
+      co_1_right = co_1 - co_1a, co_1_left = co_1 - co_1_right,
+      co_1_left_rest = ksl_product_rest(B->m, s->m1, co_1a, co_1_left),
+      co_1_right_rest = co_1d - co_1_right, co_1_lo1 = co_1_left_rest + co_1_right_rest,
       co_1_lo = co_1_lo1 + co_1d_lo;
-  const double co_2a = B->m * s->m2, co_2a_lo = ksl_product_error(B->m, s->m2, co_2a),
-      co_2b = B->h.y * s->m3, co_2b_lo = ksl_product_error(B->h.y, s->m3, co_2b),
-      co_2c = B->h.x * s->m4, co_2c_lo = ksl_product_error(B->h.x, s->m4, co_2c),
-      co_2d = co_2b - co_2c, co_2d_error = ksl_difference_error(co_2b, co_2c, co_2d),
-      co_2d_lo1 = co_2d_error + co_2b_lo, co_2d_lo = co_2d_lo1 - co_2c_lo, co_2 = co_2a + co_2d,
-      co_2_error = ksl_sum_error(co_2a, co_2d, co_2), co_2_lo1 = co_2_error + co_2a_lo,
+  const double co_2a = B->m * s->m2, co_2b = B->h.y * s->m3, co_2c = B->h.x * s->m4,
+      co_2d = co_2b - co_2c, co_2d_right = co_2b - co_2d, co_2d_left = co_2d + co_2d_right,
+      co_2d_left_rest = ksl_product_rest(B->h.y, s->m3, co_2b, co_2d_left),
+      co_2d_right_rest = ksl_product_rest(B->h.x, s->m4, co_2c, co_2d_right),
+      co_2d_lo = co_2d_left_rest - co_2d_right_rest, co_2 = co_2a + co_2d,
+      co_2_right = co_2 - co_2a, co_2_left = co_2 - co_2_right,
+      co_2_left_rest = ksl_product_rest(B->m, s->m2, co_2a, co_2_left),
+      co_2_right_rest = co_2d - co_2_right, co_2_lo1 = co_2_left_rest + co_2_right_rest,
       co_2_lo = co_2_lo1 + co_2d_lo;
-  const double co_3a = B->h.y * s->m2, co_3a_lo = ksl_product_error(B->h.y, s->m2, co_3a),
-      co_3b = B->h.z * s->m1, co_3b_lo = ksl_product_error(B->h.z, s->m1, co_3b),
-      co_3c = co_3a - co_3b, co_3c_error = ksl_difference_error(co_3a, co_3b, co_3c),
-      co_3c_lo1 = co_3c_error + co_3a_lo, co_3c_lo = co_3c_lo1 - co_3b_lo, co_3d = B->xx * s->m3,
-      co_3d_lo = ksl_product_error(B->xx, s->m3, co_3d), co_3e = B->xy * s->m4,
-      co_3e_lo = ksl_product_error(B->xy, s->m4, co_3e), co_3f = co_3d + co_3e,
-      co_3f_error = ksl_sum_error(co_3d, co_3e, co_3f), co_3f_lo1 = co_3f_error + co_3d_lo,
-      co_3f_lo = co_3f_lo1 + co_3e_lo, co_3g = B->xz * s->m5,
-      co_3g_lo = ksl_product_error(B->xz, s->m5, co_3g), co_3h = co_3f + co_3g,
-      co_3h_error = ksl_sum_error(co_3f, co_3g, co_3h), co_3h_lo1 = co_3h_error + co_3f_lo,
-      co_3h_lo = co_3h_lo1 + co_3g_lo, co_3 = co_3c + co_3h,
-      co_3_error = ksl_sum_error(co_3c, co_3h, co_3), co_3_lo1 = co_3_error + co_3c_lo,
-      co_3_lo = co_3_lo1 + co_3h_lo;
-  const double co_4a = B->h.z * s->m0, co_4a_lo = ksl_product_error(B->h.z, s->m0, co_4a),
-      co_4b = B->h.x * s->m2, co_4b_lo = ksl_product_error(B->h.x, s->m2, co_4b),
-      co_4c = co_4a - co_4b, co_4c_error = ksl_difference_error(co_4a, co_4b, co_4c),
-      co_4c_lo1 = co_4c_error + co_4a_lo, co_4c_lo = co_4c_lo1 - co_4b_lo, co_4d = B->yy * s->m4,
-      co_4d_lo = ksl_product_error(B->yy, s->m4, co_4d), co_4e = B->xy * s->m3,
-      co_4e_lo = ksl_product_error(B->xy, s->m3, co_4e), co_4f = co_4d + co_4e,
-      co_4f_error = ksl_sum_error(co_4d, co_4e, co_4f), co_4f_lo1 = co_4f_error + co_4d_lo,
-      co_4f_lo = co_4f_lo1 + co_4e_lo, co_4g = B->yz * s->m5,
-      co_4g_lo = ksl_product_error(B->yz, s->m5, co_4g), co_4h = co_4f + co_4g,
-      co_4h_error = ksl_sum_error(co_4f, co_4g, co_4h), co_4h_lo1 = co_4h_error + co_4f_lo,
-      co_4h_lo = co_4h_lo1 + co_4g_lo, co_4 = co_4c + co_4h,
-      co_4_error = ksl_sum_error(co_4c, co_4h, co_4), co_4_lo1 = co_4_error + co_4c_lo,
-      co_4_lo = co_4_lo1 + co_4h_lo;
-  const double co_5a = B->h.x * s->m1, co_5a_lo = ksl_product_error(B->h.x, s->m1, co_5a),
-      co_5b = B->h.y * s->m0, co_5b_lo = ksl_product_error(B->h.y, s->m0, co_5b),
-      co_5c = co_5a - co_5b, co_5c_error = ksl_difference_error(co_5a, co_5b, co_5c),
-      co_5c_lo1 = co_5c_error + co_5a_lo, co_5c_lo = co_5c_lo1 - co_5b_lo, co_5d = B->zz * s->m5,
-      co_5d_lo = ksl_product_error(B->zz, s->m5, co_5d), co_5e = B->xz * s->m3,
-      co_5e_lo = ksl_product_error(B->xz, s->m3, co_5e), co_5f = co_5d + co_5e,
-      co_5f_error = ksl_sum_error(co_5d, co_5e, co_5f), co_5f_lo1 = co_5f_error + co_5d_lo,
-      co_5f_lo = co_5f_lo1 + co_5e_lo, co_5g = B->yz * s->m4,
-      co_5g_lo = ksl_product_error(B->yz, s->m4, co_5g), co_5h = co_5f + co_5g,
-      co_5h_error = ksl_sum_error(co_5f, co_5g, co_5h), co_5h_lo1 = co_5h_error + co_5f_lo,
-      co_5h_lo = co_5h_lo1 + co_5g_lo, co_5 = co_5c + co_5h,
-      co_5_error = ksl_sum_error(co_5c, co_5h, co_5), co_5_lo1 = co_5_error + co_5c_lo,
-      co_5_lo = co_5_lo1 + co_5h_lo;
+  const double co_3a = B->h.y * s->m2, co_3b = B->h.z * s->m1, co_3c = co_3a - co_3b,
+      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
+      co_3c_left_rest = ksl_product_rest(B->h.y, s->m2, co_3a, co_3c_left),
+      co_3c_right_rest = ksl_product_rest(B->h.z, s->m1, co_3b, co_3c_right),
+      co_3c_lo = co_3c_left_rest - co_3c_right_rest, co_3d = B->xx * s->m3, co_3e = B->xy * s->m4,
+      co_3f = co_3d + co_3e, co_3f_right = co_3f - co_3d, co_3f_left = co_3f - co_3f_right,
+      co_3f_left_rest = ksl_product_rest(B->xx, s->m3, co_3d, co_3f_left),
+      co_3f_right_rest = ksl_product_rest(B->xy, s->m4, co_3e, co_3f_right),
+      co_3f_lo = co_3f_left_rest + co_3f_right_rest, co_3g = B->xz * s->m5, co_3h = co_3f + co_3g,
+      co_3h_right = co_3h - co_3f, co_3h_left = co_3h - co_3h_right,
+      co_3h_left_rest = co_3f - co_3h_left,
+      co_3h_right_rest = ksl_product_rest(B->xz, s->m5, co_3g, co_3h_right),
+      co_3h_lo1 = co_3h_left_rest + co_3h_right_rest, co_3h_lo = co_3h_lo1 + co_3f_lo,
+      co_3 = co_3c + co_3h, co_3_right = co_3 - co_3c, co_3_left = co_3 - co_3_right,
+      co_3_left_rest = co_3c - co_3_left, co_3_right_rest = co_3h - co_3_right,
+      co_3_lo1 = co_3_left_rest + co_3_right_rest, co_3_lo2 = co_3_lo1 + co_3h_lo,
+      co_3_lo = co_3_lo2 + co_3c_lo;
+  const double co_4a = B->h.z * s->m0, co_4b = B->h.x * s->m2, co_4c = co_4a - co_4b,
+      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
+      co_4c_left_rest = ksl_product_rest(B->h.z, s->m0, co_4a, co_4c_left),
+      co_4c_right_rest = ksl_product_rest(B->h.x, s->m2, co_4b, co_4c_right),
+      co_4c_lo = co_4c_left_rest - co_4c_right_rest, co_4d = B->yy * s->m4, co_4e = B->xy * s->m3,
+      co_4f = co_4d + co_4e, co_4f_right = co_4f - co_4d, co_4f_left = co_4f - co_4f_right,
+      co_4f_left_rest = ksl_product_rest(B->yy, s->m4, co_4d, co_4f_left),
+      co_4f_right_rest = ksl_product_rest(B->xy, s->m3, co_4e, co_4f_right),
+      co_4f_lo = co_4f_left_rest + co_4f_right_rest, co_4g = B->yz * s->m5, co_4h = co_4f + co_4g,
+      co_4h_right = co_4h - co_4f, co_4h_left = co_4h - co_4h_right,
+      co_4h_left_rest = co_4f - co_4h_left,
+      co_4h_right_rest = ksl_product_rest(B->yz, s->m5, co_4g, co_4h_right),
+      co_4h_lo1 = co_4h_left_rest + co_4h_right_rest, co_4h_lo = co_4h_lo1 + co_4f_lo,
+      co_4 = co_4c + co_4h, co_4_right = co_4 - co_4c, co_4_left = co_4 - co_4_right,
+      co_4_left_rest = co_4c - co_4_left, co_4_right_rest = co_4h - co_4_right,
+      co_4_lo1 = co_4_left_rest + co_4_right_rest, co_4_lo2 = co_4_lo1 + co_4h_lo,
+      co_4_lo = co_4_lo2 + co_4c_lo;
+  const double co_5a = B->h.x * s->m1, co_5b = B->h.y * s->m0, co_5c = co_5a - co_5b,
+      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
+      co_5c_left_rest = ksl_product_rest(B->h.x, s->m1, co_5a, co_5c_left),
+      co_5c_right_rest = ksl_product_rest(B->h.y, s->m0, co_5b, co_5c_right),
+      co_5c_lo = co_5c_left_rest - co_5c_right_rest, co_5d = B->zz * s->m5, co_5e = B->xz * s->m3,
+      co_5f = co_5d + co_5e, co_5f_right = co_5f - co_5d, co_5f_left = co_5f - co_5f_right,
+      co_5f_left_rest = ksl_product_rest(B->zz, s->m5, co_5d, co_5f_left),
+      co_5f_right_rest = ksl_product_rest(B->xz, s->m3, co_5e, co_5f_right),
+      co_5f_lo = co_5f_left_rest + co_5f_right_rest, co_5g = B->yz * s->m4, co_5h = co_5f + co_5g,
+      co_5h_right = co_5h - co_5f, co_5h_left = co_5h - co_5h_right,
+      co_5h_left_rest = co_5f - co_5h_left,
+      co_5h_right_rest = ksl_product_rest(B->yz, s->m4, co_5g, co_5h_right),
+      co_5h_lo1 = co_5h_left_rest + co_5h_right_rest, co_5h_lo = co_5h_lo1 + co_5f_lo,
+      co_5 = co_5c + co_5h, co_5_right = co_5 - co_5c, co_5_left = co_5 - co_5_right,
+      co_5_left_rest = co_5c - co_5_left, co_5_right_rest = co_5h - co_5_right,
+      co_5_lo1 = co_5_left_rest + co_5_right_rest, co_5_lo2 = co_5_lo1 + co_5h_lo,
+      co_5_lo = co_5_lo2 + co_5c_lo;
   const double co_0_rounded = co_0 + co_0_lo;
   const double co_1_rounded = co_1 + co_1_lo;
   const double co_2_rounded = co_2 + co_2_lo;
@@ -392,162 +478,203 @@ static inline void ksl_product_Bs_accurate(const ksl_inertia_t *B, const ksl_scr
 /* s·B s / 2, the kinetic energy in J of a body that moves with s.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
-   38 mul, 77 add, 31 product error, 23 sum error.
-   Error <= u |result| + 76 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   38 mul, 132 add, 1 product error, 30 product rest.
+   Error <= u |result| + 81 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline double ksl_inertia_energy_accurate(const ksl_inertia_t *B, const ksl_screw_t *s) {
-  const double p_0a = B->m * s->m0, p_0a_lo = ksl_product_error(B->m, s->m0, p_0a),
-      p_0b = B->h.z * s->m4, p_0b_lo = ksl_product_error(B->h.z, s->m4, p_0b),
-      p_0c = B->h.y * s->m5, p_0c_lo = ksl_product_error(B->h.y, s->m5, p_0c), p_0d = p_0b - p_0c,
-      p_0d_error = ksl_difference_error(p_0b, p_0c, p_0d), p_0d_lo1 = p_0d_error + p_0b_lo,
-      p_0d_lo = p_0d_lo1 - p_0c_lo, p_0 = p_0a + p_0d, p_0_error = ksl_sum_error(p_0a, p_0d, p_0),
-      p_0_lo1 = p_0_error + p_0a_lo, p_0_lo = p_0_lo1 + p_0d_lo;
-  const double p_1a = B->m * s->m1, p_1a_lo = ksl_product_error(B->m, s->m1, p_1a),
-      p_1b = B->h.x * s->m5, p_1b_lo = ksl_product_error(B->h.x, s->m5, p_1b),
-      p_1c = B->h.z * s->m3, p_1c_lo = ksl_product_error(B->h.z, s->m3, p_1c), p_1d = p_1b - p_1c,
-      p_1d_error = ksl_difference_error(p_1b, p_1c, p_1d), p_1d_lo1 = p_1d_error + p_1b_lo,
-      p_1d_lo = p_1d_lo1 - p_1c_lo, p_1 = p_1a + p_1d, p_1_error = ksl_sum_error(p_1a, p_1d, p_1),
-      p_1_lo1 = p_1_error + p_1a_lo, p_1_lo = p_1_lo1 + p_1d_lo;
-  const double p_2a = B->m * s->m2, p_2a_lo = ksl_product_error(B->m, s->m2, p_2a),
-      p_2b = B->h.y * s->m3, p_2b_lo = ksl_product_error(B->h.y, s->m3, p_2b),
-      p_2c = B->h.x * s->m4, p_2c_lo = ksl_product_error(B->h.x, s->m4, p_2c), p_2d = p_2b - p_2c,
-      p_2d_error = ksl_difference_error(p_2b, p_2c, p_2d), p_2d_lo1 = p_2d_error + p_2b_lo,
-      p_2d_lo = p_2d_lo1 - p_2c_lo, p_2 = p_2a + p_2d, p_2_error = ksl_sum_error(p_2a, p_2d, p_2),
-      p_2_lo1 = p_2_error + p_2a_lo, p_2_lo = p_2_lo1 + p_2d_lo;
-  const double p_3a = B->h.y * s->m2, p_3a_lo = ksl_product_error(B->h.y, s->m2, p_3a),
-      p_3b = B->h.z * s->m1, p_3b_lo = ksl_product_error(B->h.z, s->m1, p_3b), p_3c = p_3a - p_3b,
-      p_3c_error = ksl_difference_error(p_3a, p_3b, p_3c), p_3c_lo1 = p_3c_error + p_3a_lo,
-      p_3c_lo = p_3c_lo1 - p_3b_lo, p_3d = B->xx * s->m3,
-      p_3d_lo = ksl_product_error(B->xx, s->m3, p_3d), p_3e = B->xy * s->m4,
-      p_3e_lo = ksl_product_error(B->xy, s->m4, p_3e), p_3f = p_3d + p_3e,
-      p_3f_error = ksl_sum_error(p_3d, p_3e, p_3f), p_3f_lo1 = p_3f_error + p_3d_lo,
-      p_3f_lo = p_3f_lo1 + p_3e_lo, p_3g = B->xz * s->m5,
-      p_3g_lo = ksl_product_error(B->xz, s->m5, p_3g), p_3h = p_3f + p_3g,
-      p_3h_error = ksl_sum_error(p_3f, p_3g, p_3h), p_3h_lo1 = p_3h_error + p_3f_lo,
-      p_3h_lo = p_3h_lo1 + p_3g_lo, p_3 = p_3c + p_3h, p_3_error = ksl_sum_error(p_3c, p_3h, p_3),
-      p_3_lo1 = p_3_error + p_3c_lo, p_3_lo = p_3_lo1 + p_3h_lo;
-  const double p_4a = B->h.z * s->m0, p_4a_lo = ksl_product_error(B->h.z, s->m0, p_4a),
-      p_4b = B->h.x * s->m2, p_4b_lo = ksl_product_error(B->h.x, s->m2, p_4b), p_4c = p_4a - p_4b,
-      p_4c_error = ksl_difference_error(p_4a, p_4b, p_4c), p_4c_lo1 = p_4c_error + p_4a_lo,
-      p_4c_lo = p_4c_lo1 - p_4b_lo, p_4d = B->yy * s->m4,
-      p_4d_lo = ksl_product_error(B->yy, s->m4, p_4d), p_4e = B->xy * s->m3,
-      p_4e_lo = ksl_product_error(B->xy, s->m3, p_4e), p_4f = p_4d + p_4e,
-      p_4f_error = ksl_sum_error(p_4d, p_4e, p_4f), p_4f_lo1 = p_4f_error + p_4d_lo,
-      p_4f_lo = p_4f_lo1 + p_4e_lo, p_4g = B->yz * s->m5,
-      p_4g_lo = ksl_product_error(B->yz, s->m5, p_4g), p_4h = p_4f + p_4g,
-      p_4h_error = ksl_sum_error(p_4f, p_4g, p_4h), p_4h_lo1 = p_4h_error + p_4f_lo,
-      p_4h_lo = p_4h_lo1 + p_4g_lo, p_4 = p_4c + p_4h, p_4_error = ksl_sum_error(p_4c, p_4h, p_4),
-      p_4_lo1 = p_4_error + p_4c_lo, p_4_lo = p_4_lo1 + p_4h_lo;
-  const double p_5a = B->h.x * s->m1, p_5a_lo = ksl_product_error(B->h.x, s->m1, p_5a),
-      p_5b = B->h.y * s->m0, p_5b_lo = ksl_product_error(B->h.y, s->m0, p_5b), p_5c = p_5a - p_5b,
-      p_5c_error = ksl_difference_error(p_5a, p_5b, p_5c), p_5c_lo1 = p_5c_error + p_5a_lo,
-      p_5c_lo = p_5c_lo1 - p_5b_lo, p_5d = B->zz * s->m5,
-      p_5d_lo = ksl_product_error(B->zz, s->m5, p_5d), p_5e = B->xz * s->m3,
-      p_5e_lo = ksl_product_error(B->xz, s->m3, p_5e), p_5f = p_5d + p_5e,
-      p_5f_error = ksl_sum_error(p_5d, p_5e, p_5f), p_5f_lo1 = p_5f_error + p_5d_lo,
-      p_5f_lo = p_5f_lo1 + p_5e_lo, p_5g = B->yz * s->m4,
-      p_5g_lo = ksl_product_error(B->yz, s->m4, p_5g), p_5h = p_5f + p_5g,
-      p_5h_error = ksl_sum_error(p_5f, p_5g, p_5h), p_5h_lo1 = p_5h_error + p_5f_lo,
-      p_5h_lo = p_5h_lo1 + p_5g_lo, p_5 = p_5c + p_5h, p_5_error = ksl_sum_error(p_5c, p_5h, p_5),
-      p_5_lo1 = p_5_error + p_5c_lo, p_5_lo = p_5_lo1 + p_5h_lo;
-  const double twice_a = s->m0 * p_0, twice_a_cross1 = s->m0 * p_0_lo,
-      twice_a_error = ksl_product_error(s->m0, p_0, twice_a),
-      twice_a_lo = twice_a_error + twice_a_cross1, twice_b = s->m1 * p_1,
-      twice_b_cross1 = s->m1 * p_1_lo, twice_b_error = ksl_product_error(s->m1, p_1, twice_b),
-      twice_b_lo = twice_b_error + twice_b_cross1, twice_c = twice_a + twice_b,
-      twice_c_error = ksl_sum_error(twice_a, twice_b, twice_c),
-      twice_c_lo1 = twice_c_error + twice_a_lo, twice_c_lo = twice_c_lo1 + twice_b_lo,
-      twice_d = s->m2 * p_2, twice_d_cross1 = s->m2 * p_2_lo,
-      twice_d_error = ksl_product_error(s->m2, p_2, twice_d),
-      twice_d_lo = twice_d_error + twice_d_cross1, twice_e = twice_c + twice_d,
-      twice_e_error = ksl_sum_error(twice_c, twice_d, twice_e),
-      twice_e_lo1 = twice_e_error + twice_c_lo, twice_e_lo = twice_e_lo1 + twice_d_lo,
-      twice_f = s->m3 * p_3, twice_f_cross1 = s->m3 * p_3_lo,
-      twice_f_error = ksl_product_error(s->m3, p_3, twice_f),
-      twice_f_lo = twice_f_error + twice_f_cross1, twice_g = s->m4 * p_4,
-      twice_g_cross1 = s->m4 * p_4_lo, twice_g_error = ksl_product_error(s->m4, p_4, twice_g),
-      twice_g_lo = twice_g_error + twice_g_cross1, twice_h = twice_f + twice_g,
-      twice_h_error = ksl_sum_error(twice_f, twice_g, twice_h),
-      twice_h_lo1 = twice_h_error + twice_f_lo, twice_h_lo = twice_h_lo1 + twice_g_lo,
-      twice_i = s->m5 * p_5, twice_i_cross1 = s->m5 * p_5_lo,
-      twice_i_error = ksl_product_error(s->m5, p_5, twice_i),
-      twice_i_lo = twice_i_error + twice_i_cross1, twice_j = twice_h + twice_i,
-      twice_j_error = ksl_sum_error(twice_h, twice_i, twice_j),
-      twice_j_lo1 = twice_j_error + twice_h_lo, twice_j_lo = twice_j_lo1 + twice_i_lo,
-      twice = twice_e + twice_j, twice_error = ksl_sum_error(twice_e, twice_j, twice),
-      twice_lo1 = twice_error + twice_e_lo, twice_lo = twice_lo1 + twice_j_lo;
-  const double energy = 0.5 * twice, energy_cross1 = 0.5 * twice_lo,
-      energy_error = ksl_product_error(0.5, twice, energy),
-      energy_lo = energy_error + energy_cross1;
-  const double energy_rounded = energy + energy_lo;
+  const double p_0a = B->m * s->m0, p_0b = B->h.z * s->m4, p_0c = B->h.y * s->m5,
+      p_0d = p_0b - p_0c, p_0d_right = p_0b - p_0d, p_0d_left = p_0d + p_0d_right,
+      p_0d_left_rest = ksl_product_rest(B->h.z, s->m4, p_0b, p_0d_left),
+      p_0d_right_rest = ksl_product_rest(B->h.y, s->m5, p_0c, p_0d_right),
+      p_0d_lo = p_0d_left_rest - p_0d_right_rest, p_0 = p_0a + p_0d, p_0_right = p_0 - p_0a,
+      p_0_left = p_0 - p_0_right, p_0_left_rest = ksl_product_rest(B->m, s->m0, p_0a, p_0_left),
+      p_0_right_rest = p_0d - p_0_right, p_0_lo1 = p_0_left_rest + p_0_right_rest,
+      p_0_lo = p_0_lo1 + p_0d_lo;
+  const double p_1a = B->m * s->m1, p_1b = B->h.x * s->m5, p_1c = B->h.z * s->m3,
+      p_1d = p_1b - p_1c, p_1d_right = p_1b - p_1d, p_1d_left = p_1d + p_1d_right,
+      p_1d_left_rest = ksl_product_rest(B->h.x, s->m5, p_1b, p_1d_left),
+      p_1d_right_rest = ksl_product_rest(B->h.z, s->m3, p_1c, p_1d_right),
+      p_1d_lo = p_1d_left_rest - p_1d_right_rest, p_1 = p_1a + p_1d, p_1_right = p_1 - p_1a,
+      p_1_left = p_1 - p_1_right, p_1_left_rest = ksl_product_rest(B->m, s->m1, p_1a, p_1_left),
+      p_1_right_rest = p_1d - p_1_right, p_1_lo1 = p_1_left_rest + p_1_right_rest,
+      p_1_lo = p_1_lo1 + p_1d_lo;
+  const double p_2a = B->m * s->m2, p_2b = B->h.y * s->m3, p_2c = B->h.x * s->m4,
+      p_2d = p_2b - p_2c, p_2d_right = p_2b - p_2d, p_2d_left = p_2d + p_2d_right,
+      p_2d_left_rest = ksl_product_rest(B->h.y, s->m3, p_2b, p_2d_left),
+      p_2d_right_rest = ksl_product_rest(B->h.x, s->m4, p_2c, p_2d_right),
+      p_2d_lo = p_2d_left_rest - p_2d_right_rest, p_2 = p_2a + p_2d, p_2_right = p_2 - p_2a,
+      p_2_left = p_2 - p_2_right, p_2_left_rest = ksl_product_rest(B->m, s->m2, p_2a, p_2_left),
+      p_2_right_rest = p_2d - p_2_right, p_2_lo1 = p_2_left_rest + p_2_right_rest,
+      p_2_lo = p_2_lo1 + p_2d_lo;
+  const double p_3a = B->h.y * s->m2, p_3b = B->h.z * s->m1, p_3c = p_3a - p_3b,
+      p_3c_right = p_3a - p_3c, p_3c_left = p_3c + p_3c_right,
+      p_3c_left_rest = ksl_product_rest(B->h.y, s->m2, p_3a, p_3c_left),
+      p_3c_right_rest = ksl_product_rest(B->h.z, s->m1, p_3b, p_3c_right),
+      p_3c_lo = p_3c_left_rest - p_3c_right_rest, p_3d = B->xx * s->m3, p_3e = B->xy * s->m4,
+      p_3f = p_3d + p_3e, p_3f_right = p_3f - p_3d, p_3f_left = p_3f - p_3f_right,
+      p_3f_left_rest = ksl_product_rest(B->xx, s->m3, p_3d, p_3f_left),
+      p_3f_right_rest = ksl_product_rest(B->xy, s->m4, p_3e, p_3f_right),
+      p_3f_lo = p_3f_left_rest + p_3f_right_rest, p_3g = B->xz * s->m5, p_3h = p_3f + p_3g,
+      p_3h_right = p_3h - p_3f, p_3h_left = p_3h - p_3h_right, p_3h_left_rest = p_3f - p_3h_left,
+      p_3h_right_rest = ksl_product_rest(B->xz, s->m5, p_3g, p_3h_right),
+      p_3h_lo1 = p_3h_left_rest + p_3h_right_rest, p_3h_lo = p_3h_lo1 + p_3f_lo, p_3 = p_3c + p_3h,
+      p_3_right = p_3 - p_3c, p_3_left = p_3 - p_3_right, p_3_left_rest = p_3c - p_3_left,
+      p_3_right_rest = p_3h - p_3_right, p_3_lo1 = p_3_left_rest + p_3_right_rest,
+      p_3_lo2 = p_3_lo1 + p_3h_lo, p_3_lo = p_3_lo2 + p_3c_lo;
+  const double p_4a = B->h.z * s->m0, p_4b = B->h.x * s->m2, p_4c = p_4a - p_4b,
+      p_4c_right = p_4a - p_4c, p_4c_left = p_4c + p_4c_right,
+      p_4c_left_rest = ksl_product_rest(B->h.z, s->m0, p_4a, p_4c_left),
+      p_4c_right_rest = ksl_product_rest(B->h.x, s->m2, p_4b, p_4c_right),
+      p_4c_lo = p_4c_left_rest - p_4c_right_rest, p_4d = B->yy * s->m4, p_4e = B->xy * s->m3,
+      p_4f = p_4d + p_4e, p_4f_right = p_4f - p_4d, p_4f_left = p_4f - p_4f_right,
+      p_4f_left_rest = ksl_product_rest(B->yy, s->m4, p_4d, p_4f_left),
+      p_4f_right_rest = ksl_product_rest(B->xy, s->m3, p_4e, p_4f_right),
+      p_4f_lo = p_4f_left_rest + p_4f_right_rest, p_4g = B->yz * s->m5, p_4h = p_4f + p_4g,
+      p_4h_right = p_4h - p_4f, p_4h_left = p_4h - p_4h_right, p_4h_left_rest = p_4f - p_4h_left,
+      p_4h_right_rest = ksl_product_rest(B->yz, s->m5, p_4g, p_4h_right),
+      p_4h_lo1 = p_4h_left_rest + p_4h_right_rest, p_4h_lo = p_4h_lo1 + p_4f_lo, p_4 = p_4c + p_4h,
+      p_4_right = p_4 - p_4c, p_4_left = p_4 - p_4_right, p_4_left_rest = p_4c - p_4_left,
+      p_4_right_rest = p_4h - p_4_right, p_4_lo1 = p_4_left_rest + p_4_right_rest,
+      p_4_lo2 = p_4_lo1 + p_4h_lo, p_4_lo = p_4_lo2 + p_4c_lo;
+  const double p_5a = B->h.x * s->m1, p_5b = B->h.y * s->m0, p_5c = p_5a - p_5b,
+      p_5c_right = p_5a - p_5c, p_5c_left = p_5c + p_5c_right,
+      p_5c_left_rest = ksl_product_rest(B->h.x, s->m1, p_5a, p_5c_left),
+      p_5c_right_rest = ksl_product_rest(B->h.y, s->m0, p_5b, p_5c_right),
+      p_5c_lo = p_5c_left_rest - p_5c_right_rest, p_5d = B->zz * s->m5, p_5e = B->xz * s->m3,
+      p_5f = p_5d + p_5e, p_5f_right = p_5f - p_5d, p_5f_left = p_5f - p_5f_right,
+      p_5f_left_rest = ksl_product_rest(B->zz, s->m5, p_5d, p_5f_left),
+      p_5f_right_rest = ksl_product_rest(B->xz, s->m3, p_5e, p_5f_right),
+      p_5f_lo = p_5f_left_rest + p_5f_right_rest, p_5g = B->yz * s->m4, p_5h = p_5f + p_5g,
+      p_5h_right = p_5h - p_5f, p_5h_left = p_5h - p_5h_right, p_5h_left_rest = p_5f - p_5h_left,
+      p_5h_right_rest = ksl_product_rest(B->yz, s->m4, p_5g, p_5h_right),
+      p_5h_lo1 = p_5h_left_rest + p_5h_right_rest, p_5h_lo = p_5h_lo1 + p_5f_lo, p_5 = p_5c + p_5h,
+      p_5_right = p_5 - p_5c, p_5_left = p_5 - p_5_right, p_5_left_rest = p_5c - p_5_left,
+      p_5_right_rest = p_5h - p_5_right, p_5_lo1 = p_5_left_rest + p_5_right_rest,
+      p_5_lo2 = p_5_lo1 + p_5h_lo, p_5_lo = p_5_lo2 + p_5c_lo;
+  const double twice_a = s->m0 * p_0, twice_a_cross2 = s->m0 * p_0_lo, twice_b = s->m1 * p_1,
+      twice_b_cross2 = s->m1 * p_1_lo, twice_c = twice_a + twice_b,
+      twice_c_right = twice_c - twice_a, twice_c_left = twice_c - twice_c_right,
+      twice_c_left_rest = ksl_product_rest(s->m0, p_0, twice_a, twice_c_left),
+      twice_c_right_rest = ksl_product_rest(s->m1, p_1, twice_b, twice_c_right),
+      twice_c_cross = twice_a_cross2 + twice_b_cross2,
+      twice_c_lo1 = twice_c_left_rest + twice_c_right_rest,
+      twice_c_lo = twice_c_lo1 + twice_c_cross, twice_d = s->m2 * p_2,
+      twice_d_cross2 = s->m2 * p_2_lo, twice_e = twice_c + twice_d,
+      twice_e_right = twice_e - twice_c, twice_e_left = twice_e - twice_e_right,
+      twice_e_left_rest = twice_c - twice_e_left,
+      twice_e_right_rest = ksl_product_rest(s->m2, p_2, twice_d, twice_e_right),
+      twice_e_lo1 = twice_e_left_rest + twice_e_right_rest,
+      twice_e_lo2 = twice_e_lo1 + twice_d_cross2, twice_e_lo = twice_e_lo2 + twice_c_lo,
+      twice_f = s->m3 * p_3, twice_f_cross2 = s->m3 * p_3_lo, twice_g = s->m4 * p_4,
+      twice_g_cross2 = s->m4 * p_4_lo, twice_h = twice_f + twice_g,
+      twice_h_right = twice_h - twice_f, twice_h_left = twice_h - twice_h_right,
+      twice_h_left_rest = ksl_product_rest(s->m3, p_3, twice_f, twice_h_left),
+      twice_h_right_rest = ksl_product_rest(s->m4, p_4, twice_g, twice_h_right),
+      twice_h_cross = twice_f_cross2 + twice_g_cross2,
+      twice_h_lo1 = twice_h_left_rest + twice_h_right_rest,
+      twice_h_lo = twice_h_lo1 + twice_h_cross, twice_i = s->m5 * p_5,
+      twice_i_cross2 = s->m5 * p_5_lo, twice_j = twice_h + twice_i,
+      twice_j_right = twice_j - twice_h, twice_j_left = twice_j - twice_j_right,
+      twice_j_left_rest = twice_h - twice_j_left,
+      twice_j_right_rest = ksl_product_rest(s->m5, p_5, twice_i, twice_j_right),
+      twice_j_lo1 = twice_j_left_rest + twice_j_right_rest,
+      twice_j_lo2 = twice_j_lo1 + twice_i_cross2, twice_j_lo = twice_j_lo2 + twice_h_lo,
+      twice = twice_e + twice_j, twice_right = twice - twice_e, twice_left = twice - twice_right,
+      twice_left_rest = twice_e - twice_left, twice_right_rest = twice_j - twice_right,
+      twice_lo1 = twice_left_rest + twice_right_rest, twice_lo2 = twice_lo1 + twice_j_lo,
+      twice_lo = twice_lo2 + twice_e_lo;
+  const double energy = 0.5 * twice, energy_cross2 = 0.5 * twice_lo;
+  const double energy_error = ksl_product_error(0.5, twice, energy),
+      energy_lo = energy_error + energy_cross2, energy_rounded = energy + energy_lo;
   return energy_rounded;
 }
 
 /* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
    t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
      xy, xz, yz in kg m^2).
-   21 mul, 60 add, 15 product error, 18 sum error.
-   Error <= u |result| + (m: 0, h: 2, I: 28) u^2 S, S the sum of the |terms| of the expanded
+   21 mul, 120 add, 15 product rest.
+   Error <= u |result| + (m: 0, h: 3, I: 31) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertia_shifted_accurate(const ksl_vec3_t *t, const ksl_inertia_t *B,
     ksl_inertia_t *Bo) {
-  const double moved_0a = t->x * B->m, moved_0a_lo = ksl_product_error(t->x, B->m, moved_0a),
-      moved_0 = moved_0a + B->h.x, moved_0_error = ksl_sum_error(moved_0a, B->h.x, moved_0),
-      moved_0_lo = moved_0_error + moved_0a_lo;
-  const double moved_1a = t->y * B->m, moved_1a_lo = ksl_product_error(t->y, B->m, moved_1a),
-      moved_1 = moved_1a + B->h.y, moved_1_error = ksl_sum_error(moved_1a, B->h.y, moved_1),
-      moved_1_lo = moved_1_error + moved_1a_lo;
-  const double moved_2a = t->z * B->m, moved_2a_lo = ksl_product_error(t->z, B->m, moved_2a),
-      moved_2 = moved_2a + B->h.z, moved_2_error = ksl_sum_error(moved_2a, B->h.z, moved_2),
-      moved_2_lo = moved_2_error + moved_2a_lo;
-  const double own_0a = t->x * B->h.x, own_0a_lo = ksl_product_error(t->x, B->h.x, own_0a),
-      own_0b = t->x * moved_0, own_0b_cross1 = t->x * moved_0_lo,
-      own_0b_error = ksl_product_error(t->x, moved_0, own_0b),
-      own_0b_lo = own_0b_error + own_0b_cross1, own_0 = own_0a + own_0b,
-      own_0_error = ksl_sum_error(own_0a, own_0b, own_0), own_0_lo1 = own_0_error + own_0a_lo,
-      own_0_lo = own_0_lo1 + own_0b_lo;
-  const double own_1a = t->y * B->h.y, own_1a_lo = ksl_product_error(t->y, B->h.y, own_1a),
-      own_1b = t->y * moved_1, own_1b_cross1 = t->y * moved_1_lo,
-      own_1b_error = ksl_product_error(t->y, moved_1, own_1b),
-      own_1b_lo = own_1b_error + own_1b_cross1, own_1 = own_1a + own_1b,
-      own_1_error = ksl_sum_error(own_1a, own_1b, own_1), own_1_lo1 = own_1_error + own_1a_lo,
-      own_1_lo = own_1_lo1 + own_1b_lo;
-  const double own_2a = t->z * B->h.z, own_2a_lo = ksl_product_error(t->z, B->h.z, own_2a),
-      own_2b = t->z * moved_2, own_2b_cross1 = t->z * moved_2_lo,
-      own_2b_error = ksl_product_error(t->z, moved_2, own_2b),
-      own_2b_lo = own_2b_error + own_2b_cross1, own_2 = own_2a + own_2b,
-      own_2_error = ksl_sum_error(own_2a, own_2b, own_2), own_2_lo1 = own_2_error + own_2a_lo,
-      own_2_lo = own_2_lo1 + own_2b_lo;
-  const double Bo_4a = own_1 + own_2, Bo_4a_error = ksl_sum_error(own_1, own_2, Bo_4a),
-      Bo_4a_lo1 = Bo_4a_error + own_1_lo, Bo_4a_lo = Bo_4a_lo1 + own_2_lo, Bo_4 = B->xx + Bo_4a,
-      Bo_4_error = ksl_sum_error(B->xx, Bo_4a, Bo_4), Bo_4_lo = Bo_4_error + Bo_4a_lo;
-  const double Bo_5a = own_0 + own_2, Bo_5a_error = ksl_sum_error(own_0, own_2, Bo_5a),
-      Bo_5a_lo1 = Bo_5a_error + own_0_lo, Bo_5a_lo = Bo_5a_lo1 + own_2_lo, Bo_5 = B->yy + Bo_5a,
-      Bo_5_error = ksl_sum_error(B->yy, Bo_5a, Bo_5), Bo_5_lo = Bo_5_error + Bo_5a_lo;
-  const double Bo_6a = own_0 + own_1, Bo_6a_error = ksl_sum_error(own_0, own_1, Bo_6a),
-      Bo_6a_lo1 = Bo_6a_error + own_0_lo, Bo_6a_lo = Bo_6a_lo1 + own_1_lo, Bo_6 = B->zz + Bo_6a,
-      Bo_6_error = ksl_sum_error(B->zz, Bo_6a, Bo_6), Bo_6_lo = Bo_6_error + Bo_6a_lo;
-  const double Bo_7a = t->x * moved_1, Bo_7a_cross1 = t->x * moved_1_lo,
-      Bo_7a_error = ksl_product_error(t->x, moved_1, Bo_7a), Bo_7a_lo = Bo_7a_error + Bo_7a_cross1,
-      Bo_7b = B->xy - Bo_7a, Bo_7b_error = ksl_difference_error(B->xy, Bo_7a, Bo_7b),
-      Bo_7b_lo = Bo_7b_error - Bo_7a_lo, Bo_7c = t->y * B->h.x,
-      Bo_7c_lo = ksl_product_error(t->y, B->h.x, Bo_7c), Bo_7 = Bo_7b - Bo_7c,
-      Bo_7_error = ksl_difference_error(Bo_7b, Bo_7c, Bo_7), Bo_7_lo1 = Bo_7_error + Bo_7b_lo,
-      Bo_7_lo = Bo_7_lo1 - Bo_7c_lo;
-  const double Bo_8a = t->x * moved_2, Bo_8a_cross1 = t->x * moved_2_lo,
-      Bo_8a_error = ksl_product_error(t->x, moved_2, Bo_8a), Bo_8a_lo = Bo_8a_error + Bo_8a_cross1,
-      Bo_8b = B->xz - Bo_8a, Bo_8b_error = ksl_difference_error(B->xz, Bo_8a, Bo_8b),
-      Bo_8b_lo = Bo_8b_error - Bo_8a_lo, Bo_8c = t->z * B->h.x,
-      Bo_8c_lo = ksl_product_error(t->z, B->h.x, Bo_8c), Bo_8 = Bo_8b - Bo_8c,
-      Bo_8_error = ksl_difference_error(Bo_8b, Bo_8c, Bo_8), Bo_8_lo1 = Bo_8_error + Bo_8b_lo,
-      Bo_8_lo = Bo_8_lo1 - Bo_8c_lo;
-  const double Bo_9a = t->y * moved_2, Bo_9a_cross1 = t->y * moved_2_lo,
-      Bo_9a_error = ksl_product_error(t->y, moved_2, Bo_9a), Bo_9a_lo = Bo_9a_error + Bo_9a_cross1,
-      Bo_9b = B->yz - Bo_9a, Bo_9b_error = ksl_difference_error(B->yz, Bo_9a, Bo_9b),
-      Bo_9b_lo = Bo_9b_error - Bo_9a_lo, Bo_9c = t->z * B->h.y,
-      Bo_9c_lo = ksl_product_error(t->z, B->h.y, Bo_9c), Bo_9 = Bo_9b - Bo_9c,
-      Bo_9_error = ksl_difference_error(Bo_9b, Bo_9c, Bo_9), Bo_9_lo1 = Bo_9_error + Bo_9b_lo,
-      Bo_9_lo = Bo_9_lo1 - Bo_9c_lo;
+  const double moved_0a = t->x * B->m, moved_0 = moved_0a + B->h.x,
+      moved_0_right = moved_0 - moved_0a, moved_0_left = moved_0 - moved_0_right,
+      moved_0_left_rest = ksl_product_rest(t->x, B->m, moved_0a, moved_0_left),
+      moved_0_right_rest = B->h.x - moved_0_right,
+      moved_0_lo = moved_0_left_rest + moved_0_right_rest;
+  const double moved_1a = t->y * B->m, moved_1 = moved_1a + B->h.y,
+      moved_1_right = moved_1 - moved_1a, moved_1_left = moved_1 - moved_1_right,
+      moved_1_left_rest = ksl_product_rest(t->y, B->m, moved_1a, moved_1_left),
+      moved_1_right_rest = B->h.y - moved_1_right,
+      moved_1_lo = moved_1_left_rest + moved_1_right_rest;
+  const double moved_2a = t->z * B->m, moved_2 = moved_2a + B->h.z,
+      moved_2_right = moved_2 - moved_2a, moved_2_left = moved_2 - moved_2_right,
+      moved_2_left_rest = ksl_product_rest(t->z, B->m, moved_2a, moved_2_left),
+      moved_2_right_rest = B->h.z - moved_2_right,
+      moved_2_lo = moved_2_left_rest + moved_2_right_rest;
+  const double own_0a = t->x * B->h.x, own_0b = t->x * moved_0, own_0b_cross2 = t->x * moved_0_lo,
+      own_0 = own_0a + own_0b, own_0_right = own_0 - own_0a, own_0_left = own_0 - own_0_right,
+      own_0_left_rest = ksl_product_rest(t->x, B->h.x, own_0a, own_0_left),
+      own_0_right_rest = ksl_product_rest(t->x, moved_0, own_0b, own_0_right),
+      own_0_lo1 = own_0_left_rest + own_0_right_rest, own_0_lo = own_0_lo1 + own_0b_cross2;
+  const double own_1a = t->y * B->h.y, own_1b = t->y * moved_1, own_1b_cross2 = t->y * moved_1_lo,
+      own_1 = own_1a + own_1b, own_1_right = own_1 - own_1a, own_1_left = own_1 - own_1_right,
+      own_1_left_rest = ksl_product_rest(t->y, B->h.y, own_1a, own_1_left),
+      own_1_right_rest = ksl_product_rest(t->y, moved_1, own_1b, own_1_right),
+      own_1_lo1 = own_1_left_rest + own_1_right_rest, own_1_lo = own_1_lo1 + own_1b_cross2;
+  const double own_2a = t->z * B->h.z, own_2b = t->z * moved_2, own_2b_cross2 = t->z * moved_2_lo,
+      own_2 = own_2a + own_2b, own_2_right = own_2 - own_2a, own_2_left = own_2 - own_2_right,
+      own_2_left_rest = ksl_product_rest(t->z, B->h.z, own_2a, own_2_left),
+      own_2_right_rest = ksl_product_rest(t->z, moved_2, own_2b, own_2_right),
+      own_2_lo1 = own_2_left_rest + own_2_right_rest, own_2_lo = own_2_lo1 + own_2b_cross2;
+  const double Bo_4a = own_1 + own_2, Bo_4a_right = Bo_4a - own_1, Bo_4a_left = Bo_4a - Bo_4a_right,
+      Bo_4a_left_rest = own_1 - Bo_4a_left, Bo_4a_right_rest = own_2 - Bo_4a_right,
+      Bo_4a_lo1 = Bo_4a_left_rest + Bo_4a_right_rest, Bo_4a_lo2 = Bo_4a_lo1 + own_2_lo,
+      Bo_4a_lo = Bo_4a_lo2 + own_1_lo, Bo_4 = B->xx + Bo_4a, Bo_4_right = Bo_4 - B->xx,
+      Bo_4_left = Bo_4 - Bo_4_right, Bo_4_left_rest = B->xx - Bo_4_left,
+      Bo_4_right_rest = Bo_4a - Bo_4_right, Bo_4_lo1 = Bo_4_left_rest + Bo_4_right_rest,
+      Bo_4_lo = Bo_4_lo1 + Bo_4a_lo;
+  const double Bo_5a = own_0 + own_2, Bo_5a_right = Bo_5a - own_0, Bo_5a_left = Bo_5a - Bo_5a_right,
+      Bo_5a_left_rest = own_0 - Bo_5a_left, Bo_5a_right_rest = own_2 - Bo_5a_right,
+      Bo_5a_lo1 = Bo_5a_left_rest + Bo_5a_right_rest, Bo_5a_lo2 = Bo_5a_lo1 + own_2_lo,
+      Bo_5a_lo = Bo_5a_lo2 + own_0_lo, Bo_5 = B->yy + Bo_5a, Bo_5_right = Bo_5 - B->yy,
+      Bo_5_left = Bo_5 - Bo_5_right, Bo_5_left_rest = B->yy - Bo_5_left,
+      Bo_5_right_rest = Bo_5a - Bo_5_right, Bo_5_lo1 = Bo_5_left_rest + Bo_5_right_rest,
+      Bo_5_lo = Bo_5_lo1 + Bo_5a_lo;
+  const double Bo_6a = own_0 + own_1, Bo_6a_right = Bo_6a - own_0, Bo_6a_left = Bo_6a - Bo_6a_right,
+      Bo_6a_left_rest = own_0 - Bo_6a_left, Bo_6a_right_rest = own_1 - Bo_6a_right,
+      Bo_6a_lo1 = Bo_6a_left_rest + Bo_6a_right_rest, Bo_6a_lo2 = Bo_6a_lo1 + own_1_lo,
+      Bo_6a_lo = Bo_6a_lo2 + own_0_lo, Bo_6 = B->zz + Bo_6a, Bo_6_right = Bo_6 - B->zz,
+      Bo_6_left = Bo_6 - Bo_6_right, Bo_6_left_rest = B->zz - Bo_6_left,
+      Bo_6_right_rest = Bo_6a - Bo_6_right, Bo_6_lo1 = Bo_6_left_rest + Bo_6_right_rest,
+      Bo_6_lo = Bo_6_lo1 + Bo_6a_lo;
+  const double Bo_7a = t->x * moved_1, Bo_7a_cross2 = t->x * moved_1_lo, Bo_7b = B->xy - Bo_7a,
+      Bo_7b_right = B->xy - Bo_7b, Bo_7b_left = Bo_7b + Bo_7b_right,
+      Bo_7b_left_rest = B->xy - Bo_7b_left,
+      Bo_7b_right_rest = ksl_product_rest(t->x, moved_1, Bo_7a, Bo_7b_right),
+      Bo_7b_lo1 = Bo_7b_left_rest - Bo_7b_right_rest, Bo_7b_lo = Bo_7b_lo1 - Bo_7a_cross2,
+      Bo_7c = t->y * B->h.x, Bo_7 = Bo_7b - Bo_7c, Bo_7_right = Bo_7b - Bo_7,
+      Bo_7_left = Bo_7 + Bo_7_right, Bo_7_left_rest = Bo_7b - Bo_7_left,
+      Bo_7_right_rest = ksl_product_rest(t->y, B->h.x, Bo_7c, Bo_7_right),
+      Bo_7_lo1 = Bo_7_left_rest - Bo_7_right_rest, Bo_7_lo = Bo_7_lo1 + Bo_7b_lo;
+  const double Bo_8a = t->x * moved_2, Bo_8a_cross2 = t->x * moved_2_lo, Bo_8b = B->xz - Bo_8a,
+      Bo_8b_right = B->xz - Bo_8b, Bo_8b_left = Bo_8b + Bo_8b_right,
+      Bo_8b_left_rest = B->xz - Bo_8b_left,
+      Bo_8b_right_rest = ksl_product_rest(t->x, moved_2, Bo_8a, Bo_8b_right),
+      Bo_8b_lo1 = Bo_8b_left_rest - Bo_8b_right_rest, Bo_8b_lo = Bo_8b_lo1 - Bo_8a_cross2,
+      Bo_8c = t->z * B->h.x, Bo_8 = Bo_8b - Bo_8c, Bo_8_right = Bo_8b - Bo_8,
+      Bo_8_left = Bo_8 + Bo_8_right, Bo_8_left_rest = Bo_8b - Bo_8_left,
+      Bo_8_right_rest = ksl_product_rest(t->z, B->h.x, Bo_8c, Bo_8_right),
+      Bo_8_lo1 = Bo_8_left_rest - Bo_8_right_rest, Bo_8_lo = Bo_8_lo1 + Bo_8b_lo;
+  const double Bo_9a = t->y * moved_2, Bo_9a_cross2 = t->y * moved_2_lo, Bo_9b = B->yz - Bo_9a,
+      Bo_9b_right = B->yz - Bo_9b, Bo_9b_left = Bo_9b + Bo_9b_right,
+      Bo_9b_left_rest = B->yz - Bo_9b_left,
+      Bo_9b_right_rest = ksl_product_rest(t->y, moved_2, Bo_9a, Bo_9b_right),
+      Bo_9b_lo1 = Bo_9b_left_rest - Bo_9b_right_rest, Bo_9b_lo = Bo_9b_lo1 - Bo_9a_cross2,
+      Bo_9c = t->z * B->h.y, Bo_9 = Bo_9b - Bo_9c, Bo_9_right = Bo_9b - Bo_9,
+      Bo_9_left = Bo_9 + Bo_9_right, Bo_9_left_rest = Bo_9b - Bo_9_left,
+      Bo_9_right_rest = ksl_product_rest(t->z, B->h.y, Bo_9c, Bo_9_right),
+      Bo_9_lo1 = Bo_9_left_rest - Bo_9_right_rest, Bo_9_lo = Bo_9_lo1 + Bo_9b_lo;
   const double moved_0_rounded = moved_0 + moved_0_lo;
   const double moved_1_rounded = moved_1 + moved_1_lo;
   const double moved_2_rounded = moved_2 + moved_2_lo;
@@ -573,257 +700,296 @@ static inline void ksl_inertia_shifted_accurate(const ksl_vec3_t *t, const ksl_i
 /* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
    D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
      I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
-   99 mul, 201 add, 69 product error, 54 sum error.
-   Error <= u |result| + (m: 0, h: 15, I: 69) u^2 S, S the sum of the |terms| of the expanded
+   99 mul, 333 add, 69 product rest.
+   Error <= u |result| + (m: 0, h: 17, I: 119/2) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertia_transformed_accurate(const ksl_SE3_t *D, const ksl_inertia_t *B,
     ksl_inertia_t *Bo) {
-  const double RI_0a = D->m00 * B->xx, RI_0a_lo = ksl_product_error(D->m00, B->xx, RI_0a),
-      RI_0b = D->m01 * B->xy, RI_0b_lo = ksl_product_error(D->m01, B->xy, RI_0b),
-      RI_0c = RI_0a + RI_0b, RI_0c_error = ksl_sum_error(RI_0a, RI_0b, RI_0c),
-      RI_0c_lo1 = RI_0c_error + RI_0a_lo, RI_0c_lo = RI_0c_lo1 + RI_0b_lo, RI_0d = D->m02 * B->xz,
-      RI_0d_lo = ksl_product_error(D->m02, B->xz, RI_0d), RI_0 = RI_0c + RI_0d,
-      RI_0_error = ksl_sum_error(RI_0c, RI_0d, RI_0), RI_0_lo1 = RI_0_error + RI_0c_lo,
-      RI_0_lo = RI_0_lo1 + RI_0d_lo;
-  const double RI_1a = D->m00 * B->xy, RI_1a_lo = ksl_product_error(D->m00, B->xy, RI_1a),
-      RI_1b = D->m01 * B->yy, RI_1b_lo = ksl_product_error(D->m01, B->yy, RI_1b),
-      RI_1c = RI_1a + RI_1b, RI_1c_error = ksl_sum_error(RI_1a, RI_1b, RI_1c),
-      RI_1c_lo1 = RI_1c_error + RI_1a_lo, RI_1c_lo = RI_1c_lo1 + RI_1b_lo, RI_1d = D->m02 * B->yz,
-      RI_1d_lo = ksl_product_error(D->m02, B->yz, RI_1d), RI_1 = RI_1c + RI_1d,
-      RI_1_error = ksl_sum_error(RI_1c, RI_1d, RI_1), RI_1_lo1 = RI_1_error + RI_1c_lo,
-      RI_1_lo = RI_1_lo1 + RI_1d_lo;
-  const double RI_2a = D->m00 * B->xz, RI_2a_lo = ksl_product_error(D->m00, B->xz, RI_2a),
-      RI_2b = D->m01 * B->yz, RI_2b_lo = ksl_product_error(D->m01, B->yz, RI_2b),
-      RI_2c = RI_2a + RI_2b, RI_2c_error = ksl_sum_error(RI_2a, RI_2b, RI_2c),
-      RI_2c_lo1 = RI_2c_error + RI_2a_lo, RI_2c_lo = RI_2c_lo1 + RI_2b_lo, RI_2d = D->m02 * B->zz,
-      RI_2d_lo = ksl_product_error(D->m02, B->zz, RI_2d), RI_2 = RI_2c + RI_2d,
-      RI_2_error = ksl_sum_error(RI_2c, RI_2d, RI_2), RI_2_lo1 = RI_2_error + RI_2c_lo,
-      RI_2_lo = RI_2_lo1 + RI_2d_lo;
-  const double RI_3a = D->m10 * B->xx, RI_3a_lo = ksl_product_error(D->m10, B->xx, RI_3a),
-      RI_3b = D->m11 * B->xy, RI_3b_lo = ksl_product_error(D->m11, B->xy, RI_3b),
-      RI_3c = RI_3a + RI_3b, RI_3c_error = ksl_sum_error(RI_3a, RI_3b, RI_3c),
-      RI_3c_lo1 = RI_3c_error + RI_3a_lo, RI_3c_lo = RI_3c_lo1 + RI_3b_lo, RI_3d = D->m12 * B->xz,
-      RI_3d_lo = ksl_product_error(D->m12, B->xz, RI_3d), RI_3 = RI_3c + RI_3d,
-      RI_3_error = ksl_sum_error(RI_3c, RI_3d, RI_3), RI_3_lo1 = RI_3_error + RI_3c_lo,
-      RI_3_lo = RI_3_lo1 + RI_3d_lo;
-  const double RI_4a = D->m10 * B->xy, RI_4a_lo = ksl_product_error(D->m10, B->xy, RI_4a),
-      RI_4b = D->m11 * B->yy, RI_4b_lo = ksl_product_error(D->m11, B->yy, RI_4b),
-      RI_4c = RI_4a + RI_4b, RI_4c_error = ksl_sum_error(RI_4a, RI_4b, RI_4c),
-      RI_4c_lo1 = RI_4c_error + RI_4a_lo, RI_4c_lo = RI_4c_lo1 + RI_4b_lo, RI_4d = D->m12 * B->yz,
-      RI_4d_lo = ksl_product_error(D->m12, B->yz, RI_4d), RI_4 = RI_4c + RI_4d,
-      RI_4_error = ksl_sum_error(RI_4c, RI_4d, RI_4), RI_4_lo1 = RI_4_error + RI_4c_lo,
-      RI_4_lo = RI_4_lo1 + RI_4d_lo;
-  const double RI_5a = D->m10 * B->xz, RI_5a_lo = ksl_product_error(D->m10, B->xz, RI_5a),
-      RI_5b = D->m11 * B->yz, RI_5b_lo = ksl_product_error(D->m11, B->yz, RI_5b),
-      RI_5c = RI_5a + RI_5b, RI_5c_error = ksl_sum_error(RI_5a, RI_5b, RI_5c),
-      RI_5c_lo1 = RI_5c_error + RI_5a_lo, RI_5c_lo = RI_5c_lo1 + RI_5b_lo, RI_5d = D->m12 * B->zz,
-      RI_5d_lo = ksl_product_error(D->m12, B->zz, RI_5d), RI_5 = RI_5c + RI_5d,
-      RI_5_error = ksl_sum_error(RI_5c, RI_5d, RI_5), RI_5_lo1 = RI_5_error + RI_5c_lo,
-      RI_5_lo = RI_5_lo1 + RI_5d_lo;
-  const double RI_6a = D->m20 * B->xx, RI_6a_lo = ksl_product_error(D->m20, B->xx, RI_6a),
-      RI_6b = D->m21 * B->xy, RI_6b_lo = ksl_product_error(D->m21, B->xy, RI_6b),
-      RI_6c = RI_6a + RI_6b, RI_6c_error = ksl_sum_error(RI_6a, RI_6b, RI_6c),
-      RI_6c_lo1 = RI_6c_error + RI_6a_lo, RI_6c_lo = RI_6c_lo1 + RI_6b_lo, RI_6d = D->m22 * B->xz,
-      RI_6d_lo = ksl_product_error(D->m22, B->xz, RI_6d), RI_6 = RI_6c + RI_6d,
-      RI_6_error = ksl_sum_error(RI_6c, RI_6d, RI_6), RI_6_lo1 = RI_6_error + RI_6c_lo,
-      RI_6_lo = RI_6_lo1 + RI_6d_lo;
-  const double RI_7a = D->m20 * B->xy, RI_7a_lo = ksl_product_error(D->m20, B->xy, RI_7a),
-      RI_7b = D->m21 * B->yy, RI_7b_lo = ksl_product_error(D->m21, B->yy, RI_7b),
-      RI_7c = RI_7a + RI_7b, RI_7c_error = ksl_sum_error(RI_7a, RI_7b, RI_7c),
-      RI_7c_lo1 = RI_7c_error + RI_7a_lo, RI_7c_lo = RI_7c_lo1 + RI_7b_lo, RI_7d = D->m22 * B->yz,
-      RI_7d_lo = ksl_product_error(D->m22, B->yz, RI_7d), RI_7 = RI_7c + RI_7d,
-      RI_7_error = ksl_sum_error(RI_7c, RI_7d, RI_7), RI_7_lo1 = RI_7_error + RI_7c_lo,
-      RI_7_lo = RI_7_lo1 + RI_7d_lo;
-  const double RI_8a = D->m20 * B->xz, RI_8a_lo = ksl_product_error(D->m20, B->xz, RI_8a),
-      RI_8b = D->m21 * B->yz, RI_8b_lo = ksl_product_error(D->m21, B->yz, RI_8b),
-      RI_8c = RI_8a + RI_8b, RI_8c_error = ksl_sum_error(RI_8a, RI_8b, RI_8c),
-      RI_8c_lo1 = RI_8c_error + RI_8a_lo, RI_8c_lo = RI_8c_lo1 + RI_8b_lo, RI_8d = D->m22 * B->zz,
-      RI_8d_lo = ksl_product_error(D->m22, B->zz, RI_8d), RI_8 = RI_8c + RI_8d,
-      RI_8_error = ksl_sum_error(RI_8c, RI_8d, RI_8), RI_8_lo1 = RI_8_error + RI_8c_lo,
-      RI_8_lo = RI_8_lo1 + RI_8d_lo;
-  const double turned_1a = D->m00 * B->h.x,
-      turned_1a_lo = ksl_product_error(D->m00, B->h.x, turned_1a), turned_1b = D->m01 * B->h.y,
-      turned_1b_lo = ksl_product_error(D->m01, B->h.y, turned_1b),
-      turned_1c = turned_1a + turned_1b,
-      turned_1c_error = ksl_sum_error(turned_1a, turned_1b, turned_1c),
-      turned_1c_lo1 = turned_1c_error + turned_1a_lo, turned_1c_lo = turned_1c_lo1 + turned_1b_lo,
-      turned_1d = D->m02 * B->h.z, turned_1d_lo = ksl_product_error(D->m02, B->h.z, turned_1d),
-      turned_1 = turned_1c + turned_1d,
-      turned_1_error = ksl_sum_error(turned_1c, turned_1d, turned_1),
-      turned_1_lo1 = turned_1_error + turned_1c_lo, turned_1_lo = turned_1_lo1 + turned_1d_lo;
-  const double turned_2a = D->m10 * B->h.x,
-      turned_2a_lo = ksl_product_error(D->m10, B->h.x, turned_2a), turned_2b = D->m11 * B->h.y,
-      turned_2b_lo = ksl_product_error(D->m11, B->h.y, turned_2b),
-      turned_2c = turned_2a + turned_2b,
-      turned_2c_error = ksl_sum_error(turned_2a, turned_2b, turned_2c),
-      turned_2c_lo1 = turned_2c_error + turned_2a_lo, turned_2c_lo = turned_2c_lo1 + turned_2b_lo,
-      turned_2d = D->m12 * B->h.z, turned_2d_lo = ksl_product_error(D->m12, B->h.z, turned_2d),
-      turned_2 = turned_2c + turned_2d,
-      turned_2_error = ksl_sum_error(turned_2c, turned_2d, turned_2),
-      turned_2_lo1 = turned_2_error + turned_2c_lo, turned_2_lo = turned_2_lo1 + turned_2d_lo;
-  const double turned_3a = D->m20 * B->h.x,
-      turned_3a_lo = ksl_product_error(D->m20, B->h.x, turned_3a), turned_3b = D->m21 * B->h.y,
-      turned_3b_lo = ksl_product_error(D->m21, B->h.y, turned_3b),
-      turned_3c = turned_3a + turned_3b,
-      turned_3c_error = ksl_sum_error(turned_3a, turned_3b, turned_3c),
-      turned_3c_lo1 = turned_3c_error + turned_3a_lo, turned_3c_lo = turned_3c_lo1 + turned_3b_lo,
-      turned_3d = D->m22 * B->h.z, turned_3d_lo = ksl_product_error(D->m22, B->h.z, turned_3d),
-      turned_3 = turned_3c + turned_3d,
-      turned_3_error = ksl_sum_error(turned_3c, turned_3d, turned_3),
-      turned_3_lo1 = turned_3_error + turned_3c_lo, turned_3_lo = turned_3_lo1 + turned_3d_lo;
-  const double turned_4a = D->m00 * RI_0, turned_4a_cross1 = D->m00 * RI_0_lo,
-      turned_4a_error = ksl_product_error(D->m00, RI_0, turned_4a),
-      turned_4a_lo = turned_4a_error + turned_4a_cross1, turned_4b = D->m01 * RI_1,
-      turned_4b_cross1 = D->m01 * RI_1_lo,
-      turned_4b_error = ksl_product_error(D->m01, RI_1, turned_4b),
-      turned_4b_lo = turned_4b_error + turned_4b_cross1, turned_4c = turned_4a + turned_4b,
-      turned_4c_error = ksl_sum_error(turned_4a, turned_4b, turned_4c),
-      turned_4c_lo1 = turned_4c_error + turned_4a_lo, turned_4c_lo = turned_4c_lo1 + turned_4b_lo,
-      turned_4d = D->m02 * RI_2, turned_4d_cross1 = D->m02 * RI_2_lo,
-      turned_4d_error = ksl_product_error(D->m02, RI_2, turned_4d),
-      turned_4d_lo = turned_4d_error + turned_4d_cross1, turned_4 = turned_4c + turned_4d,
-      turned_4_error = ksl_sum_error(turned_4c, turned_4d, turned_4),
-      turned_4_lo1 = turned_4_error + turned_4c_lo, turned_4_lo = turned_4_lo1 + turned_4d_lo;
-  const double turned_5a = D->m10 * RI_3, turned_5a_cross1 = D->m10 * RI_3_lo,
-      turned_5a_error = ksl_product_error(D->m10, RI_3, turned_5a),
-      turned_5a_lo = turned_5a_error + turned_5a_cross1, turned_5b = D->m11 * RI_4,
-      turned_5b_cross1 = D->m11 * RI_4_lo,
-      turned_5b_error = ksl_product_error(D->m11, RI_4, turned_5b),
-      turned_5b_lo = turned_5b_error + turned_5b_cross1, turned_5c = turned_5a + turned_5b,
-      turned_5c_error = ksl_sum_error(turned_5a, turned_5b, turned_5c),
-      turned_5c_lo1 = turned_5c_error + turned_5a_lo, turned_5c_lo = turned_5c_lo1 + turned_5b_lo,
-      turned_5d = D->m12 * RI_5, turned_5d_cross1 = D->m12 * RI_5_lo,
-      turned_5d_error = ksl_product_error(D->m12, RI_5, turned_5d),
-      turned_5d_lo = turned_5d_error + turned_5d_cross1, turned_5 = turned_5c + turned_5d,
-      turned_5_error = ksl_sum_error(turned_5c, turned_5d, turned_5),
-      turned_5_lo1 = turned_5_error + turned_5c_lo, turned_5_lo = turned_5_lo1 + turned_5d_lo;
-  const double turned_6a = D->m20 * RI_6, turned_6a_cross1 = D->m20 * RI_6_lo,
-      turned_6a_error = ksl_product_error(D->m20, RI_6, turned_6a),
-      turned_6a_lo = turned_6a_error + turned_6a_cross1, turned_6b = D->m21 * RI_7,
-      turned_6b_cross1 = D->m21 * RI_7_lo,
-      turned_6b_error = ksl_product_error(D->m21, RI_7, turned_6b),
-      turned_6b_lo = turned_6b_error + turned_6b_cross1, turned_6c = turned_6a + turned_6b,
-      turned_6c_error = ksl_sum_error(turned_6a, turned_6b, turned_6c),
-      turned_6c_lo1 = turned_6c_error + turned_6a_lo, turned_6c_lo = turned_6c_lo1 + turned_6b_lo,
-      turned_6d = D->m22 * RI_8, turned_6d_cross1 = D->m22 * RI_8_lo,
-      turned_6d_error = ksl_product_error(D->m22, RI_8, turned_6d),
-      turned_6d_lo = turned_6d_error + turned_6d_cross1, turned_6 = turned_6c + turned_6d,
-      turned_6_error = ksl_sum_error(turned_6c, turned_6d, turned_6),
-      turned_6_lo1 = turned_6_error + turned_6c_lo, turned_6_lo = turned_6_lo1 + turned_6d_lo;
-  const double turned_7a = D->m10 * RI_0, turned_7a_cross1 = D->m10 * RI_0_lo,
-      turned_7a_error = ksl_product_error(D->m10, RI_0, turned_7a),
-      turned_7a_lo = turned_7a_error + turned_7a_cross1, turned_7b = D->m11 * RI_1,
-      turned_7b_cross1 = D->m11 * RI_1_lo,
-      turned_7b_error = ksl_product_error(D->m11, RI_1, turned_7b),
-      turned_7b_lo = turned_7b_error + turned_7b_cross1, turned_7c = turned_7a + turned_7b,
-      turned_7c_error = ksl_sum_error(turned_7a, turned_7b, turned_7c),
-      turned_7c_lo1 = turned_7c_error + turned_7a_lo, turned_7c_lo = turned_7c_lo1 + turned_7b_lo,
-      turned_7d = D->m12 * RI_2, turned_7d_cross1 = D->m12 * RI_2_lo,
-      turned_7d_error = ksl_product_error(D->m12, RI_2, turned_7d),
-      turned_7d_lo = turned_7d_error + turned_7d_cross1, turned_7 = turned_7c + turned_7d,
-      turned_7_error = ksl_sum_error(turned_7c, turned_7d, turned_7),
-      turned_7_lo1 = turned_7_error + turned_7c_lo, turned_7_lo = turned_7_lo1 + turned_7d_lo;
-  const double turned_8a = D->m20 * RI_0, turned_8a_cross1 = D->m20 * RI_0_lo,
-      turned_8a_error = ksl_product_error(D->m20, RI_0, turned_8a),
-      turned_8a_lo = turned_8a_error + turned_8a_cross1, turned_8b = D->m21 * RI_1,
-      turned_8b_cross1 = D->m21 * RI_1_lo,
-      turned_8b_error = ksl_product_error(D->m21, RI_1, turned_8b),
-      turned_8b_lo = turned_8b_error + turned_8b_cross1, turned_8c = turned_8a + turned_8b,
-      turned_8c_error = ksl_sum_error(turned_8a, turned_8b, turned_8c),
-      turned_8c_lo1 = turned_8c_error + turned_8a_lo, turned_8c_lo = turned_8c_lo1 + turned_8b_lo,
-      turned_8d = D->m22 * RI_2, turned_8d_cross1 = D->m22 * RI_2_lo,
-      turned_8d_error = ksl_product_error(D->m22, RI_2, turned_8d),
-      turned_8d_lo = turned_8d_error + turned_8d_cross1, turned_8 = turned_8c + turned_8d,
-      turned_8_error = ksl_sum_error(turned_8c, turned_8d, turned_8),
-      turned_8_lo1 = turned_8_error + turned_8c_lo, turned_8_lo = turned_8_lo1 + turned_8d_lo;
-  const double turned_9a = D->m20 * RI_3, turned_9a_cross1 = D->m20 * RI_3_lo,
-      turned_9a_error = ksl_product_error(D->m20, RI_3, turned_9a),
-      turned_9a_lo = turned_9a_error + turned_9a_cross1, turned_9b = D->m21 * RI_4,
-      turned_9b_cross1 = D->m21 * RI_4_lo,
-      turned_9b_error = ksl_product_error(D->m21, RI_4, turned_9b),
-      turned_9b_lo = turned_9b_error + turned_9b_cross1, turned_9c = turned_9a + turned_9b,
-      turned_9c_error = ksl_sum_error(turned_9a, turned_9b, turned_9c),
-      turned_9c_lo1 = turned_9c_error + turned_9a_lo, turned_9c_lo = turned_9c_lo1 + turned_9b_lo,
-      turned_9d = D->m22 * RI_5, turned_9d_cross1 = D->m22 * RI_5_lo,
-      turned_9d_error = ksl_product_error(D->m22, RI_5, turned_9d),
-      turned_9d_lo = turned_9d_error + turned_9d_cross1, turned_9 = turned_9c + turned_9d,
-      turned_9_error = ksl_sum_error(turned_9c, turned_9d, turned_9),
-      turned_9_lo1 = turned_9_error + turned_9c_lo, turned_9_lo = turned_9_lo1 + turned_9d_lo;
-  const double moved_0a = D->m03 * B->m, moved_0a_lo = ksl_product_error(D->m03, B->m, moved_0a),
-      moved_0 = moved_0a + turned_1, moved_0_error = ksl_sum_error(moved_0a, turned_1, moved_0),
-      moved_0_lo1 = moved_0_error + moved_0a_lo, moved_0_lo = moved_0_lo1 + turned_1_lo;
-  const double moved_1a = D->m13 * B->m, moved_1a_lo = ksl_product_error(D->m13, B->m, moved_1a),
-      moved_1 = moved_1a + turned_2, moved_1_error = ksl_sum_error(moved_1a, turned_2, moved_1),
-      moved_1_lo1 = moved_1_error + moved_1a_lo, moved_1_lo = moved_1_lo1 + turned_2_lo;
-  const double moved_2a = D->m23 * B->m, moved_2a_lo = ksl_product_error(D->m23, B->m, moved_2a),
-      moved_2 = moved_2a + turned_3, moved_2_error = ksl_sum_error(moved_2a, turned_3, moved_2),
-      moved_2_lo1 = moved_2_error + moved_2a_lo, moved_2_lo = moved_2_lo1 + turned_3_lo;
-  const double own_0a = D->m03 * turned_1, own_0a_cross1 = D->m03 * turned_1_lo,
-      own_0a_error = ksl_product_error(D->m03, turned_1, own_0a),
-      own_0a_lo = own_0a_error + own_0a_cross1, own_0b = D->m03 * moved_0,
-      own_0b_cross1 = D->m03 * moved_0_lo,
-      own_0b_error = ksl_product_error(D->m03, moved_0, own_0b),
-      own_0b_lo = own_0b_error + own_0b_cross1, own_0 = own_0a + own_0b,
-      own_0_error = ksl_sum_error(own_0a, own_0b, own_0), own_0_lo1 = own_0_error + own_0a_lo,
-      own_0_lo = own_0_lo1 + own_0b_lo;
-  const double own_1a = D->m13 * turned_2, own_1a_cross1 = D->m13 * turned_2_lo,
-      own_1a_error = ksl_product_error(D->m13, turned_2, own_1a),
-      own_1a_lo = own_1a_error + own_1a_cross1, own_1b = D->m13 * moved_1,
-      own_1b_cross1 = D->m13 * moved_1_lo,
-      own_1b_error = ksl_product_error(D->m13, moved_1, own_1b),
-      own_1b_lo = own_1b_error + own_1b_cross1, own_1 = own_1a + own_1b,
-      own_1_error = ksl_sum_error(own_1a, own_1b, own_1), own_1_lo1 = own_1_error + own_1a_lo,
-      own_1_lo = own_1_lo1 + own_1b_lo;
-  const double own_2a = D->m23 * turned_3, own_2a_cross1 = D->m23 * turned_3_lo,
-      own_2a_error = ksl_product_error(D->m23, turned_3, own_2a),
-      own_2a_lo = own_2a_error + own_2a_cross1, own_2b = D->m23 * moved_2,
-      own_2b_cross1 = D->m23 * moved_2_lo,
-      own_2b_error = ksl_product_error(D->m23, moved_2, own_2b),
-      own_2b_lo = own_2b_error + own_2b_cross1, own_2 = own_2a + own_2b,
-      own_2_error = ksl_sum_error(own_2a, own_2b, own_2), own_2_lo1 = own_2_error + own_2a_lo,
-      own_2_lo = own_2_lo1 + own_2b_lo;
-  const double Bo_4a = own_1 + own_2, Bo_4a_error = ksl_sum_error(own_1, own_2, Bo_4a),
-      Bo_4a_lo1 = Bo_4a_error + own_1_lo, Bo_4a_lo = Bo_4a_lo1 + own_2_lo, Bo_4 = turned_4 + Bo_4a,
-      Bo_4_error = ksl_sum_error(turned_4, Bo_4a, Bo_4), Bo_4_lo1 = Bo_4_error + turned_4_lo,
-      Bo_4_lo = Bo_4_lo1 + Bo_4a_lo;
-  const double Bo_5a = own_0 + own_2, Bo_5a_error = ksl_sum_error(own_0, own_2, Bo_5a),
-      Bo_5a_lo1 = Bo_5a_error + own_0_lo, Bo_5a_lo = Bo_5a_lo1 + own_2_lo, Bo_5 = turned_5 + Bo_5a,
-      Bo_5_error = ksl_sum_error(turned_5, Bo_5a, Bo_5), Bo_5_lo1 = Bo_5_error + turned_5_lo,
-      Bo_5_lo = Bo_5_lo1 + Bo_5a_lo;
-  const double Bo_6a = own_0 + own_1, Bo_6a_error = ksl_sum_error(own_0, own_1, Bo_6a),
-      Bo_6a_lo1 = Bo_6a_error + own_0_lo, Bo_6a_lo = Bo_6a_lo1 + own_1_lo, Bo_6 = turned_6 + Bo_6a,
-      Bo_6_error = ksl_sum_error(turned_6, Bo_6a, Bo_6), Bo_6_lo1 = Bo_6_error + turned_6_lo,
-      Bo_6_lo = Bo_6_lo1 + Bo_6a_lo;
-  const double Bo_7a = D->m03 * moved_1, Bo_7a_cross1 = D->m03 * moved_1_lo,
-      Bo_7a_error = ksl_product_error(D->m03, moved_1, Bo_7a),
-      Bo_7a_lo = Bo_7a_error + Bo_7a_cross1, Bo_7b = turned_7 - Bo_7a,
-      Bo_7b_error = ksl_difference_error(turned_7, Bo_7a, Bo_7b),
-      Bo_7b_lo1 = Bo_7b_error + turned_7_lo, Bo_7b_lo = Bo_7b_lo1 - Bo_7a_lo,
-      Bo_7c = D->m13 * turned_1, Bo_7c_cross1 = D->m13 * turned_1_lo,
-      Bo_7c_error = ksl_product_error(D->m13, turned_1, Bo_7c),
-      Bo_7c_lo = Bo_7c_error + Bo_7c_cross1, Bo_7 = Bo_7b - Bo_7c,
-      Bo_7_error = ksl_difference_error(Bo_7b, Bo_7c, Bo_7), Bo_7_lo1 = Bo_7_error + Bo_7b_lo,
-      Bo_7_lo = Bo_7_lo1 - Bo_7c_lo;
-  const double Bo_8a = D->m03 * moved_2, Bo_8a_cross1 = D->m03 * moved_2_lo,
-      Bo_8a_error = ksl_product_error(D->m03, moved_2, Bo_8a),
-      Bo_8a_lo = Bo_8a_error + Bo_8a_cross1, Bo_8b = turned_8 - Bo_8a,
-      Bo_8b_error = ksl_difference_error(turned_8, Bo_8a, Bo_8b),
-      Bo_8b_lo1 = Bo_8b_error + turned_8_lo, Bo_8b_lo = Bo_8b_lo1 - Bo_8a_lo,
-      Bo_8c = D->m23 * turned_1, Bo_8c_cross1 = D->m23 * turned_1_lo,
-      Bo_8c_error = ksl_product_error(D->m23, turned_1, Bo_8c),
-      Bo_8c_lo = Bo_8c_error + Bo_8c_cross1, Bo_8 = Bo_8b - Bo_8c,
-      Bo_8_error = ksl_difference_error(Bo_8b, Bo_8c, Bo_8), Bo_8_lo1 = Bo_8_error + Bo_8b_lo,
-      Bo_8_lo = Bo_8_lo1 - Bo_8c_lo;
-  const double Bo_9a = D->m13 * moved_2, Bo_9a_cross1 = D->m13 * moved_2_lo,
-      Bo_9a_error = ksl_product_error(D->m13, moved_2, Bo_9a),
-      Bo_9a_lo = Bo_9a_error + Bo_9a_cross1, Bo_9b = turned_9 - Bo_9a,
-      Bo_9b_error = ksl_difference_error(turned_9, Bo_9a, Bo_9b),
-      Bo_9b_lo1 = Bo_9b_error + turned_9_lo, Bo_9b_lo = Bo_9b_lo1 - Bo_9a_lo,
-      Bo_9c = D->m23 * turned_2, Bo_9c_cross1 = D->m23 * turned_2_lo,
-      Bo_9c_error = ksl_product_error(D->m23, turned_2, Bo_9c),
-      Bo_9c_lo = Bo_9c_error + Bo_9c_cross1, Bo_9 = Bo_9b - Bo_9c,
-      Bo_9_error = ksl_difference_error(Bo_9b, Bo_9c, Bo_9), Bo_9_lo1 = Bo_9_error + Bo_9b_lo,
-      Bo_9_lo = Bo_9_lo1 - Bo_9c_lo;
+  const double RI_0a = D->m00 * B->xx, RI_0b = D->m01 * B->xy, RI_0c = RI_0a + RI_0b,
+      RI_0c_right = RI_0c - RI_0a, RI_0c_left = RI_0c - RI_0c_right,
+      RI_0c_left_rest = ksl_product_rest(D->m00, B->xx, RI_0a, RI_0c_left),
+      RI_0c_right_rest = ksl_product_rest(D->m01, B->xy, RI_0b, RI_0c_right),
+      RI_0c_lo = RI_0c_left_rest + RI_0c_right_rest, RI_0d = D->m02 * B->xz, RI_0 = RI_0c + RI_0d,
+      RI_0_right = RI_0 - RI_0c, RI_0_left = RI_0 - RI_0_right, RI_0_left_rest = RI_0c - RI_0_left,
+      RI_0_right_rest = ksl_product_rest(D->m02, B->xz, RI_0d, RI_0_right),
+      RI_0_lo1 = RI_0_left_rest + RI_0_right_rest, RI_0_lo = RI_0_lo1 + RI_0c_lo;
+  const double RI_1a = D->m00 * B->xy, RI_1b = D->m01 * B->yy, RI_1c = RI_1a + RI_1b,
+      RI_1c_right = RI_1c - RI_1a, RI_1c_left = RI_1c - RI_1c_right,
+      RI_1c_left_rest = ksl_product_rest(D->m00, B->xy, RI_1a, RI_1c_left),
+      RI_1c_right_rest = ksl_product_rest(D->m01, B->yy, RI_1b, RI_1c_right),
+      RI_1c_lo = RI_1c_left_rest + RI_1c_right_rest, RI_1d = D->m02 * B->yz, RI_1 = RI_1c + RI_1d,
+      RI_1_right = RI_1 - RI_1c, RI_1_left = RI_1 - RI_1_right, RI_1_left_rest = RI_1c - RI_1_left,
+      RI_1_right_rest = ksl_product_rest(D->m02, B->yz, RI_1d, RI_1_right),
+      RI_1_lo1 = RI_1_left_rest + RI_1_right_rest, RI_1_lo = RI_1_lo1 + RI_1c_lo;
+  const double RI_2a = D->m00 * B->xz, RI_2b = D->m01 * B->yz, RI_2c = RI_2a + RI_2b,
+      RI_2c_right = RI_2c - RI_2a, RI_2c_left = RI_2c - RI_2c_right,
+      RI_2c_left_rest = ksl_product_rest(D->m00, B->xz, RI_2a, RI_2c_left),
+      RI_2c_right_rest = ksl_product_rest(D->m01, B->yz, RI_2b, RI_2c_right),
+      RI_2c_lo = RI_2c_left_rest + RI_2c_right_rest, RI_2d = D->m02 * B->zz, RI_2 = RI_2c + RI_2d,
+      RI_2_right = RI_2 - RI_2c, RI_2_left = RI_2 - RI_2_right, RI_2_left_rest = RI_2c - RI_2_left,
+      RI_2_right_rest = ksl_product_rest(D->m02, B->zz, RI_2d, RI_2_right),
+      RI_2_lo1 = RI_2_left_rest + RI_2_right_rest, RI_2_lo = RI_2_lo1 + RI_2c_lo;
+  const double RI_3a = D->m10 * B->xx, RI_3b = D->m11 * B->xy, RI_3c = RI_3a + RI_3b,
+      RI_3c_right = RI_3c - RI_3a, RI_3c_left = RI_3c - RI_3c_right,
+      RI_3c_left_rest = ksl_product_rest(D->m10, B->xx, RI_3a, RI_3c_left),
+      RI_3c_right_rest = ksl_product_rest(D->m11, B->xy, RI_3b, RI_3c_right),
+      RI_3c_lo = RI_3c_left_rest + RI_3c_right_rest, RI_3d = D->m12 * B->xz, RI_3 = RI_3c + RI_3d,
+      RI_3_right = RI_3 - RI_3c, RI_3_left = RI_3 - RI_3_right, RI_3_left_rest = RI_3c - RI_3_left,
+      RI_3_right_rest = ksl_product_rest(D->m12, B->xz, RI_3d, RI_3_right),
+      RI_3_lo1 = RI_3_left_rest + RI_3_right_rest, RI_3_lo = RI_3_lo1 + RI_3c_lo;
+  const double RI_4a = D->m10 * B->xy, RI_4b = D->m11 * B->yy, RI_4c = RI_4a + RI_4b,
+      RI_4c_right = RI_4c - RI_4a, RI_4c_left = RI_4c - RI_4c_right,
+      RI_4c_left_rest = ksl_product_rest(D->m10, B->xy, RI_4a, RI_4c_left),
+      RI_4c_right_rest = ksl_product_rest(D->m11, B->yy, RI_4b, RI_4c_right),
+      RI_4c_lo = RI_4c_left_rest + RI_4c_right_rest, RI_4d = D->m12 * B->yz, RI_4 = RI_4c + RI_4d,
+      RI_4_right = RI_4 - RI_4c, RI_4_left = RI_4 - RI_4_right, RI_4_left_rest = RI_4c - RI_4_left,
+      RI_4_right_rest = ksl_product_rest(D->m12, B->yz, RI_4d, RI_4_right),
+      RI_4_lo1 = RI_4_left_rest + RI_4_right_rest, RI_4_lo = RI_4_lo1 + RI_4c_lo;
+  const double RI_5a = D->m10 * B->xz, RI_5b = D->m11 * B->yz, RI_5c = RI_5a + RI_5b,
+      RI_5c_right = RI_5c - RI_5a, RI_5c_left = RI_5c - RI_5c_right,
+      RI_5c_left_rest = ksl_product_rest(D->m10, B->xz, RI_5a, RI_5c_left),
+      RI_5c_right_rest = ksl_product_rest(D->m11, B->yz, RI_5b, RI_5c_right),
+      RI_5c_lo = RI_5c_left_rest + RI_5c_right_rest, RI_5d = D->m12 * B->zz, RI_5 = RI_5c + RI_5d,
+      RI_5_right = RI_5 - RI_5c, RI_5_left = RI_5 - RI_5_right, RI_5_left_rest = RI_5c - RI_5_left,
+      RI_5_right_rest = ksl_product_rest(D->m12, B->zz, RI_5d, RI_5_right),
+      RI_5_lo1 = RI_5_left_rest + RI_5_right_rest, RI_5_lo = RI_5_lo1 + RI_5c_lo;
+  const double RI_6a = D->m20 * B->xx, RI_6b = D->m21 * B->xy, RI_6c = RI_6a + RI_6b,
+      RI_6c_right = RI_6c - RI_6a, RI_6c_left = RI_6c - RI_6c_right,
+      RI_6c_left_rest = ksl_product_rest(D->m20, B->xx, RI_6a, RI_6c_left),
+      RI_6c_right_rest = ksl_product_rest(D->m21, B->xy, RI_6b, RI_6c_right),
+      RI_6c_lo = RI_6c_left_rest + RI_6c_right_rest, RI_6d = D->m22 * B->xz, RI_6 = RI_6c + RI_6d,
+      RI_6_right = RI_6 - RI_6c, RI_6_left = RI_6 - RI_6_right, RI_6_left_rest = RI_6c - RI_6_left,
+      RI_6_right_rest = ksl_product_rest(D->m22, B->xz, RI_6d, RI_6_right),
+      RI_6_lo1 = RI_6_left_rest + RI_6_right_rest, RI_6_lo = RI_6_lo1 + RI_6c_lo;
+  const double RI_7a = D->m20 * B->xy, RI_7b = D->m21 * B->yy, RI_7c = RI_7a + RI_7b,
+      RI_7c_right = RI_7c - RI_7a, RI_7c_left = RI_7c - RI_7c_right,
+      RI_7c_left_rest = ksl_product_rest(D->m20, B->xy, RI_7a, RI_7c_left),
+      RI_7c_right_rest = ksl_product_rest(D->m21, B->yy, RI_7b, RI_7c_right),
+      RI_7c_lo = RI_7c_left_rest + RI_7c_right_rest, RI_7d = D->m22 * B->yz, RI_7 = RI_7c + RI_7d,
+      RI_7_right = RI_7 - RI_7c, RI_7_left = RI_7 - RI_7_right, RI_7_left_rest = RI_7c - RI_7_left,
+      RI_7_right_rest = ksl_product_rest(D->m22, B->yz, RI_7d, RI_7_right),
+      RI_7_lo1 = RI_7_left_rest + RI_7_right_rest, RI_7_lo = RI_7_lo1 + RI_7c_lo;
+  const double RI_8a = D->m20 * B->xz, RI_8b = D->m21 * B->yz, RI_8c = RI_8a + RI_8b,
+      RI_8c_right = RI_8c - RI_8a, RI_8c_left = RI_8c - RI_8c_right,
+      RI_8c_left_rest = ksl_product_rest(D->m20, B->xz, RI_8a, RI_8c_left),
+      RI_8c_right_rest = ksl_product_rest(D->m21, B->yz, RI_8b, RI_8c_right),
+      RI_8c_lo = RI_8c_left_rest + RI_8c_right_rest, RI_8d = D->m22 * B->zz, RI_8 = RI_8c + RI_8d,
+      RI_8_right = RI_8 - RI_8c, RI_8_left = RI_8 - RI_8_right, RI_8_left_rest = RI_8c - RI_8_left,
+      RI_8_right_rest = ksl_product_rest(D->m22, B->zz, RI_8d, RI_8_right),
+      RI_8_lo1 = RI_8_left_rest + RI_8_right_rest, RI_8_lo = RI_8_lo1 + RI_8c_lo;
+  const double turned_1a = D->m00 * B->h.x, turned_1b = D->m01 * B->h.y,
+      turned_1c = turned_1a + turned_1b, turned_1c_right = turned_1c - turned_1a,
+      turned_1c_left = turned_1c - turned_1c_right,
+      turned_1c_left_rest = ksl_product_rest(D->m00, B->h.x, turned_1a, turned_1c_left),
+      turned_1c_right_rest = ksl_product_rest(D->m01, B->h.y, turned_1b, turned_1c_right),
+      turned_1c_lo = turned_1c_left_rest + turned_1c_right_rest, turned_1d = D->m02 * B->h.z,
+      turned_1 = turned_1c + turned_1d, turned_1_right = turned_1 - turned_1c,
+      turned_1_left = turned_1 - turned_1_right, turned_1_left_rest = turned_1c - turned_1_left,
+      turned_1_right_rest = ksl_product_rest(D->m02, B->h.z, turned_1d, turned_1_right),
+      turned_1_lo1 = turned_1_left_rest + turned_1_right_rest,
+      turned_1_lo = turned_1_lo1 + turned_1c_lo;
+  const double turned_2a = D->m10 * B->h.x, turned_2b = D->m11 * B->h.y,
+      turned_2c = turned_2a + turned_2b, turned_2c_right = turned_2c - turned_2a,
+      turned_2c_left = turned_2c - turned_2c_right,
+      turned_2c_left_rest = ksl_product_rest(D->m10, B->h.x, turned_2a, turned_2c_left),
+      turned_2c_right_rest = ksl_product_rest(D->m11, B->h.y, turned_2b, turned_2c_right),
+      turned_2c_lo = turned_2c_left_rest + turned_2c_right_rest, turned_2d = D->m12 * B->h.z,
+      turned_2 = turned_2c + turned_2d, turned_2_right = turned_2 - turned_2c,
+      turned_2_left = turned_2 - turned_2_right, turned_2_left_rest = turned_2c - turned_2_left,
+      turned_2_right_rest = ksl_product_rest(D->m12, B->h.z, turned_2d, turned_2_right),
+      turned_2_lo1 = turned_2_left_rest + turned_2_right_rest,
+      turned_2_lo = turned_2_lo1 + turned_2c_lo;
+  const double turned_3a = D->m20 * B->h.x, turned_3b = D->m21 * B->h.y,
+      turned_3c = turned_3a + turned_3b, turned_3c_right = turned_3c - turned_3a,
+      turned_3c_left = turned_3c - turned_3c_right,
+      turned_3c_left_rest = ksl_product_rest(D->m20, B->h.x, turned_3a, turned_3c_left),
+      turned_3c_right_rest = ksl_product_rest(D->m21, B->h.y, turned_3b, turned_3c_right),
+      turned_3c_lo = turned_3c_left_rest + turned_3c_right_rest, turned_3d = D->m22 * B->h.z,
+      turned_3 = turned_3c + turned_3d, turned_3_right = turned_3 - turned_3c,
+      turned_3_left = turned_3 - turned_3_right, turned_3_left_rest = turned_3c - turned_3_left,
+      turned_3_right_rest = ksl_product_rest(D->m22, B->h.z, turned_3d, turned_3_right),
+      turned_3_lo1 = turned_3_left_rest + turned_3_right_rest,
+      turned_3_lo = turned_3_lo1 + turned_3c_lo;
+  const double turned_4a = D->m00 * RI_0, turned_4a_cross2 = D->m00 * RI_0_lo,
+      turned_4b = D->m01 * RI_1, turned_4b_cross2 = D->m01 * RI_1_lo,
+      turned_4c = turned_4a + turned_4b, turned_4c_right = turned_4c - turned_4a,
+      turned_4c_left = turned_4c - turned_4c_right,
+      turned_4c_left_rest = ksl_product_rest(D->m00, RI_0, turned_4a, turned_4c_left),
+      turned_4c_right_rest = ksl_product_rest(D->m01, RI_1, turned_4b, turned_4c_right),
+      turned_4c_cross = turned_4a_cross2 + turned_4b_cross2,
+      turned_4c_lo1 = turned_4c_left_rest + turned_4c_right_rest,
+      turned_4c_lo = turned_4c_lo1 + turned_4c_cross, turned_4d = D->m02 * RI_2,
+      turned_4d_cross2 = D->m02 * RI_2_lo, turned_4 = turned_4c + turned_4d,
+      turned_4_right = turned_4 - turned_4c, turned_4_left = turned_4 - turned_4_right,
+      turned_4_left_rest = turned_4c - turned_4_left,
+      turned_4_right_rest = ksl_product_rest(D->m02, RI_2, turned_4d, turned_4_right),
+      turned_4_lo1 = turned_4_left_rest + turned_4_right_rest,
+      turned_4_lo2 = turned_4_lo1 + turned_4d_cross2, turned_4_lo = turned_4_lo2 + turned_4c_lo;
+  const double turned_5a = D->m10 * RI_3, turned_5a_cross2 = D->m10 * RI_3_lo,
+      turned_5b = D->m11 * RI_4, turned_5b_cross2 = D->m11 * RI_4_lo,
+      turned_5c = turned_5a + turned_5b, turned_5c_right = turned_5c - turned_5a,
+      turned_5c_left = turned_5c - turned_5c_right,
+      turned_5c_left_rest = ksl_product_rest(D->m10, RI_3, turned_5a, turned_5c_left),
+      turned_5c_right_rest = ksl_product_rest(D->m11, RI_4, turned_5b, turned_5c_right),
+      turned_5c_cross = turned_5a_cross2 + turned_5b_cross2,
+      turned_5c_lo1 = turned_5c_left_rest + turned_5c_right_rest,
+      turned_5c_lo = turned_5c_lo1 + turned_5c_cross, turned_5d = D->m12 * RI_5,
+      turned_5d_cross2 = D->m12 * RI_5_lo, turned_5 = turned_5c + turned_5d,
+      turned_5_right = turned_5 - turned_5c, turned_5_left = turned_5 - turned_5_right,
+      turned_5_left_rest = turned_5c - turned_5_left,
+      turned_5_right_rest = ksl_product_rest(D->m12, RI_5, turned_5d, turned_5_right),
+      turned_5_lo1 = turned_5_left_rest + turned_5_right_rest,
+      turned_5_lo2 = turned_5_lo1 + turned_5d_cross2, turned_5_lo = turned_5_lo2 + turned_5c_lo;
+  const double turned_6a = D->m20 * RI_6, turned_6a_cross2 = D->m20 * RI_6_lo,
+      turned_6b = D->m21 * RI_7, turned_6b_cross2 = D->m21 * RI_7_lo,
+      turned_6c = turned_6a + turned_6b, turned_6c_right = turned_6c - turned_6a,
+      turned_6c_left = turned_6c - turned_6c_right,
+      turned_6c_left_rest = ksl_product_rest(D->m20, RI_6, turned_6a, turned_6c_left),
+      turned_6c_right_rest = ksl_product_rest(D->m21, RI_7, turned_6b, turned_6c_right),
+      turned_6c_cross = turned_6a_cross2 + turned_6b_cross2,
+      turned_6c_lo1 = turned_6c_left_rest + turned_6c_right_rest,
+      turned_6c_lo = turned_6c_lo1 + turned_6c_cross, turned_6d = D->m22 * RI_8,
+      turned_6d_cross2 = D->m22 * RI_8_lo, turned_6 = turned_6c + turned_6d,
+      turned_6_right = turned_6 - turned_6c, turned_6_left = turned_6 - turned_6_right,
+      turned_6_left_rest = turned_6c - turned_6_left,
+      turned_6_right_rest = ksl_product_rest(D->m22, RI_8, turned_6d, turned_6_right),
+      turned_6_lo1 = turned_6_left_rest + turned_6_right_rest,
+      turned_6_lo2 = turned_6_lo1 + turned_6d_cross2, turned_6_lo = turned_6_lo2 + turned_6c_lo;
+  const double turned_7a = D->m10 * RI_0, turned_7a_cross2 = D->m10 * RI_0_lo,
+      turned_7b = D->m11 * RI_1, turned_7b_cross2 = D->m11 * RI_1_lo,
+      turned_7c = turned_7a + turned_7b, turned_7c_right = turned_7c - turned_7a,
+      turned_7c_left = turned_7c - turned_7c_right,
+      turned_7c_left_rest = ksl_product_rest(D->m10, RI_0, turned_7a, turned_7c_left),
+      turned_7c_right_rest = ksl_product_rest(D->m11, RI_1, turned_7b, turned_7c_right),
+      turned_7c_cross = turned_7a_cross2 + turned_7b_cross2,
+      turned_7c_lo1 = turned_7c_left_rest + turned_7c_right_rest,
+      turned_7c_lo = turned_7c_lo1 + turned_7c_cross, turned_7d = D->m12 * RI_2,
+      turned_7d_cross2 = D->m12 * RI_2_lo, turned_7 = turned_7c + turned_7d,
+      turned_7_right = turned_7 - turned_7c, turned_7_left = turned_7 - turned_7_right,
+      turned_7_left_rest = turned_7c - turned_7_left,
+      turned_7_right_rest = ksl_product_rest(D->m12, RI_2, turned_7d, turned_7_right),
+      turned_7_lo1 = turned_7_left_rest + turned_7_right_rest,
+      turned_7_lo2 = turned_7_lo1 + turned_7d_cross2, turned_7_lo = turned_7_lo2 + turned_7c_lo;
+  const double turned_8a = D->m20 * RI_0, turned_8a_cross2 = D->m20 * RI_0_lo,
+      turned_8b = D->m21 * RI_1, turned_8b_cross2 = D->m21 * RI_1_lo,
+      turned_8c = turned_8a + turned_8b, turned_8c_right = turned_8c - turned_8a,
+      turned_8c_left = turned_8c - turned_8c_right,
+      turned_8c_left_rest = ksl_product_rest(D->m20, RI_0, turned_8a, turned_8c_left),
+      turned_8c_right_rest = ksl_product_rest(D->m21, RI_1, turned_8b, turned_8c_right),
+      turned_8c_cross = turned_8a_cross2 + turned_8b_cross2,
+      turned_8c_lo1 = turned_8c_left_rest + turned_8c_right_rest,
+      turned_8c_lo = turned_8c_lo1 + turned_8c_cross, turned_8d = D->m22 * RI_2,
+      turned_8d_cross2 = D->m22 * RI_2_lo, turned_8 = turned_8c + turned_8d,
+      turned_8_right = turned_8 - turned_8c, turned_8_left = turned_8 - turned_8_right,
+      turned_8_left_rest = turned_8c - turned_8_left,
+      turned_8_right_rest = ksl_product_rest(D->m22, RI_2, turned_8d, turned_8_right),
+      turned_8_lo1 = turned_8_left_rest + turned_8_right_rest,
+      turned_8_lo2 = turned_8_lo1 + turned_8d_cross2, turned_8_lo = turned_8_lo2 + turned_8c_lo;
+  const double turned_9a = D->m20 * RI_3, turned_9a_cross2 = D->m20 * RI_3_lo,
+      turned_9b = D->m21 * RI_4, turned_9b_cross2 = D->m21 * RI_4_lo,
+      turned_9c = turned_9a + turned_9b, turned_9c_right = turned_9c - turned_9a,
+      turned_9c_left = turned_9c - turned_9c_right,
+      turned_9c_left_rest = ksl_product_rest(D->m20, RI_3, turned_9a, turned_9c_left),
+      turned_9c_right_rest = ksl_product_rest(D->m21, RI_4, turned_9b, turned_9c_right),
+      turned_9c_cross = turned_9a_cross2 + turned_9b_cross2,
+      turned_9c_lo1 = turned_9c_left_rest + turned_9c_right_rest,
+      turned_9c_lo = turned_9c_lo1 + turned_9c_cross, turned_9d = D->m22 * RI_5,
+      turned_9d_cross2 = D->m22 * RI_5_lo, turned_9 = turned_9c + turned_9d,
+      turned_9_right = turned_9 - turned_9c, turned_9_left = turned_9 - turned_9_right,
+      turned_9_left_rest = turned_9c - turned_9_left,
+      turned_9_right_rest = ksl_product_rest(D->m22, RI_5, turned_9d, turned_9_right),
+      turned_9_lo1 = turned_9_left_rest + turned_9_right_rest,
+      turned_9_lo2 = turned_9_lo1 + turned_9d_cross2, turned_9_lo = turned_9_lo2 + turned_9c_lo;
+  const double moved_0a = D->m03 * B->m, moved_0 = moved_0a + turned_1,
+      moved_0_right = moved_0 - moved_0a, moved_0_left = moved_0 - moved_0_right,
+      moved_0_left_rest = ksl_product_rest(D->m03, B->m, moved_0a, moved_0_left),
+      moved_0_right_rest = turned_1 - moved_0_right,
+      moved_0_lo1 = moved_0_left_rest + moved_0_right_rest, moved_0_lo = moved_0_lo1 + turned_1_lo;
+  const double moved_1a = D->m13 * B->m, moved_1 = moved_1a + turned_2,
+      moved_1_right = moved_1 - moved_1a, moved_1_left = moved_1 - moved_1_right,
+      moved_1_left_rest = ksl_product_rest(D->m13, B->m, moved_1a, moved_1_left),
+      moved_1_right_rest = turned_2 - moved_1_right,
+      moved_1_lo1 = moved_1_left_rest + moved_1_right_rest, moved_1_lo = moved_1_lo1 + turned_2_lo;
+  const double moved_2a = D->m23 * B->m, moved_2 = moved_2a + turned_3,
+      moved_2_right = moved_2 - moved_2a, moved_2_left = moved_2 - moved_2_right,
+      moved_2_left_rest = ksl_product_rest(D->m23, B->m, moved_2a, moved_2_left),
+      moved_2_right_rest = turned_3 - moved_2_right,
+      moved_2_lo1 = moved_2_left_rest + moved_2_right_rest, moved_2_lo = moved_2_lo1 + turned_3_lo;
+  const double own_0a = D->m03 * turned_1, own_0a_cross2 = D->m03 * turned_1_lo,
+      own_0b = D->m03 * moved_0, own_0b_cross2 = D->m03 * moved_0_lo, own_0 = own_0a + own_0b,
+      own_0_right = own_0 - own_0a, own_0_left = own_0 - own_0_right,
+      own_0_left_rest = ksl_product_rest(D->m03, turned_1, own_0a, own_0_left),
+      own_0_right_rest = ksl_product_rest(D->m03, moved_0, own_0b, own_0_right),
+      own_0_cross = own_0a_cross2 + own_0b_cross2, own_0_lo1 = own_0_left_rest + own_0_right_rest,
+      own_0_lo = own_0_lo1 + own_0_cross;
+  const double own_1a = D->m13 * turned_2, own_1a_cross2 = D->m13 * turned_2_lo,
+      own_1b = D->m13 * moved_1, own_1b_cross2 = D->m13 * moved_1_lo, own_1 = own_1a + own_1b,
+      own_1_right = own_1 - own_1a, own_1_left = own_1 - own_1_right,
+      own_1_left_rest = ksl_product_rest(D->m13, turned_2, own_1a, own_1_left),
+      own_1_right_rest = ksl_product_rest(D->m13, moved_1, own_1b, own_1_right),
+      own_1_cross = own_1a_cross2 + own_1b_cross2, own_1_lo1 = own_1_left_rest + own_1_right_rest,
+      own_1_lo = own_1_lo1 + own_1_cross;
+  const double own_2a = D->m23 * turned_3, own_2a_cross2 = D->m23 * turned_3_lo,
+      own_2b = D->m23 * moved_2, own_2b_cross2 = D->m23 * moved_2_lo, own_2 = own_2a + own_2b,
+      own_2_right = own_2 - own_2a, own_2_left = own_2 - own_2_right,
+      own_2_left_rest = ksl_product_rest(D->m23, turned_3, own_2a, own_2_left),
+      own_2_right_rest = ksl_product_rest(D->m23, moved_2, own_2b, own_2_right),
+      own_2_cross = own_2a_cross2 + own_2b_cross2, own_2_lo1 = own_2_left_rest + own_2_right_rest,
+      own_2_lo = own_2_lo1 + own_2_cross;
+  const double Bo_4a = own_1 + own_2, Bo_4a_right = Bo_4a - own_1, Bo_4a_left = Bo_4a - Bo_4a_right,
+      Bo_4a_left_rest = own_1 - Bo_4a_left, Bo_4a_right_rest = own_2 - Bo_4a_right,
+      Bo_4a_lo1 = Bo_4a_left_rest + Bo_4a_right_rest, Bo_4a_lo2 = Bo_4a_lo1 + own_2_lo,
+      Bo_4a_lo = Bo_4a_lo2 + own_1_lo, Bo_4 = turned_4 + Bo_4a, Bo_4_right = Bo_4 - turned_4,
+      Bo_4_left = Bo_4 - Bo_4_right, Bo_4_left_rest = turned_4 - Bo_4_left,
+      Bo_4_right_rest = Bo_4a - Bo_4_right, Bo_4_lo1 = Bo_4_left_rest + Bo_4_right_rest,
+      Bo_4_lo2 = Bo_4_lo1 + Bo_4a_lo, Bo_4_lo = Bo_4_lo2 + turned_4_lo;
+  const double Bo_5a = own_0 + own_2, Bo_5a_right = Bo_5a - own_0, Bo_5a_left = Bo_5a - Bo_5a_right,
+      Bo_5a_left_rest = own_0 - Bo_5a_left, Bo_5a_right_rest = own_2 - Bo_5a_right,
+      Bo_5a_lo1 = Bo_5a_left_rest + Bo_5a_right_rest, Bo_5a_lo2 = Bo_5a_lo1 + own_2_lo,
+      Bo_5a_lo = Bo_5a_lo2 + own_0_lo, Bo_5 = turned_5 + Bo_5a, Bo_5_right = Bo_5 - turned_5,
+      Bo_5_left = Bo_5 - Bo_5_right, Bo_5_left_rest = turned_5 - Bo_5_left,
+      Bo_5_right_rest = Bo_5a - Bo_5_right, Bo_5_lo1 = Bo_5_left_rest + Bo_5_right_rest,
+      Bo_5_lo2 = Bo_5_lo1 + Bo_5a_lo, Bo_5_lo = Bo_5_lo2 + turned_5_lo;
+  const double Bo_6a = own_0 + own_1, Bo_6a_right = Bo_6a - own_0, Bo_6a_left = Bo_6a - Bo_6a_right,
+      Bo_6a_left_rest = own_0 - Bo_6a_left, Bo_6a_right_rest = own_1 - Bo_6a_right,
+      Bo_6a_lo1 = Bo_6a_left_rest + Bo_6a_right_rest, Bo_6a_lo2 = Bo_6a_lo1 + own_1_lo,
+      Bo_6a_lo = Bo_6a_lo2 + own_0_lo, Bo_6 = turned_6 + Bo_6a, Bo_6_right = Bo_6 - turned_6,
+      Bo_6_left = Bo_6 - Bo_6_right, Bo_6_left_rest = turned_6 - Bo_6_left,
+      Bo_6_right_rest = Bo_6a - Bo_6_right, Bo_6_lo1 = Bo_6_left_rest + Bo_6_right_rest,
+      Bo_6_lo2 = Bo_6_lo1 + Bo_6a_lo, Bo_6_lo = Bo_6_lo2 + turned_6_lo;
+  const double Bo_7a = D->m03 * moved_1, Bo_7a_cross2 = D->m03 * moved_1_lo,
+      Bo_7b = turned_7 - Bo_7a, Bo_7b_right = turned_7 - Bo_7b, Bo_7b_left = Bo_7b + Bo_7b_right,
+      Bo_7b_left_rest = turned_7 - Bo_7b_left,
+      Bo_7b_right_rest = ksl_product_rest(D->m03, moved_1, Bo_7a, Bo_7b_right),
+      Bo_7b_lo1 = Bo_7b_left_rest - Bo_7b_right_rest, Bo_7b_lo2 = Bo_7b_lo1 - Bo_7a_cross2,
+      Bo_7b_lo = Bo_7b_lo2 + turned_7_lo, Bo_7c = D->m13 * turned_1,
+      Bo_7c_cross2 = D->m13 * turned_1_lo, Bo_7 = Bo_7b - Bo_7c, Bo_7_right = Bo_7b - Bo_7,
+      Bo_7_left = Bo_7 + Bo_7_right, Bo_7_left_rest = Bo_7b - Bo_7_left,
+      Bo_7_right_rest = ksl_product_rest(D->m13, turned_1, Bo_7c, Bo_7_right),
+      Bo_7_lo1 = Bo_7_left_rest - Bo_7_right_rest, Bo_7_lo2 = Bo_7_lo1 - Bo_7c_cross2,
+      Bo_7_lo = Bo_7_lo2 + Bo_7b_lo;
+  const double Bo_8a = D->m03 * moved_2, Bo_8a_cross2 = D->m03 * moved_2_lo,
+      Bo_8b = turned_8 - Bo_8a, Bo_8b_right = turned_8 - Bo_8b, Bo_8b_left = Bo_8b + Bo_8b_right,
+      Bo_8b_left_rest = turned_8 - Bo_8b_left,
+      Bo_8b_right_rest = ksl_product_rest(D->m03, moved_2, Bo_8a, Bo_8b_right),
+      Bo_8b_lo1 = Bo_8b_left_rest - Bo_8b_right_rest, Bo_8b_lo2 = Bo_8b_lo1 - Bo_8a_cross2,
+      Bo_8b_lo = Bo_8b_lo2 + turned_8_lo, Bo_8c = D->m23 * turned_1,
+      Bo_8c_cross2 = D->m23 * turned_1_lo, Bo_8 = Bo_8b - Bo_8c, Bo_8_right = Bo_8b - Bo_8,
+      Bo_8_left = Bo_8 + Bo_8_right, Bo_8_left_rest = Bo_8b - Bo_8_left,
+      Bo_8_right_rest = ksl_product_rest(D->m23, turned_1, Bo_8c, Bo_8_right),
+      Bo_8_lo1 = Bo_8_left_rest - Bo_8_right_rest, Bo_8_lo2 = Bo_8_lo1 - Bo_8c_cross2,
+      Bo_8_lo = Bo_8_lo2 + Bo_8b_lo;
+  const double Bo_9a = D->m13 * moved_2, Bo_9a_cross2 = D->m13 * moved_2_lo,
+      Bo_9b = turned_9 - Bo_9a, Bo_9b_right = turned_9 - Bo_9b, Bo_9b_left = Bo_9b + Bo_9b_right,
+      Bo_9b_left_rest = turned_9 - Bo_9b_left,
+      Bo_9b_right_rest = ksl_product_rest(D->m13, moved_2, Bo_9a, Bo_9b_right),
+      Bo_9b_lo1 = Bo_9b_left_rest - Bo_9b_right_rest, Bo_9b_lo2 = Bo_9b_lo1 - Bo_9a_cross2,
+      Bo_9b_lo = Bo_9b_lo2 + turned_9_lo, Bo_9c = D->m23 * turned_2,
+      Bo_9c_cross2 = D->m23 * turned_2_lo, Bo_9 = Bo_9b - Bo_9c, Bo_9_right = Bo_9b - Bo_9,
+      Bo_9_left = Bo_9 + Bo_9_right, Bo_9_left_rest = Bo_9b - Bo_9_left,
+      Bo_9_right_rest = ksl_product_rest(D->m23, turned_2, Bo_9c, Bo_9_right),
+      Bo_9_lo1 = Bo_9_left_rest - Bo_9_right_rest, Bo_9_lo2 = Bo_9_lo1 - Bo_9c_cross2,
+      Bo_9_lo = Bo_9_lo2 + Bo_9b_lo;
   const double moved_0_rounded = moved_0 + moved_0_lo;
   const double moved_1_rounded = moved_1 + moved_1_lo;
   const double moved_2_rounded = moved_2 + moved_2_lo;
@@ -850,21 +1016,29 @@ static inline void ksl_inertia_transformed_accurate(const ksl_SE3_t *D, const ks
      positive exactly if a body of positive density has this inertia.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2).
-   43 mul, 97 add, 23 product error, 26 sum error, 20 div, 6 neg, 9 less, 1 equal, 26 select. */
+   43 mul, 201 add, 10 product error, 13 product rest, 20 div, 6 neg, 9 less, 1 equal, 26 select. */
 static inline double ksl_inertia_consistency_accurate(const ksl_inertia_t *B) {
-  const double trace_a = 0.5 * B->xx, trace_a_lo = ksl_product_error(0.5, B->xx, trace_a),
-      trace_b = 0.5 * B->yy, trace_b_lo = ksl_product_error(0.5, B->yy, trace_b),
-      trace_c = trace_a + trace_b, trace_c_error = ksl_sum_error(trace_a, trace_b, trace_c),
-      trace_c_lo1 = trace_c_error + trace_a_lo, trace_c_lo = trace_c_lo1 + trace_b_lo,
-      trace_d = 0.5 * B->zz, trace_d_lo = ksl_product_error(0.5, B->zz, trace_d),
-      trace = trace_c + trace_d, trace_error = ksl_sum_error(trace_c, trace_d, trace),
-      trace_lo1 = trace_error + trace_c_lo, trace_lo = trace_lo1 + trace_d_lo;
-  const double sigma_0 = trace - B->xx, sigma_0_error = ksl_difference_error(trace, B->xx, sigma_0),
-      sigma_0_lo = sigma_0_error + trace_lo;
-  const double sigma_1 = trace - B->yy, sigma_1_error = ksl_difference_error(trace, B->yy, sigma_1),
-      sigma_1_lo = sigma_1_error + trace_lo;
-  const double sigma_2 = trace - B->zz, sigma_2_error = ksl_difference_error(trace, B->zz, sigma_2),
-      sigma_2_lo = sigma_2_error + trace_lo;
+  const double trace_a = 0.5 * B->xx, trace_b = 0.5 * B->yy, trace_c = trace_a + trace_b,
+      trace_c_right = trace_c - trace_a, trace_c_left = trace_c - trace_c_right,
+      trace_c_left_rest = ksl_product_rest(0.5, B->xx, trace_a, trace_c_left),
+      trace_c_right_rest = ksl_product_rest(0.5, B->yy, trace_b, trace_c_right),
+      trace_c_lo = trace_c_left_rest + trace_c_right_rest, trace_d = 0.5 * B->zz,
+      trace = trace_c + trace_d, trace_right = trace - trace_c, trace_left = trace - trace_right,
+      trace_left_rest = trace_c - trace_left,
+      trace_right_rest = ksl_product_rest(0.5, B->zz, trace_d, trace_right),
+      trace_lo1 = trace_left_rest + trace_right_rest, trace_lo = trace_lo1 + trace_c_lo;
+  const double sigma_0 = trace - B->xx, sigma_0_right = trace - sigma_0,
+      sigma_0_left = sigma_0 + sigma_0_right, sigma_0_left_rest = trace - sigma_0_left,
+      sigma_0_right_rest = B->xx - sigma_0_right,
+      sigma_0_lo1 = sigma_0_left_rest - sigma_0_right_rest, sigma_0_lo = sigma_0_lo1 + trace_lo;
+  const double sigma_1 = trace - B->yy, sigma_1_right = trace - sigma_1,
+      sigma_1_left = sigma_1 + sigma_1_right, sigma_1_left_rest = trace - sigma_1_left,
+      sigma_1_right_rest = B->yy - sigma_1_right,
+      sigma_1_lo1 = sigma_1_left_rest - sigma_1_right_rest, sigma_1_lo = sigma_1_lo1 + trace_lo;
+  const double sigma_2 = trace - B->zz, sigma_2_right = trace - sigma_2,
+      sigma_2_left = sigma_2 + sigma_2_right, sigma_2_left_rest = trace - sigma_2_left,
+      sigma_2_right_rest = B->zz - sigma_2_right,
+      sigma_2_lo1 = sigma_2_left_rest - sigma_2_right_rest, sigma_2_lo = sigma_2_lo1 + trace_lo;
   const double divisor0 = 0.0 < B->m ? B->m : 1.0;
   const double l0_0 = B->h.x / divisor0, l0_0_product = l0_0 * divisor0,
       l0_0_product_error = ksl_product_error(l0_0, divisor0, l0_0_product),
@@ -878,133 +1052,173 @@ static inline double ksl_inertia_consistency_accurate(const ksl_inertia_t *B) {
       l0_2_product_error = ksl_product_error(l0_2, divisor0, l0_2_product),
       l0_2_rest = B->h.z - l0_2_product, l0_2_exact = l0_2_rest - l0_2_product_error,
       l0_2_lo = l0_2_exact / divisor0;
-  const double u1_0a = B->h.x * l0_0, u1_0a_cross1 = B->h.x * l0_0_lo,
-      u1_0a_error = ksl_product_error(B->h.x, l0_0, u1_0a), u1_0a_lo = u1_0a_error + u1_0a_cross1,
-      u1_0 = sigma_0 - u1_0a, u1_0_error = ksl_difference_error(sigma_0, u1_0a, u1_0),
-      u1_0_lo1 = u1_0_error + sigma_0_lo, u1_0_lo = u1_0_lo1 - u1_0a_lo;
-  const double u1_1a = B->h.y * l0_0, u1_1a_cross1 = B->h.y * l0_0_lo,
-      u1_1a_error = ksl_product_error(B->h.y, l0_0, u1_1a), u1_1a_lo = u1_1a_error + u1_1a_cross1,
-      u1_1b = u1_1a + B->xy, u1_1b_error = ksl_sum_error(u1_1a, B->xy, u1_1b),
-      u1_1b_lo = u1_1b_error + u1_1a_lo, u1_1 = -u1_1b, u1_1_lo = -u1_1b_lo;
-  const double u1_2a = B->h.z * l0_0, u1_2a_cross1 = B->h.z * l0_0_lo,
-      u1_2a_error = ksl_product_error(B->h.z, l0_0, u1_2a), u1_2a_lo = u1_2a_error + u1_2a_cross1,
-      u1_2b = u1_2a + B->xz, u1_2b_error = ksl_sum_error(u1_2a, B->xz, u1_2b),
-      u1_2b_lo = u1_2b_error + u1_2a_lo, u1_2 = -u1_2b, u1_2_lo = -u1_2b_lo;
+  const double u1_0a = B->h.x * l0_0, u1_0a_cross2 = B->h.x * l0_0_lo, u1_0 = sigma_0 - u1_0a,
+      u1_0_right = sigma_0 - u1_0, u1_0_left = u1_0 + u1_0_right,
+      u1_0_left_rest = sigma_0 - u1_0_left,
+      u1_0_right_rest = ksl_product_rest(B->h.x, l0_0, u1_0a, u1_0_right),
+      u1_0_lo1 = u1_0_left_rest - u1_0_right_rest, u1_0_lo2 = u1_0_lo1 - u1_0a_cross2,
+      u1_0_lo = u1_0_lo2 + sigma_0_lo;
+  const double u1_1a = B->h.y * l0_0, u1_1a_cross2 = B->h.y * l0_0_lo, u1_1b = u1_1a + B->xy,
+      u1_1b_right = u1_1b - u1_1a, u1_1b_left = u1_1b - u1_1b_right,
+      u1_1b_left_rest = ksl_product_rest(B->h.y, l0_0, u1_1a, u1_1b_left),
+      u1_1b_right_rest = B->xy - u1_1b_right, u1_1b_lo1 = u1_1b_left_rest + u1_1b_right_rest,
+      u1_1b_lo = u1_1b_lo1 + u1_1a_cross2, u1_1 = -u1_1b, u1_1_lo = -u1_1b_lo;
+  const double u1_2a = B->h.z * l0_0, u1_2a_cross2 = B->h.z * l0_0_lo, u1_2b = u1_2a + B->xz,
+      u1_2b_right = u1_2b - u1_2a, u1_2b_left = u1_2b - u1_2b_right,
+      u1_2b_left_rest = ksl_product_rest(B->h.z, l0_0, u1_2a, u1_2b_left),
+      u1_2b_right_rest = B->xz - u1_2b_right, u1_2b_lo1 = u1_2b_left_rest + u1_2b_right_rest,
+      u1_2b_lo = u1_2b_lo1 + u1_2a_cross2, u1_2 = -u1_2b, u1_2_lo = -u1_2b_lo;
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0, divisor1_lo = 0.0 < u1_0 ? u1_0_lo : 0.0;
-  const double l1_0_of_u1_1 = u1_1 + u1_1_lo,
-      l1_0_of_u1_1_lo = ksl_sum_error(u1_1, u1_1_lo, l1_0_of_u1_1),
+  const double l1_0_of_u1_1 = u1_1 + u1_1_lo, l1_0_of_u1_1_right = l1_0_of_u1_1 - u1_1,
+      l1_0_of_u1_1_left = l1_0_of_u1_1 - l1_0_of_u1_1_right,
+      l1_0_of_u1_1_left_rest = u1_1 - l1_0_of_u1_1_left,
+      l1_0_of_u1_1_right_rest = u1_1_lo - l1_0_of_u1_1_right,
+      l1_0_of_u1_1_lo = l1_0_of_u1_1_left_rest + l1_0_of_u1_1_right_rest,
       l1_0_of_divisor1 = divisor1 + divisor1_lo,
-      l1_0_of_divisor1_lo = ksl_sum_error(divisor1, divisor1_lo, l1_0_of_divisor1),
-      l1_0 = l1_0_of_u1_1 / l1_0_of_divisor1, l1_0_cross = l1_0 * l1_0_of_divisor1_lo,
-      l1_0_product = l1_0 * l1_0_of_divisor1,
+      l1_0_of_divisor1_right = l1_0_of_divisor1 - divisor1,
+      l1_0_of_divisor1_left = l1_0_of_divisor1 - l1_0_of_divisor1_right,
+      l1_0_of_divisor1_left_rest = divisor1 - l1_0_of_divisor1_left,
+      l1_0_of_divisor1_right_rest = divisor1_lo - l1_0_of_divisor1_right,
+      l1_0_of_divisor1_lo = l1_0_of_divisor1_left_rest + l1_0_of_divisor1_right_rest,
+      l1_0 = l1_0_of_u1_1 / l1_0_of_divisor1, l1_0_product = l1_0 * l1_0_of_divisor1,
       l1_0_product_error = ksl_product_error(l1_0, l1_0_of_divisor1, l1_0_product),
       l1_0_rest = l1_0_of_u1_1 - l1_0_product, l1_0_exact = l1_0_rest - l1_0_product_error,
-      l1_0_lo1 = l1_0_exact + l1_0_of_u1_1_lo, l1_0_residual = l1_0_lo1 - l1_0_cross,
-      l1_0_lo = l1_0_residual / l1_0_of_divisor1;
-  const double l1_1_of_u1_2 = u1_2 + u1_2_lo,
-      l1_1_of_u1_2_lo = ksl_sum_error(u1_2, u1_2_lo, l1_1_of_u1_2),
-      l1_1 = l1_1_of_u1_2 / l1_0_of_divisor1, l1_1_cross = l1_1 * l1_0_of_divisor1_lo,
-      l1_1_product = l1_1 * l1_0_of_divisor1,
+      l1_0_numerator = l1_0_exact + l1_0_of_u1_1_lo, l1_0_cross = l1_0 * l1_0_of_divisor1_lo,
+      l1_0_residual = l1_0_numerator - l1_0_cross, l1_0_lo = l1_0_residual / l1_0_of_divisor1;
+  const double l1_1_of_u1_2 = u1_2 + u1_2_lo, l1_1_of_u1_2_right = l1_1_of_u1_2 - u1_2,
+      l1_1_of_u1_2_left = l1_1_of_u1_2 - l1_1_of_u1_2_right,
+      l1_1_of_u1_2_left_rest = u1_2 - l1_1_of_u1_2_left,
+      l1_1_of_u1_2_right_rest = u1_2_lo - l1_1_of_u1_2_right,
+      l1_1_of_u1_2_lo = l1_1_of_u1_2_left_rest + l1_1_of_u1_2_right_rest,
+      l1_1 = l1_1_of_u1_2 / l1_0_of_divisor1, l1_1_product = l1_1 * l1_0_of_divisor1,
       l1_1_product_error = ksl_product_error(l1_1, l1_0_of_divisor1, l1_1_product),
       l1_1_rest = l1_1_of_u1_2 - l1_1_product, l1_1_exact = l1_1_rest - l1_1_product_error,
-      l1_1_lo1 = l1_1_exact + l1_1_of_u1_2_lo, l1_1_residual = l1_1_lo1 - l1_1_cross,
-      l1_1_lo = l1_1_residual / l1_0_of_divisor1;
-  const double u2_0a = B->h.y * l0_1, u2_0a_cross1 = B->h.y * l0_1_lo,
-      u2_0a_error = ksl_product_error(B->h.y, l0_1, u2_0a), u2_0a_lo = u2_0a_error + u2_0a_cross1,
-      u2_0b = sigma_1 - u2_0a, u2_0b_error = ksl_difference_error(sigma_1, u2_0a, u2_0b),
-      u2_0b_lo1 = u2_0b_error + sigma_1_lo, u2_0b_lo = u2_0b_lo1 - u2_0a_lo,
-      u2_0c = l1_0_of_u1_1 * l1_0, u2_0c_cross1 = l1_0_of_u1_1_lo * l1_0,
-      u2_0c_cross2 = l1_0_of_u1_1 * l1_0_lo,
-      u2_0c_error = ksl_product_error(l1_0_of_u1_1, l1_0, u2_0c),
-      u2_0c_lo1 = u2_0c_error + u2_0c_cross1, u2_0c_lo = u2_0c_lo1 + u2_0c_cross2,
-      u2_0 = u2_0b - u2_0c, u2_0_error = ksl_difference_error(u2_0b, u2_0c, u2_0),
-      u2_0_lo1 = u2_0_error + u2_0b_lo, u2_0_lo = u2_0_lo1 - u2_0c_lo;
-  const double u2_1a = B->h.z * l0_1, u2_1a_cross1 = B->h.z * l0_1_lo,
-      u2_1a_error = ksl_product_error(B->h.z, l0_1, u2_1a), u2_1a_lo = u2_1a_error + u2_1a_cross1,
-      u2_1b = u2_1a + B->yz, u2_1b_error = ksl_sum_error(u2_1a, B->yz, u2_1b),
-      u2_1b_lo = u2_1b_error + u2_1a_lo, u2_1c = l1_1_of_u1_2 * l1_0,
+      l1_1_numerator = l1_1_exact + l1_1_of_u1_2_lo, l1_1_cross = l1_1 * l1_0_of_divisor1_lo,
+      l1_1_residual = l1_1_numerator - l1_1_cross, l1_1_lo = l1_1_residual / l1_0_of_divisor1;
+  const double u2_0a = B->h.y * l0_1, u2_0a_cross2 = B->h.y * l0_1_lo, u2_0b = sigma_1 - u2_0a,
+      u2_0b_right = sigma_1 - u2_0b, u2_0b_left = u2_0b + u2_0b_right,
+      u2_0b_left_rest = sigma_1 - u2_0b_left,
+      u2_0b_right_rest = ksl_product_rest(B->h.y, l0_1, u2_0a, u2_0b_right),
+      u2_0b_lo1 = u2_0b_left_rest - u2_0b_right_rest, u2_0b_lo2 = u2_0b_lo1 - u2_0a_cross2,
+      u2_0b_lo = u2_0b_lo2 + sigma_1_lo, u2_0c = l1_0_of_u1_1 * l1_0,
+      u2_0c_cross1 = l1_0_of_u1_1_lo * l1_0, u2_0c_cross2 = l1_0_of_u1_1 * l1_0_lo,
+      u2_0c_cross = u2_0c_cross1 + u2_0c_cross2, u2_0 = u2_0b - u2_0c, u2_0_right = u2_0b - u2_0,
+      u2_0_left = u2_0 + u2_0_right, u2_0_left_rest = u2_0b - u2_0_left,
+      u2_0_right_rest = ksl_product_rest(l1_0_of_u1_1, l1_0, u2_0c, u2_0_right),
+      u2_0_lo1 = u2_0_left_rest - u2_0_right_rest, u2_0_lo2 = u2_0_lo1 - u2_0c_cross,
+      u2_0_lo = u2_0_lo2 + u2_0b_lo;
+  const double u2_1a = B->h.z * l0_1, u2_1a_cross2 = B->h.z * l0_1_lo, u2_1b = u2_1a + B->yz,
+      u2_1b_right = u2_1b - u2_1a, u2_1b_left = u2_1b - u2_1b_right,
+      u2_1b_left_rest = ksl_product_rest(B->h.z, l0_1, u2_1a, u2_1b_left),
+      u2_1b_right_rest = B->yz - u2_1b_right, u2_1b_lo1 = u2_1b_left_rest + u2_1b_right_rest,
+      u2_1b_lo = u2_1b_lo1 + u2_1a_cross2, u2_1c = l1_1_of_u1_2 * l1_0,
       u2_1c_cross1 = l1_1_of_u1_2_lo * l1_0, u2_1c_cross2 = l1_1_of_u1_2 * l1_0_lo,
-      u2_1c_error = ksl_product_error(l1_1_of_u1_2, l1_0, u2_1c),
-      u2_1c_lo1 = u2_1c_error + u2_1c_cross1, u2_1c_lo = u2_1c_lo1 + u2_1c_cross2,
-      u2_1d = u2_1b + u2_1c, u2_1d_error = ksl_sum_error(u2_1b, u2_1c, u2_1d),
-      u2_1d_lo1 = u2_1d_error + u2_1b_lo, u2_1d_lo = u2_1d_lo1 + u2_1c_lo, u2_1 = -u2_1d,
-      u2_1_lo = -u2_1d_lo;
+      u2_1c_cross = u2_1c_cross1 + u2_1c_cross2, u2_1d = u2_1b + u2_1c, u2_1d_right = u2_1d - u2_1b,
+      u2_1d_left = u2_1d - u2_1d_right, u2_1d_left_rest = u2_1b - u2_1d_left,
+      u2_1d_right_rest = ksl_product_rest(l1_1_of_u1_2, l1_0, u2_1c, u2_1d_right),
+      u2_1d_lo1 = u2_1d_left_rest + u2_1d_right_rest, u2_1d_lo2 = u2_1d_lo1 + u2_1c_cross,
+      u2_1d_lo = u2_1d_lo2 + u2_1b_lo, u2_1 = -u2_1d, u2_1_lo = -u2_1d_lo;
   const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0, divisor2_lo = 0.0 < u2_0 ? u2_0_lo : 0.0;
-  const double l2_of_u2_1 = u2_1 + u2_1_lo,
-      l2_of_u2_1_lo = ksl_sum_error(u2_1, u2_1_lo, l2_of_u2_1),
-      l2_of_divisor2 = divisor2 + divisor2_lo,
-      l2_of_divisor2_lo = ksl_sum_error(divisor2, divisor2_lo, l2_of_divisor2),
-      l2 = l2_of_u2_1 / l2_of_divisor2, l2_cross = l2 * l2_of_divisor2_lo,
-      l2_product = l2 * l2_of_divisor2,
+  const double l2_of_u2_1 = u2_1 + u2_1_lo, l2_of_u2_1_right = l2_of_u2_1 - u2_1,
+      l2_of_u2_1_left = l2_of_u2_1 - l2_of_u2_1_right,
+      l2_of_u2_1_left_rest = u2_1 - l2_of_u2_1_left,
+      l2_of_u2_1_right_rest = u2_1_lo - l2_of_u2_1_right,
+      l2_of_u2_1_lo = l2_of_u2_1_left_rest + l2_of_u2_1_right_rest,
+      l2_of_divisor2 = divisor2 + divisor2_lo, l2_of_divisor2_right = l2_of_divisor2 - divisor2,
+      l2_of_divisor2_left = l2_of_divisor2 - l2_of_divisor2_right,
+      l2_of_divisor2_left_rest = divisor2 - l2_of_divisor2_left,
+      l2_of_divisor2_right_rest = divisor2_lo - l2_of_divisor2_right,
+      l2_of_divisor2_lo = l2_of_divisor2_left_rest + l2_of_divisor2_right_rest,
+      l2 = l2_of_u2_1 / l2_of_divisor2, l2_product = l2 * l2_of_divisor2,
       l2_product_error = ksl_product_error(l2, l2_of_divisor2, l2_product),
       l2_rest = l2_of_u2_1 - l2_product, l2_exact = l2_rest - l2_product_error,
-      l2_lo1 = l2_exact + l2_of_u2_1_lo, l2_residual = l2_lo1 - l2_cross,
-      l2_lo = l2_residual / l2_of_divisor2;
-  const double u3a = B->h.z * l0_2, u3a_cross1 = B->h.z * l0_2_lo,
-      u3a_error = ksl_product_error(B->h.z, l0_2, u3a), u3a_lo = u3a_error + u3a_cross1,
-      u3b = sigma_2 - u3a, u3b_error = ksl_difference_error(sigma_2, u3a, u3b),
-      u3b_lo1 = u3b_error + sigma_2_lo, u3b_lo = u3b_lo1 - u3a_lo, u3c = l1_1_of_u1_2 * l1_1,
-      u3c_cross1 = l1_1_of_u1_2_lo * l1_1, u3c_cross2 = l1_1_of_u1_2 * l1_1_lo,
-      u3c_error = ksl_product_error(l1_1_of_u1_2, l1_1, u3c), u3c_lo1 = u3c_error + u3c_cross1,
-      u3c_lo = u3c_lo1 + u3c_cross2, u3d = u3b - u3c,
-      u3d_error = ksl_difference_error(u3b, u3c, u3d), u3d_lo1 = u3d_error + u3b_lo,
-      u3d_lo = u3d_lo1 - u3c_lo, u3e = l2_of_u2_1 * l2, u3e_cross1 = l2_of_u2_1_lo * l2,
-      u3e_cross2 = l2_of_u2_1 * l2_lo, u3e_error = ksl_product_error(l2_of_u2_1, l2, u3e),
-      u3e_lo1 = u3e_error + u3e_cross1, u3e_lo = u3e_lo1 + u3e_cross2, u3 = u3d - u3e,
-      u3_error = ksl_difference_error(u3d, u3e, u3), u3_lo1 = u3_error + u3d_lo,
-      u3_lo = u3_lo1 - u3e_lo;
+      l2_numerator = l2_exact + l2_of_u2_1_lo, l2_cross = l2 * l2_of_divisor2_lo,
+      l2_residual = l2_numerator - l2_cross, l2_lo = l2_residual / l2_of_divisor2;
+  const double u3a = B->h.z * l0_2, u3a_cross2 = B->h.z * l0_2_lo, u3b = sigma_2 - u3a,
+      u3b_right = sigma_2 - u3b, u3b_left = u3b + u3b_right, u3b_left_rest = sigma_2 - u3b_left,
+      u3b_right_rest = ksl_product_rest(B->h.z, l0_2, u3a, u3b_right),
+      u3b_lo1 = u3b_left_rest - u3b_right_rest, u3b_lo2 = u3b_lo1 - u3a_cross2,
+      u3b_lo = u3b_lo2 + sigma_2_lo, u3c = l1_1_of_u1_2 * l1_1, u3c_cross1 = l1_1_of_u1_2_lo * l1_1,
+      u3c_cross2 = l1_1_of_u1_2 * l1_1_lo, u3c_cross = u3c_cross1 + u3c_cross2, u3d = u3b - u3c,
+      u3d_right = u3b - u3d, u3d_left = u3d + u3d_right, u3d_left_rest = u3b - u3d_left,
+      u3d_right_rest = ksl_product_rest(l1_1_of_u1_2, l1_1, u3c, u3d_right),
+      u3d_lo1 = u3d_left_rest - u3d_right_rest, u3d_lo2 = u3d_lo1 - u3c_cross,
+      u3d_lo = u3d_lo2 + u3b_lo, u3e = l2_of_u2_1 * l2, u3e_cross1 = l2_of_u2_1_lo * l2,
+      u3e_cross2 = l2_of_u2_1 * l2_lo, u3e_cross = u3e_cross1 + u3e_cross2, u3 = u3d - u3e,
+      u3_right = u3d - u3, u3_left = u3 + u3_right, u3_left_rest = u3d - u3_left,
+      u3_right_rest = ksl_product_rest(l2_of_u2_1, l2, u3e, u3_right),
+      u3_lo1 = u3_left_rest - u3_right_rest, u3_lo2 = u3_lo1 - u3e_cross, u3_lo = u3_lo2 + u3d_lo;
   const double part0a = B->m / divisor0, part0a_product = part0a * divisor0,
       part0a_product_error = ksl_product_error(part0a, divisor0, part0a_product),
       part0a_rest = B->m - part0a_product, part0a_exact = part0a_rest - part0a_product_error,
       part0a_lo = part0a_exact / divisor0, part0 = 0.0 < B->m ? part0a : B->m,
       part0_lo = 0.0 < B->m ? part0a_lo : 0.0;
   const double own1 = 0.0 < sigma_0 ? sigma_0 : 1.0, own1_lo = 0.0 < sigma_0 ? sigma_0_lo : 0.0;
-  const double part1a_of_u1_0 = u1_0 + u1_0_lo,
-      part1a_of_u1_0_lo = ksl_sum_error(u1_0, u1_0_lo, part1a_of_u1_0),
-      part1a_of_own1 = own1 + own1_lo,
-      part1a_of_own1_lo = ksl_sum_error(own1, own1_lo, part1a_of_own1),
-      part1a = part1a_of_u1_0 / part1a_of_own1, part1a_cross = part1a * part1a_of_own1_lo,
-      part1a_product = part1a * part1a_of_own1,
+  const double part1a_of_u1_0 = u1_0 + u1_0_lo, part1a_of_u1_0_right = part1a_of_u1_0 - u1_0,
+      part1a_of_u1_0_left = part1a_of_u1_0 - part1a_of_u1_0_right,
+      part1a_of_u1_0_left_rest = u1_0 - part1a_of_u1_0_left,
+      part1a_of_u1_0_right_rest = u1_0_lo - part1a_of_u1_0_right,
+      part1a_of_u1_0_lo = part1a_of_u1_0_left_rest + part1a_of_u1_0_right_rest,
+      part1a_of_own1 = own1 + own1_lo, part1a_of_own1_right = part1a_of_own1 - own1,
+      part1a_of_own1_left = part1a_of_own1 - part1a_of_own1_right,
+      part1a_of_own1_left_rest = own1 - part1a_of_own1_left,
+      part1a_of_own1_right_rest = own1_lo - part1a_of_own1_right,
+      part1a_of_own1_lo = part1a_of_own1_left_rest + part1a_of_own1_right_rest,
+      part1a = part1a_of_u1_0 / part1a_of_own1, part1a_product = part1a * part1a_of_own1,
       part1a_product_error = ksl_product_error(part1a, part1a_of_own1, part1a_product),
       part1a_rest = part1a_of_u1_0 - part1a_product,
       part1a_exact = part1a_rest - part1a_product_error,
-      part1a_lo1 = part1a_exact + part1a_of_u1_0_lo, part1a_residual = part1a_lo1 - part1a_cross,
+      part1a_numerator = part1a_exact + part1a_of_u1_0_lo,
+      part1a_cross = part1a * part1a_of_own1_lo, part1a_residual = part1a_numerator - part1a_cross,
       part1a_lo = part1a_residual / part1a_of_own1, part1 = 0.0 < sigma_0 ? part1a : sigma_0,
       part1_lo = 0.0 < sigma_0 ? part1a_lo : sigma_0_lo;
   const double smallest1 = part0 < part1 ? part0 : part1,
       smallest1_lo = part0 < part1 ? part0_lo : part1_lo;
   const double own2 = 0.0 < sigma_1 ? sigma_1 : 1.0, own2_lo = 0.0 < sigma_1 ? sigma_1_lo : 0.0;
-  const double part2a_of_u2_0 = u2_0 + u2_0_lo,
-      part2a_of_u2_0_lo = ksl_sum_error(u2_0, u2_0_lo, part2a_of_u2_0),
-      part2a_of_own2 = own2 + own2_lo,
-      part2a_of_own2_lo = ksl_sum_error(own2, own2_lo, part2a_of_own2),
-      part2a = part2a_of_u2_0 / part2a_of_own2, part2a_cross = part2a * part2a_of_own2_lo,
-      part2a_product = part2a * part2a_of_own2,
+  const double part2a_of_u2_0 = u2_0 + u2_0_lo, part2a_of_u2_0_right = part2a_of_u2_0 - u2_0,
+      part2a_of_u2_0_left = part2a_of_u2_0 - part2a_of_u2_0_right,
+      part2a_of_u2_0_left_rest = u2_0 - part2a_of_u2_0_left,
+      part2a_of_u2_0_right_rest = u2_0_lo - part2a_of_u2_0_right,
+      part2a_of_u2_0_lo = part2a_of_u2_0_left_rest + part2a_of_u2_0_right_rest,
+      part2a_of_own2 = own2 + own2_lo, part2a_of_own2_right = part2a_of_own2 - own2,
+      part2a_of_own2_left = part2a_of_own2 - part2a_of_own2_right,
+      part2a_of_own2_left_rest = own2 - part2a_of_own2_left,
+      part2a_of_own2_right_rest = own2_lo - part2a_of_own2_right,
+      part2a_of_own2_lo = part2a_of_own2_left_rest + part2a_of_own2_right_rest,
+      part2a = part2a_of_u2_0 / part2a_of_own2, part2a_product = part2a * part2a_of_own2,
       part2a_product_error = ksl_product_error(part2a, part2a_of_own2, part2a_product),
       part2a_rest = part2a_of_u2_0 - part2a_product,
       part2a_exact = part2a_rest - part2a_product_error,
-      part2a_lo1 = part2a_exact + part2a_of_u2_0_lo, part2a_residual = part2a_lo1 - part2a_cross,
+      part2a_numerator = part2a_exact + part2a_of_u2_0_lo,
+      part2a_cross = part2a * part2a_of_own2_lo, part2a_residual = part2a_numerator - part2a_cross,
       part2a_lo = part2a_residual / part2a_of_own2, part2 = 0.0 < sigma_1 ? part2a : sigma_1,
       part2_lo = 0.0 < sigma_1 ? part2a_lo : sigma_1_lo;
   const double smallest2 = smallest1 < part2 ? smallest1 : part2,
       smallest2_lo = smallest1 < part2 ? smallest1_lo : part2_lo;
   const double own3 = 0.0 < sigma_2 ? sigma_2 : 1.0, own3_lo = 0.0 < sigma_2 ? sigma_2_lo : 0.0;
-  const double part3a_of_u3 = u3 + u3_lo, part3a_of_u3_lo = ksl_sum_error(u3, u3_lo, part3a_of_u3),
-      part3a_of_own3 = own3 + own3_lo,
-      part3a_of_own3_lo = ksl_sum_error(own3, own3_lo, part3a_of_own3),
-      part3a = part3a_of_u3 / part3a_of_own3, part3a_cross = part3a * part3a_of_own3_lo,
-      part3a_product = part3a * part3a_of_own3,
+  const double part3a_of_u3 = u3 + u3_lo, part3a_of_u3_right = part3a_of_u3 - u3,
+      part3a_of_u3_left = part3a_of_u3 - part3a_of_u3_right,
+      part3a_of_u3_left_rest = u3 - part3a_of_u3_left,
+      part3a_of_u3_right_rest = u3_lo - part3a_of_u3_right,
+      part3a_of_u3_lo = part3a_of_u3_left_rest + part3a_of_u3_right_rest,
+      part3a_of_own3 = own3 + own3_lo, part3a_of_own3_right = part3a_of_own3 - own3,
+      part3a_of_own3_left = part3a_of_own3 - part3a_of_own3_right,
+      part3a_of_own3_left_rest = own3 - part3a_of_own3_left,
+      part3a_of_own3_right_rest = own3_lo - part3a_of_own3_right,
+      part3a_of_own3_lo = part3a_of_own3_left_rest + part3a_of_own3_right_rest,
+      part3a = part3a_of_u3 / part3a_of_own3, part3a_product = part3a * part3a_of_own3,
       part3a_product_error = ksl_product_error(part3a, part3a_of_own3, part3a_product),
       part3a_rest = part3a_of_u3 - part3a_product,
       part3a_exact = part3a_rest - part3a_product_error,
-      part3a_lo1 = part3a_exact + part3a_of_u3_lo, part3a_residual = part3a_lo1 - part3a_cross,
+      part3a_numerator = part3a_exact + part3a_of_u3_lo, part3a_cross = part3a * part3a_of_own3_lo,
+      part3a_residual = part3a_numerator - part3a_cross,
       part3a_lo = part3a_residual / part3a_of_own3, part3 = 0.0 < sigma_2 ? part3a : sigma_2,
       part3_lo = 0.0 < sigma_2 ? part3a_lo : sigma_2_lo;
   const double smallest3 = smallest2 < part3 ? smallest2 : part3,
       smallest3_lo = smallest2 < part3 ? smallest2_lo : part3_lo;
-  const double smallest3_total = smallest3 + smallest3_lo,
-      smallest3_rounded = smallest3_total == smallest3_total ? smallest3_total : smallest3;
-  return smallest3_rounded;
+  const double smallest3_rounded = smallest3 + smallest3_lo,
+      smallest3_final = smallest3_rounded == smallest3_rounded ? smallest3_rounded : smallest3;
+  return smallest3_final;
 }
 
 /* self = a self.

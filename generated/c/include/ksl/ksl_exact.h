@@ -13,22 +13,16 @@
 #error "-ffast-math undoes compensated arithmetic"
 #endif
 
-/* a + b - s exactly, s the rounded sum (Knuth, TwoSum). */
-static inline double ksl_sum_error(const double a, const double b, const double s) {
-  const double t = s - a, u = s - t, v = a - u, w = b - t;
-  return v + w;
-}
-
-/* a - b - s exactly, s the rounded difference. */
-static inline double ksl_difference_error(const double a, const double b, const double s) {
-  const double t = s - a, u = s - t, v = a - u, w = b + t;
-  return v - w;
-}
+#if defined(__FMA__) || defined(__ARM_FEATURE_FMA) || defined(FP_FAST_FMA)
+#define KSL_HAS_FMA 1
+#else
+#define KSL_HAS_FMA 0
+#endif
 
 /* a b - p exactly, p the rounded product: by fma where that is an instruction, else in halves of
    26 bits (Veltkamp, Dekker).  Both give the same bits. */
 static inline double ksl_product_error(const double a, const double b, const double p) {
-#if defined(__FMA__) || defined(__ARM_FEATURE_FMA) || defined(FP_FAST_FMA)
+#if KSL_HAS_FMA
   return fma(a, b, -p);
 #else
   const double splitter = 134217729.0; /* 2^27 + 1 */
@@ -37,6 +31,18 @@ static inline double ksl_product_error(const double a, const double b, const dou
   const double high = a_high * b_high, cross1 = a_high * b_low, cross2 = a_low * b_high;
   const double low = a_low * b_low, g = high - p, h = g + cross1, i = h + cross2;
   return i + low;
+#endif
+}
+
+/* a b - h rounded once, where p is a b rounded and p - h is exact. */
+static inline double ksl_product_rest(
+    const double a, const double b, const double p, const double h) {
+#if KSL_HAS_FMA
+  (void)p;
+  return fma(a, b, -h);
+#else
+  const double rest = p - h, error = ksl_product_error(a, b, p);
+  return rest + error;
 #endif
 }
 

@@ -8,32 +8,35 @@
 
 /* vo = R v.
    R: rotation or other 3×3 matrix; v, vo: vector.
-   9 mul, 21 add, 9 product error, 6 sum error.
-   Error <= u |result| + 10 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   9 mul, 33 add, 9 product rest.
+   Error <= u |result| + 11 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_drv_accurate(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * v->x, vo_0a_lo = ksl_product_error(R->m00, v->x, vo_0a),
-      vo_0b = R->m01 * v->y, vo_0b_lo = ksl_product_error(R->m01, v->y, vo_0b),
-      vo_0c = vo_0a + vo_0b, vo_0c_error = ksl_sum_error(vo_0a, vo_0b, vo_0c),
-      vo_0c_lo1 = vo_0c_error + vo_0a_lo, vo_0c_lo = vo_0c_lo1 + vo_0b_lo, vo_0d = R->m02 * v->z,
-      vo_0d_lo = ksl_product_error(R->m02, v->z, vo_0d), vo_0 = vo_0c + vo_0d,
-      vo_0_error = ksl_sum_error(vo_0c, vo_0d, vo_0), vo_0_lo1 = vo_0_error + vo_0c_lo,
-      vo_0_lo = vo_0_lo1 + vo_0d_lo;
-  const double vo_1a = R->m10 * v->x, vo_1a_lo = ksl_product_error(R->m10, v->x, vo_1a),
-      vo_1b = R->m11 * v->y, vo_1b_lo = ksl_product_error(R->m11, v->y, vo_1b),
-      vo_1c = vo_1a + vo_1b, vo_1c_error = ksl_sum_error(vo_1a, vo_1b, vo_1c),
-      vo_1c_lo1 = vo_1c_error + vo_1a_lo, vo_1c_lo = vo_1c_lo1 + vo_1b_lo, vo_1d = R->m12 * v->z,
-      vo_1d_lo = ksl_product_error(R->m12, v->z, vo_1d), vo_1 = vo_1c + vo_1d,
-      vo_1_error = ksl_sum_error(vo_1c, vo_1d, vo_1), vo_1_lo1 = vo_1_error + vo_1c_lo,
-      vo_1_lo = vo_1_lo1 + vo_1d_lo;
-  const double vo_2a = R->m20 * v->x, vo_2a_lo = ksl_product_error(R->m20, v->x, vo_2a),
-      vo_2b = R->m21 * v->y, vo_2b_lo = ksl_product_error(R->m21, v->y, vo_2b),
-      vo_2c = vo_2a + vo_2b, vo_2c_error = ksl_sum_error(vo_2a, vo_2b, vo_2c),
-      vo_2c_lo1 = vo_2c_error + vo_2a_lo, vo_2c_lo = vo_2c_lo1 + vo_2b_lo, vo_2d = R->m22 * v->z,
-      vo_2d_lo = ksl_product_error(R->m22, v->z, vo_2d), vo_2 = vo_2c + vo_2d,
-      vo_2_error = ksl_sum_error(vo_2c, vo_2d, vo_2), vo_2_lo1 = vo_2_error + vo_2c_lo,
-      vo_2_lo = vo_2_lo1 + vo_2d_lo;
+  const double vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
+      vo_0c_right = vo_0c - vo_0a, vo_0c_left = vo_0c - vo_0c_right,
+      vo_0c_left_rest = ksl_product_rest(R->m00, v->x, vo_0a, vo_0c_left),
+      vo_0c_right_rest = ksl_product_rest(R->m01, v->y, vo_0b, vo_0c_right),
+      vo_0c_lo = vo_0c_left_rest + vo_0c_right_rest, vo_0d = R->m02 * v->z, vo_0 = vo_0c + vo_0d,
+      vo_0_right = vo_0 - vo_0c, vo_0_left = vo_0 - vo_0_right, vo_0_left_rest = vo_0c - vo_0_left,
+      vo_0_right_rest = ksl_product_rest(R->m02, v->z, vo_0d, vo_0_right),
+      vo_0_lo1 = vo_0_left_rest + vo_0_right_rest, vo_0_lo = vo_0_lo1 + vo_0c_lo;
+  const double vo_1a = R->m10 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
+      vo_1c_right = vo_1c - vo_1a, vo_1c_left = vo_1c - vo_1c_right,
+      vo_1c_left_rest = ksl_product_rest(R->m10, v->x, vo_1a, vo_1c_left),
+      vo_1c_right_rest = ksl_product_rest(R->m11, v->y, vo_1b, vo_1c_right),
+      vo_1c_lo = vo_1c_left_rest + vo_1c_right_rest, vo_1d = R->m12 * v->z, vo_1 = vo_1c + vo_1d,
+      vo_1_right = vo_1 - vo_1c, vo_1_left = vo_1 - vo_1_right, vo_1_left_rest = vo_1c - vo_1_left,
+      vo_1_right_rest = ksl_product_rest(R->m12, v->z, vo_1d, vo_1_right),
+      vo_1_lo1 = vo_1_left_rest + vo_1_right_rest, vo_1_lo = vo_1_lo1 + vo_1c_lo;
+  const double vo_2a = R->m20 * v->x, vo_2b = R->m21 * v->y, vo_2c = vo_2a + vo_2b,
+      vo_2c_right = vo_2c - vo_2a, vo_2c_left = vo_2c - vo_2c_right,
+      vo_2c_left_rest = ksl_product_rest(R->m20, v->x, vo_2a, vo_2c_left),
+      vo_2c_right_rest = ksl_product_rest(R->m21, v->y, vo_2b, vo_2c_right),
+      vo_2c_lo = vo_2c_left_rest + vo_2c_right_rest, vo_2d = R->m22 * v->z, vo_2 = vo_2c + vo_2d,
+      vo_2_right = vo_2 - vo_2c, vo_2_left = vo_2 - vo_2_right, vo_2_left_rest = vo_2c - vo_2_left,
+      vo_2_right_rest = ksl_product_rest(R->m22, v->z, vo_2d, vo_2_right),
+      vo_2_lo1 = vo_2_left_rest + vo_2_right_rest, vo_2_lo = vo_2_lo1 + vo_2c_lo;
   const double vo_0_rounded = vo_0 + vo_0_lo;
   const double vo_1_rounded = vo_1 + vo_1_lo;
   const double vo_2_rounded = vo_2 + vo_2_lo;
@@ -44,32 +47,41 @@ static inline void ksl_product_drv_accurate(const ksl_mat3x3_t *R, const ksl_vec
 
 /* vo = R (-v).
    R: rotation or other 3×3 matrix; v, vo: vector.
-   9 mul, 21 add, 9 product error, 6 sum error, 6 neg.
-   Error <= u |result| + 10 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   9 mul, 33 add, 9 product rest, 6 neg.
+   Error <= u |result| + 11 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_drvinv_accurate(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * v->x, vo_0a_lo = ksl_product_error(R->m00, v->x, vo_0a),
-      vo_0b = R->m01 * v->y, vo_0b_lo = ksl_product_error(R->m01, v->y, vo_0b),
-      vo_0c = vo_0a + vo_0b, vo_0c_error = ksl_sum_error(vo_0a, vo_0b, vo_0c),
-      vo_0c_lo1 = vo_0c_error + vo_0a_lo, vo_0c_lo = vo_0c_lo1 + vo_0b_lo, vo_0d = R->m02 * v->z,
-      vo_0d_lo = ksl_product_error(R->m02, v->z, vo_0d), vo_0e = vo_0c + vo_0d,
-      vo_0e_error = ksl_sum_error(vo_0c, vo_0d, vo_0e), vo_0e_lo1 = vo_0e_error + vo_0c_lo,
-      vo_0e_lo = vo_0e_lo1 + vo_0d_lo, vo_0 = -vo_0e, vo_0_lo = -vo_0e_lo;
-  const double vo_1a = R->m10 * v->x, vo_1a_lo = ksl_product_error(R->m10, v->x, vo_1a),
-      vo_1b = R->m11 * v->y, vo_1b_lo = ksl_product_error(R->m11, v->y, vo_1b),
-      vo_1c = vo_1a + vo_1b, vo_1c_error = ksl_sum_error(vo_1a, vo_1b, vo_1c),
-      vo_1c_lo1 = vo_1c_error + vo_1a_lo, vo_1c_lo = vo_1c_lo1 + vo_1b_lo, vo_1d = R->m12 * v->z,
-      vo_1d_lo = ksl_product_error(R->m12, v->z, vo_1d), vo_1e = vo_1c + vo_1d,
-      vo_1e_error = ksl_sum_error(vo_1c, vo_1d, vo_1e), vo_1e_lo1 = vo_1e_error + vo_1c_lo,
-      vo_1e_lo = vo_1e_lo1 + vo_1d_lo, vo_1 = -vo_1e, vo_1_lo = -vo_1e_lo;
-  const double vo_2a = R->m20 * v->x, vo_2a_lo = ksl_product_error(R->m20, v->x, vo_2a),
-      vo_2b = R->m21 * v->y, vo_2b_lo = ksl_product_error(R->m21, v->y, vo_2b),
-      vo_2c = vo_2a + vo_2b, vo_2c_error = ksl_sum_error(vo_2a, vo_2b, vo_2c),
-      vo_2c_lo1 = vo_2c_error + vo_2a_lo, vo_2c_lo = vo_2c_lo1 + vo_2b_lo, vo_2d = R->m22 * v->z,
-      vo_2d_lo = ksl_product_error(R->m22, v->z, vo_2d), vo_2e = vo_2c + vo_2d,
-      vo_2e_error = ksl_sum_error(vo_2c, vo_2d, vo_2e), vo_2e_lo1 = vo_2e_error + vo_2c_lo,
-      vo_2e_lo = vo_2e_lo1 + vo_2d_lo, vo_2 = -vo_2e, vo_2_lo = -vo_2e_lo;
+  const double vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
+      vo_0c_right = vo_0c - vo_0a, vo_0c_left = vo_0c - vo_0c_right,
+      vo_0c_left_rest = ksl_product_rest(R->m00, v->x, vo_0a, vo_0c_left),
+      vo_0c_right_rest = ksl_product_rest(R->m01, v->y, vo_0b, vo_0c_right),
+      vo_0c_lo = vo_0c_left_rest + vo_0c_right_rest, vo_0d = R->m02 * v->z, vo_0e = vo_0c + vo_0d,
+      vo_0e_right = vo_0e - vo_0c, vo_0e_left = vo_0e - vo_0e_right,
+      vo_0e_left_rest = vo_0c - vo_0e_left,
+      vo_0e_right_rest = ksl_product_rest(R->m02, v->z, vo_0d, vo_0e_right),
+      vo_0e_lo1 = vo_0e_left_rest + vo_0e_right_rest, vo_0e_lo = vo_0e_lo1 + vo_0c_lo,
+      vo_0 = -vo_0e, vo_0_lo = -vo_0e_lo;
+  const double vo_1a = R->m10 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
+      vo_1c_right = vo_1c - vo_1a, vo_1c_left = vo_1c - vo_1c_right,
+      vo_1c_left_rest = ksl_product_rest(R->m10, v->x, vo_1a, vo_1c_left),
+      vo_1c_right_rest = ksl_product_rest(R->m11, v->y, vo_1b, vo_1c_right),
+      vo_1c_lo = vo_1c_left_rest + vo_1c_right_rest, vo_1d = R->m12 * v->z, vo_1e = vo_1c + vo_1d,
+      vo_1e_right = vo_1e - vo_1c, vo_1e_left = vo_1e - vo_1e_right,
+      vo_1e_left_rest = vo_1c - vo_1e_left,
+      vo_1e_right_rest = ksl_product_rest(R->m12, v->z, vo_1d, vo_1e_right),
+      vo_1e_lo1 = vo_1e_left_rest + vo_1e_right_rest, vo_1e_lo = vo_1e_lo1 + vo_1c_lo,
+      vo_1 = -vo_1e, vo_1_lo = -vo_1e_lo;
+  const double vo_2a = R->m20 * v->x, vo_2b = R->m21 * v->y, vo_2c = vo_2a + vo_2b,
+      vo_2c_right = vo_2c - vo_2a, vo_2c_left = vo_2c - vo_2c_right,
+      vo_2c_left_rest = ksl_product_rest(R->m20, v->x, vo_2a, vo_2c_left),
+      vo_2c_right_rest = ksl_product_rest(R->m21, v->y, vo_2b, vo_2c_right),
+      vo_2c_lo = vo_2c_left_rest + vo_2c_right_rest, vo_2d = R->m22 * v->z, vo_2e = vo_2c + vo_2d,
+      vo_2e_right = vo_2e - vo_2c, vo_2e_left = vo_2e - vo_2e_right,
+      vo_2e_left_rest = vo_2c - vo_2e_left,
+      vo_2e_right_rest = ksl_product_rest(R->m22, v->z, vo_2d, vo_2e_right),
+      vo_2e_lo1 = vo_2e_left_rest + vo_2e_right_rest, vo_2e_lo = vo_2e_lo1 + vo_2c_lo,
+      vo_2 = -vo_2e, vo_2_lo = -vo_2e_lo;
   const double vo_0_rounded = vo_0 + vo_0_lo;
   const double vo_1_rounded = vo_1 + vo_1_lo;
   const double vo_2_rounded = vo_2 + vo_2_lo;
@@ -80,32 +92,35 @@ static inline void ksl_product_drvinv_accurate(const ksl_mat3x3_t *R, const ksl_
 
 /* vo = R^T v.
    R: rotation or other 3×3 matrix; v, vo: vector.
-   9 mul, 21 add, 9 product error, 6 sum error.
-   Error <= u |result| + 10 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   9 mul, 33 add, 9 product rest.
+   Error <= u |result| + 11 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_drinvv_accurate(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * v->x, vo_0a_lo = ksl_product_error(R->m00, v->x, vo_0a),
-      vo_0b = R->m10 * v->y, vo_0b_lo = ksl_product_error(R->m10, v->y, vo_0b),
-      vo_0c = vo_0a + vo_0b, vo_0c_error = ksl_sum_error(vo_0a, vo_0b, vo_0c),
-      vo_0c_lo1 = vo_0c_error + vo_0a_lo, vo_0c_lo = vo_0c_lo1 + vo_0b_lo, vo_0d = R->m20 * v->z,
-      vo_0d_lo = ksl_product_error(R->m20, v->z, vo_0d), vo_0 = vo_0c + vo_0d,
-      vo_0_error = ksl_sum_error(vo_0c, vo_0d, vo_0), vo_0_lo1 = vo_0_error + vo_0c_lo,
-      vo_0_lo = vo_0_lo1 + vo_0d_lo;
-  const double vo_1a = R->m01 * v->x, vo_1a_lo = ksl_product_error(R->m01, v->x, vo_1a),
-      vo_1b = R->m11 * v->y, vo_1b_lo = ksl_product_error(R->m11, v->y, vo_1b),
-      vo_1c = vo_1a + vo_1b, vo_1c_error = ksl_sum_error(vo_1a, vo_1b, vo_1c),
-      vo_1c_lo1 = vo_1c_error + vo_1a_lo, vo_1c_lo = vo_1c_lo1 + vo_1b_lo, vo_1d = R->m21 * v->z,
-      vo_1d_lo = ksl_product_error(R->m21, v->z, vo_1d), vo_1 = vo_1c + vo_1d,
-      vo_1_error = ksl_sum_error(vo_1c, vo_1d, vo_1), vo_1_lo1 = vo_1_error + vo_1c_lo,
-      vo_1_lo = vo_1_lo1 + vo_1d_lo;
-  const double vo_2a = R->m02 * v->x, vo_2a_lo = ksl_product_error(R->m02, v->x, vo_2a),
-      vo_2b = R->m12 * v->y, vo_2b_lo = ksl_product_error(R->m12, v->y, vo_2b),
-      vo_2c = vo_2a + vo_2b, vo_2c_error = ksl_sum_error(vo_2a, vo_2b, vo_2c),
-      vo_2c_lo1 = vo_2c_error + vo_2a_lo, vo_2c_lo = vo_2c_lo1 + vo_2b_lo, vo_2d = R->m22 * v->z,
-      vo_2d_lo = ksl_product_error(R->m22, v->z, vo_2d), vo_2 = vo_2c + vo_2d,
-      vo_2_error = ksl_sum_error(vo_2c, vo_2d, vo_2), vo_2_lo1 = vo_2_error + vo_2c_lo,
-      vo_2_lo = vo_2_lo1 + vo_2d_lo;
+  const double vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
+      vo_0c_right = vo_0c - vo_0a, vo_0c_left = vo_0c - vo_0c_right,
+      vo_0c_left_rest = ksl_product_rest(R->m00, v->x, vo_0a, vo_0c_left),
+      vo_0c_right_rest = ksl_product_rest(R->m10, v->y, vo_0b, vo_0c_right),
+      vo_0c_lo = vo_0c_left_rest + vo_0c_right_rest, vo_0d = R->m20 * v->z, vo_0 = vo_0c + vo_0d,
+      vo_0_right = vo_0 - vo_0c, vo_0_left = vo_0 - vo_0_right, vo_0_left_rest = vo_0c - vo_0_left,
+      vo_0_right_rest = ksl_product_rest(R->m20, v->z, vo_0d, vo_0_right),
+      vo_0_lo1 = vo_0_left_rest + vo_0_right_rest, vo_0_lo = vo_0_lo1 + vo_0c_lo;
+  const double vo_1a = R->m01 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
+      vo_1c_right = vo_1c - vo_1a, vo_1c_left = vo_1c - vo_1c_right,
+      vo_1c_left_rest = ksl_product_rest(R->m01, v->x, vo_1a, vo_1c_left),
+      vo_1c_right_rest = ksl_product_rest(R->m11, v->y, vo_1b, vo_1c_right),
+      vo_1c_lo = vo_1c_left_rest + vo_1c_right_rest, vo_1d = R->m21 * v->z, vo_1 = vo_1c + vo_1d,
+      vo_1_right = vo_1 - vo_1c, vo_1_left = vo_1 - vo_1_right, vo_1_left_rest = vo_1c - vo_1_left,
+      vo_1_right_rest = ksl_product_rest(R->m21, v->z, vo_1d, vo_1_right),
+      vo_1_lo1 = vo_1_left_rest + vo_1_right_rest, vo_1_lo = vo_1_lo1 + vo_1c_lo;
+  const double vo_2a = R->m02 * v->x, vo_2b = R->m12 * v->y, vo_2c = vo_2a + vo_2b,
+      vo_2c_right = vo_2c - vo_2a, vo_2c_left = vo_2c - vo_2c_right,
+      vo_2c_left_rest = ksl_product_rest(R->m02, v->x, vo_2a, vo_2c_left),
+      vo_2c_right_rest = ksl_product_rest(R->m12, v->y, vo_2b, vo_2c_right),
+      vo_2c_lo = vo_2c_left_rest + vo_2c_right_rest, vo_2d = R->m22 * v->z, vo_2 = vo_2c + vo_2d,
+      vo_2_right = vo_2 - vo_2c, vo_2_left = vo_2 - vo_2_right, vo_2_left_rest = vo_2c - vo_2_left,
+      vo_2_right_rest = ksl_product_rest(R->m22, v->z, vo_2d, vo_2_right),
+      vo_2_lo1 = vo_2_left_rest + vo_2_right_rest, vo_2_lo = vo_2_lo1 + vo_2c_lo;
   const double vo_0_rounded = vo_0 + vo_0_lo;
   const double vo_1_rounded = vo_1 + vo_1_lo;
   const double vo_2_rounded = vo_2 + vo_2_lo;
@@ -116,32 +131,41 @@ static inline void ksl_product_drinvv_accurate(const ksl_mat3x3_t *R, const ksl_
 
 /* vo = R^T (-v).
    R: rotation or other 3×3 matrix; v, vo: vector.
-   9 mul, 21 add, 9 product error, 6 sum error, 6 neg.
-   Error <= u |result| + 10 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   9 mul, 33 add, 9 product rest, 6 neg.
+   Error <= u |result| + 11 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_drinvvinv_accurate(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * v->x, vo_0a_lo = ksl_product_error(R->m00, v->x, vo_0a),
-      vo_0b = R->m10 * v->y, vo_0b_lo = ksl_product_error(R->m10, v->y, vo_0b),
-      vo_0c = vo_0a + vo_0b, vo_0c_error = ksl_sum_error(vo_0a, vo_0b, vo_0c),
-      vo_0c_lo1 = vo_0c_error + vo_0a_lo, vo_0c_lo = vo_0c_lo1 + vo_0b_lo, vo_0d = R->m20 * v->z,
-      vo_0d_lo = ksl_product_error(R->m20, v->z, vo_0d), vo_0e = vo_0c + vo_0d,
-      vo_0e_error = ksl_sum_error(vo_0c, vo_0d, vo_0e), vo_0e_lo1 = vo_0e_error + vo_0c_lo,
-      vo_0e_lo = vo_0e_lo1 + vo_0d_lo, vo_0 = -vo_0e, vo_0_lo = -vo_0e_lo;
-  const double vo_1a = R->m01 * v->x, vo_1a_lo = ksl_product_error(R->m01, v->x, vo_1a),
-      vo_1b = R->m11 * v->y, vo_1b_lo = ksl_product_error(R->m11, v->y, vo_1b),
-      vo_1c = vo_1a + vo_1b, vo_1c_error = ksl_sum_error(vo_1a, vo_1b, vo_1c),
-      vo_1c_lo1 = vo_1c_error + vo_1a_lo, vo_1c_lo = vo_1c_lo1 + vo_1b_lo, vo_1d = R->m21 * v->z,
-      vo_1d_lo = ksl_product_error(R->m21, v->z, vo_1d), vo_1e = vo_1c + vo_1d,
-      vo_1e_error = ksl_sum_error(vo_1c, vo_1d, vo_1e), vo_1e_lo1 = vo_1e_error + vo_1c_lo,
-      vo_1e_lo = vo_1e_lo1 + vo_1d_lo, vo_1 = -vo_1e, vo_1_lo = -vo_1e_lo;
-  const double vo_2a = R->m02 * v->x, vo_2a_lo = ksl_product_error(R->m02, v->x, vo_2a),
-      vo_2b = R->m12 * v->y, vo_2b_lo = ksl_product_error(R->m12, v->y, vo_2b),
-      vo_2c = vo_2a + vo_2b, vo_2c_error = ksl_sum_error(vo_2a, vo_2b, vo_2c),
-      vo_2c_lo1 = vo_2c_error + vo_2a_lo, vo_2c_lo = vo_2c_lo1 + vo_2b_lo, vo_2d = R->m22 * v->z,
-      vo_2d_lo = ksl_product_error(R->m22, v->z, vo_2d), vo_2e = vo_2c + vo_2d,
-      vo_2e_error = ksl_sum_error(vo_2c, vo_2d, vo_2e), vo_2e_lo1 = vo_2e_error + vo_2c_lo,
-      vo_2e_lo = vo_2e_lo1 + vo_2d_lo, vo_2 = -vo_2e, vo_2_lo = -vo_2e_lo;
+  const double vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
+      vo_0c_right = vo_0c - vo_0a, vo_0c_left = vo_0c - vo_0c_right,
+      vo_0c_left_rest = ksl_product_rest(R->m00, v->x, vo_0a, vo_0c_left),
+      vo_0c_right_rest = ksl_product_rest(R->m10, v->y, vo_0b, vo_0c_right),
+      vo_0c_lo = vo_0c_left_rest + vo_0c_right_rest, vo_0d = R->m20 * v->z, vo_0e = vo_0c + vo_0d,
+      vo_0e_right = vo_0e - vo_0c, vo_0e_left = vo_0e - vo_0e_right,
+      vo_0e_left_rest = vo_0c - vo_0e_left,
+      vo_0e_right_rest = ksl_product_rest(R->m20, v->z, vo_0d, vo_0e_right),
+      vo_0e_lo1 = vo_0e_left_rest + vo_0e_right_rest, vo_0e_lo = vo_0e_lo1 + vo_0c_lo,
+      vo_0 = -vo_0e, vo_0_lo = -vo_0e_lo;
+  const double vo_1a = R->m01 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
+      vo_1c_right = vo_1c - vo_1a, vo_1c_left = vo_1c - vo_1c_right,
+      vo_1c_left_rest = ksl_product_rest(R->m01, v->x, vo_1a, vo_1c_left),
+      vo_1c_right_rest = ksl_product_rest(R->m11, v->y, vo_1b, vo_1c_right),
+      vo_1c_lo = vo_1c_left_rest + vo_1c_right_rest, vo_1d = R->m21 * v->z, vo_1e = vo_1c + vo_1d,
+      vo_1e_right = vo_1e - vo_1c, vo_1e_left = vo_1e - vo_1e_right,
+      vo_1e_left_rest = vo_1c - vo_1e_left,
+      vo_1e_right_rest = ksl_product_rest(R->m21, v->z, vo_1d, vo_1e_right),
+      vo_1e_lo1 = vo_1e_left_rest + vo_1e_right_rest, vo_1e_lo = vo_1e_lo1 + vo_1c_lo,
+      vo_1 = -vo_1e, vo_1_lo = -vo_1e_lo;
+  const double vo_2a = R->m02 * v->x, vo_2b = R->m12 * v->y, vo_2c = vo_2a + vo_2b,
+      vo_2c_right = vo_2c - vo_2a, vo_2c_left = vo_2c - vo_2c_right,
+      vo_2c_left_rest = ksl_product_rest(R->m02, v->x, vo_2a, vo_2c_left),
+      vo_2c_right_rest = ksl_product_rest(R->m12, v->y, vo_2b, vo_2c_right),
+      vo_2c_lo = vo_2c_left_rest + vo_2c_right_rest, vo_2d = R->m22 * v->z, vo_2e = vo_2c + vo_2d,
+      vo_2e_right = vo_2e - vo_2c, vo_2e_left = vo_2e - vo_2e_right,
+      vo_2e_left_rest = vo_2c - vo_2e_left,
+      vo_2e_right_rest = ksl_product_rest(R->m22, v->z, vo_2d, vo_2e_right),
+      vo_2e_lo1 = vo_2e_left_rest + vo_2e_right_rest, vo_2e_lo = vo_2e_lo1 + vo_2c_lo,
+      vo_2 = -vo_2e, vo_2_lo = -vo_2e_lo;
   const double vo_0_rounded = vo_0 + vo_0_lo;
   const double vo_1_rounded = vo_1 + vo_1_lo;
   const double vo_2_rounded = vo_2 + vo_2_lo;
@@ -152,35 +176,47 @@ static inline void ksl_product_drinvvinv_accurate(const ksl_mat3x3_t *R, const k
 
 /* vo = R v + t.
    D: displacement [R | t], R rotation, t in m; v, vo: vector.
-   9 mul, 27 add, 9 product error, 9 sum error.
-   Error <= u |result| + 14 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   9 mul, 54 add, 9 product rest.
+   Error <= u |result| + 15 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_dv_accurate(const ksl_SE3_t *D, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double vo_0a = D->m00 * v->x, vo_0a_lo = ksl_product_error(D->m00, v->x, vo_0a),
-      vo_0b = D->m01 * v->y, vo_0b_lo = ksl_product_error(D->m01, v->y, vo_0b),
-      vo_0c = vo_0a + vo_0b, vo_0c_error = ksl_sum_error(vo_0a, vo_0b, vo_0c),
-      vo_0c_lo1 = vo_0c_error + vo_0a_lo, vo_0c_lo = vo_0c_lo1 + vo_0b_lo, vo_0d = D->m02 * v->z,
-      vo_0d_lo = ksl_product_error(D->m02, v->z, vo_0d), vo_0e = vo_0c + vo_0d,
-      vo_0e_error = ksl_sum_error(vo_0c, vo_0d, vo_0e), vo_0e_lo1 = vo_0e_error + vo_0c_lo,
-      vo_0e_lo = vo_0e_lo1 + vo_0d_lo, vo_0 = vo_0e + D->m03,
-      vo_0_error = ksl_sum_error(vo_0e, D->m03, vo_0), vo_0_lo = vo_0_error + vo_0e_lo;
-  const double vo_1a = D->m10 * v->x, vo_1a_lo = ksl_product_error(D->m10, v->x, vo_1a),
-      vo_1b = D->m11 * v->y, vo_1b_lo = ksl_product_error(D->m11, v->y, vo_1b),
-      vo_1c = vo_1a + vo_1b, vo_1c_error = ksl_sum_error(vo_1a, vo_1b, vo_1c),
-      vo_1c_lo1 = vo_1c_error + vo_1a_lo, vo_1c_lo = vo_1c_lo1 + vo_1b_lo, vo_1d = D->m12 * v->z,
-      vo_1d_lo = ksl_product_error(D->m12, v->z, vo_1d), vo_1e = vo_1c + vo_1d,
-      vo_1e_error = ksl_sum_error(vo_1c, vo_1d, vo_1e), vo_1e_lo1 = vo_1e_error + vo_1c_lo,
-      vo_1e_lo = vo_1e_lo1 + vo_1d_lo, vo_1 = vo_1e + D->m13,
-      vo_1_error = ksl_sum_error(vo_1e, D->m13, vo_1), vo_1_lo = vo_1_error + vo_1e_lo;
-  const double vo_2a = D->m20 * v->x, vo_2a_lo = ksl_product_error(D->m20, v->x, vo_2a),
-      vo_2b = D->m21 * v->y, vo_2b_lo = ksl_product_error(D->m21, v->y, vo_2b),
-      vo_2c = vo_2a + vo_2b, vo_2c_error = ksl_sum_error(vo_2a, vo_2b, vo_2c),
-      vo_2c_lo1 = vo_2c_error + vo_2a_lo, vo_2c_lo = vo_2c_lo1 + vo_2b_lo, vo_2d = D->m22 * v->z,
-      vo_2d_lo = ksl_product_error(D->m22, v->z, vo_2d), vo_2e = vo_2c + vo_2d,
-      vo_2e_error = ksl_sum_error(vo_2c, vo_2d, vo_2e), vo_2e_lo1 = vo_2e_error + vo_2c_lo,
-      vo_2e_lo = vo_2e_lo1 + vo_2d_lo, vo_2 = vo_2e + D->m23,
-      vo_2_error = ksl_sum_error(vo_2e, D->m23, vo_2), vo_2_lo = vo_2_error + vo_2e_lo;
+  const double vo_0a = D->m00 * v->x, vo_0b = D->m01 * v->y, vo_0c = vo_0a + vo_0b,
+      vo_0c_right = vo_0c - vo_0a, vo_0c_left = vo_0c - vo_0c_right,
+      vo_0c_left_rest = ksl_product_rest(D->m00, v->x, vo_0a, vo_0c_left),
+      vo_0c_right_rest = ksl_product_rest(D->m01, v->y, vo_0b, vo_0c_right),
+      vo_0c_lo = vo_0c_left_rest + vo_0c_right_rest, vo_0d = D->m02 * v->z, vo_0e = vo_0c + vo_0d,
+      vo_0e_right = vo_0e - vo_0c, vo_0e_left = vo_0e - vo_0e_right,
+      vo_0e_left_rest = vo_0c - vo_0e_left,
+      vo_0e_right_rest = ksl_product_rest(D->m02, v->z, vo_0d, vo_0e_right),
+      vo_0e_lo1 = vo_0e_left_rest + vo_0e_right_rest, vo_0e_lo = vo_0e_lo1 + vo_0c_lo,
+      vo_0 = vo_0e + D->m03, vo_0_right = vo_0 - vo_0e, vo_0_left = vo_0 - vo_0_right,
+      vo_0_left_rest = vo_0e - vo_0_left, vo_0_right_rest = D->m03 - vo_0_right,
+      vo_0_lo1 = vo_0_left_rest + vo_0_right_rest, vo_0_lo = vo_0_lo1 + vo_0e_lo;
+  const double vo_1a = D->m10 * v->x, vo_1b = D->m11 * v->y, vo_1c = vo_1a + vo_1b,
+      vo_1c_right = vo_1c - vo_1a, vo_1c_left = vo_1c - vo_1c_right,
+      vo_1c_left_rest = ksl_product_rest(D->m10, v->x, vo_1a, vo_1c_left),
+      vo_1c_right_rest = ksl_product_rest(D->m11, v->y, vo_1b, vo_1c_right),
+      vo_1c_lo = vo_1c_left_rest + vo_1c_right_rest, vo_1d = D->m12 * v->z, vo_1e = vo_1c + vo_1d,
+      vo_1e_right = vo_1e - vo_1c, vo_1e_left = vo_1e - vo_1e_right,
+      vo_1e_left_rest = vo_1c - vo_1e_left,
+      vo_1e_right_rest = ksl_product_rest(D->m12, v->z, vo_1d, vo_1e_right),
+      vo_1e_lo1 = vo_1e_left_rest + vo_1e_right_rest, vo_1e_lo = vo_1e_lo1 + vo_1c_lo,
+      vo_1 = vo_1e + D->m13, vo_1_right = vo_1 - vo_1e, vo_1_left = vo_1 - vo_1_right,
+      vo_1_left_rest = vo_1e - vo_1_left, vo_1_right_rest = D->m13 - vo_1_right,
+      vo_1_lo1 = vo_1_left_rest + vo_1_right_rest, vo_1_lo = vo_1_lo1 + vo_1e_lo;
+  const double vo_2a = D->m20 * v->x, vo_2b = D->m21 * v->y, vo_2c = vo_2a + vo_2b,
+      vo_2c_right = vo_2c - vo_2a, vo_2c_left = vo_2c - vo_2c_right,
+      vo_2c_left_rest = ksl_product_rest(D->m20, v->x, vo_2a, vo_2c_left),
+      vo_2c_right_rest = ksl_product_rest(D->m21, v->y, vo_2b, vo_2c_right),
+      vo_2c_lo = vo_2c_left_rest + vo_2c_right_rest, vo_2d = D->m22 * v->z, vo_2e = vo_2c + vo_2d,
+      vo_2e_right = vo_2e - vo_2c, vo_2e_left = vo_2e - vo_2e_right,
+      vo_2e_left_rest = vo_2c - vo_2e_left,
+      vo_2e_right_rest = ksl_product_rest(D->m22, v->z, vo_2d, vo_2e_right),
+      vo_2e_lo1 = vo_2e_left_rest + vo_2e_right_rest, vo_2e_lo = vo_2e_lo1 + vo_2c_lo,
+      vo_2 = vo_2e + D->m23, vo_2_right = vo_2 - vo_2e, vo_2_left = vo_2 - vo_2_right,
+      vo_2_left_rest = vo_2e - vo_2_left, vo_2_right_rest = D->m23 - vo_2_right,
+      vo_2_lo1 = vo_2_left_rest + vo_2_right_rest, vo_2_lo = vo_2_lo1 + vo_2e_lo;
   const double vo_0_rounded = vo_0 + vo_0_lo;
   const double vo_1_rounded = vo_1 + vo_1_lo;
   const double vo_2_rounded = vo_2 + vo_2_lo;
@@ -191,44 +227,56 @@ static inline void ksl_product_dv_accurate(const ksl_SE3_t *D, const ksl_vec3_t 
 
 /* vo = R^T (v - t).
    D: displacement [R | t], R rotation, t in m; v, vo: vector.
-   18 mul, 33 add, 9 product error, 9 sum error.
-   Error <= u |result| + 17 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   18 mul, 60 add, 9 product rest.
+   Error <= u |result| + 18 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_dinvv_accurate(const ksl_SE3_t *D, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double p_0 = v->x - D->m03, p_0_lo = ksl_difference_error(v->x, D->m03, p_0);
-  const double p_1 = v->y - D->m13, p_1_lo = ksl_difference_error(v->y, D->m13, p_1);
-  const double p_2 = v->z - D->m23, p_2_lo = ksl_difference_error(v->z, D->m23, p_2);
-  const double vo_0a = D->m00 * p_0, vo_0a_cross1 = D->m00 * p_0_lo,
-      vo_0a_error = ksl_product_error(D->m00, p_0, vo_0a), vo_0a_lo = vo_0a_error + vo_0a_cross1,
-      vo_0b = D->m10 * p_1, vo_0b_cross1 = D->m10 * p_1_lo,
-      vo_0b_error = ksl_product_error(D->m10, p_1, vo_0b), vo_0b_lo = vo_0b_error + vo_0b_cross1,
-      vo_0c = vo_0a + vo_0b, vo_0c_error = ksl_sum_error(vo_0a, vo_0b, vo_0c),
-      vo_0c_lo1 = vo_0c_error + vo_0a_lo, vo_0c_lo = vo_0c_lo1 + vo_0b_lo, vo_0d = D->m20 * p_2,
-      vo_0d_cross1 = D->m20 * p_2_lo, vo_0d_error = ksl_product_error(D->m20, p_2, vo_0d),
-      vo_0d_lo = vo_0d_error + vo_0d_cross1, vo_0 = vo_0c + vo_0d,
-      vo_0_error = ksl_sum_error(vo_0c, vo_0d, vo_0), vo_0_lo1 = vo_0_error + vo_0c_lo,
-      vo_0_lo = vo_0_lo1 + vo_0d_lo;
-  const double vo_1a = D->m01 * p_0, vo_1a_cross1 = D->m01 * p_0_lo,
-      vo_1a_error = ksl_product_error(D->m01, p_0, vo_1a), vo_1a_lo = vo_1a_error + vo_1a_cross1,
-      vo_1b = D->m11 * p_1, vo_1b_cross1 = D->m11 * p_1_lo,
-      vo_1b_error = ksl_product_error(D->m11, p_1, vo_1b), vo_1b_lo = vo_1b_error + vo_1b_cross1,
-      vo_1c = vo_1a + vo_1b, vo_1c_error = ksl_sum_error(vo_1a, vo_1b, vo_1c),
-      vo_1c_lo1 = vo_1c_error + vo_1a_lo, vo_1c_lo = vo_1c_lo1 + vo_1b_lo, vo_1d = D->m21 * p_2,
-      vo_1d_cross1 = D->m21 * p_2_lo, vo_1d_error = ksl_product_error(D->m21, p_2, vo_1d),
-      vo_1d_lo = vo_1d_error + vo_1d_cross1, vo_1 = vo_1c + vo_1d,
-      vo_1_error = ksl_sum_error(vo_1c, vo_1d, vo_1), vo_1_lo1 = vo_1_error + vo_1c_lo,
-      vo_1_lo = vo_1_lo1 + vo_1d_lo;
-  const double vo_2a = D->m02 * p_0, vo_2a_cross1 = D->m02 * p_0_lo,
-      vo_2a_error = ksl_product_error(D->m02, p_0, vo_2a), vo_2a_lo = vo_2a_error + vo_2a_cross1,
-      vo_2b = D->m12 * p_1, vo_2b_cross1 = D->m12 * p_1_lo,
-      vo_2b_error = ksl_product_error(D->m12, p_1, vo_2b), vo_2b_lo = vo_2b_error + vo_2b_cross1,
-      vo_2c = vo_2a + vo_2b, vo_2c_error = ksl_sum_error(vo_2a, vo_2b, vo_2c),
-      vo_2c_lo1 = vo_2c_error + vo_2a_lo, vo_2c_lo = vo_2c_lo1 + vo_2b_lo, vo_2d = D->m22 * p_2,
-      vo_2d_cross1 = D->m22 * p_2_lo, vo_2d_error = ksl_product_error(D->m22, p_2, vo_2d),
-      vo_2d_lo = vo_2d_error + vo_2d_cross1, vo_2 = vo_2c + vo_2d,
-      vo_2_error = ksl_sum_error(vo_2c, vo_2d, vo_2), vo_2_lo1 = vo_2_error + vo_2c_lo,
-      vo_2_lo = vo_2_lo1 + vo_2d_lo;
+  const double p_0 = v->x - D->m03, p_0_right = v->x - p_0, p_0_left = p_0 + p_0_right,
+      p_0_left_rest = v->x - p_0_left, p_0_right_rest = D->m03 - p_0_right,
+      p_0_lo = p_0_left_rest - p_0_right_rest;
+  const double p_1 = v->y - D->m13, p_1_right = v->y - p_1, p_1_left = p_1 + p_1_right,
+      p_1_left_rest = v->y - p_1_left, p_1_right_rest = D->m13 - p_1_right,
+      p_1_lo = p_1_left_rest - p_1_right_rest;
+  const double p_2 = v->z - D->m23, p_2_right = v->z - p_2, p_2_left = p_2 + p_2_right,
+      p_2_left_rest = v->z - p_2_left, p_2_right_rest = D->m23 - p_2_right,
+      p_2_lo = p_2_left_rest - p_2_right_rest;
+  const double vo_0a = D->m00 * p_0, vo_0a_cross2 = D->m00 * p_0_lo, vo_0b = D->m10 * p_1,
+      vo_0b_cross2 = D->m10 * p_1_lo, vo_0c = vo_0a + vo_0b, vo_0c_right = vo_0c - vo_0a,
+      vo_0c_left = vo_0c - vo_0c_right,
+      vo_0c_left_rest = ksl_product_rest(D->m00, p_0, vo_0a, vo_0c_left),
+      vo_0c_right_rest = ksl_product_rest(D->m10, p_1, vo_0b, vo_0c_right),
+      vo_0c_cross = vo_0a_cross2 + vo_0b_cross2, vo_0c_lo1 = vo_0c_left_rest + vo_0c_right_rest,
+      vo_0c_lo = vo_0c_lo1 + vo_0c_cross, vo_0d = D->m20 * p_2, vo_0d_cross2 = D->m20 * p_2_lo,
+      vo_0 = vo_0c + vo_0d, vo_0_right = vo_0 - vo_0c, vo_0_left = vo_0 - vo_0_right,
+      vo_0_left_rest = vo_0c - vo_0_left,
+      vo_0_right_rest = ksl_product_rest(D->m20, p_2, vo_0d, vo_0_right),
+      vo_0_lo1 = vo_0_left_rest + vo_0_right_rest, vo_0_lo2 = vo_0_lo1 + vo_0d_cross2,
+      vo_0_lo = vo_0_lo2 + vo_0c_lo;
+  const double vo_1a = D->m01 * p_0, vo_1a_cross2 = D->m01 * p_0_lo, vo_1b = D->m11 * p_1,
+      vo_1b_cross2 = D->m11 * p_1_lo, vo_1c = vo_1a + vo_1b, vo_1c_right = vo_1c - vo_1a,
+      vo_1c_left = vo_1c - vo_1c_right,
+      vo_1c_left_rest = ksl_product_rest(D->m01, p_0, vo_1a, vo_1c_left),
+      vo_1c_right_rest = ksl_product_rest(D->m11, p_1, vo_1b, vo_1c_right),
+      vo_1c_cross = vo_1a_cross2 + vo_1b_cross2, vo_1c_lo1 = vo_1c_left_rest + vo_1c_right_rest,
+      vo_1c_lo = vo_1c_lo1 + vo_1c_cross, vo_1d = D->m21 * p_2, vo_1d_cross2 = D->m21 * p_2_lo,
+      vo_1 = vo_1c + vo_1d, vo_1_right = vo_1 - vo_1c, vo_1_left = vo_1 - vo_1_right,
+      vo_1_left_rest = vo_1c - vo_1_left,
+      vo_1_right_rest = ksl_product_rest(D->m21, p_2, vo_1d, vo_1_right),
+      vo_1_lo1 = vo_1_left_rest + vo_1_right_rest, vo_1_lo2 = vo_1_lo1 + vo_1d_cross2,
+      vo_1_lo = vo_1_lo2 + vo_1c_lo;
+  const double vo_2a = D->m02 * p_0, vo_2a_cross2 = D->m02 * p_0_lo, vo_2b = D->m12 * p_1,
+      vo_2b_cross2 = D->m12 * p_1_lo, vo_2c = vo_2a + vo_2b, vo_2c_right = vo_2c - vo_2a,
+      vo_2c_left = vo_2c - vo_2c_right,
+      vo_2c_left_rest = ksl_product_rest(D->m02, p_0, vo_2a, vo_2c_left),
+      vo_2c_right_rest = ksl_product_rest(D->m12, p_1, vo_2b, vo_2c_right),
+      vo_2c_cross = vo_2a_cross2 + vo_2b_cross2, vo_2c_lo1 = vo_2c_left_rest + vo_2c_right_rest,
+      vo_2c_lo = vo_2c_lo1 + vo_2c_cross, vo_2d = D->m22 * p_2, vo_2d_cross2 = D->m22 * p_2_lo,
+      vo_2 = vo_2c + vo_2d, vo_2_right = vo_2 - vo_2c, vo_2_left = vo_2 - vo_2_right,
+      vo_2_left_rest = vo_2c - vo_2_left,
+      vo_2_right_rest = ksl_product_rest(D->m22, p_2, vo_2d, vo_2_right),
+      vo_2_lo1 = vo_2_left_rest + vo_2_right_rest, vo_2_lo2 = vo_2_lo1 + vo_2d_cross2,
+      vo_2_lo = vo_2_lo2 + vo_2c_lo;
   const double vo_0_rounded = vo_0 + vo_0_lo;
   const double vo_1_rounded = vo_1 + vo_1_lo;
   const double vo_2_rounded = vo_2 + vo_2_lo;
@@ -239,74 +287,92 @@ static inline void ksl_product_dinvv_accurate(const ksl_SE3_t *D, const ksl_vec3
 
 /* Ro = R1 R2.
    R1, R2, Ro: rotation or other 3×3 matrix.
-   27 mul, 63 add, 27 product error, 18 sum error.
-   Error <= u |result| + 10 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   27 mul, 99 add, 27 product rest.
+   Error <= u |result| + 11 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_drdr_accurate(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R1->m00 * R2->m00, Ro_00a_lo = ksl_product_error(R1->m00, R2->m00, Ro_00a),
-      Ro_00b = R1->m01 * R2->m10, Ro_00b_lo = ksl_product_error(R1->m01, R2->m10, Ro_00b),
-      Ro_00c = Ro_00a + Ro_00b, Ro_00c_error = ksl_sum_error(Ro_00a, Ro_00b, Ro_00c),
-      Ro_00c_lo1 = Ro_00c_error + Ro_00a_lo, Ro_00c_lo = Ro_00c_lo1 + Ro_00b_lo,
-      Ro_00d = R1->m02 * R2->m20, Ro_00d_lo = ksl_product_error(R1->m02, R2->m20, Ro_00d),
-      Ro_00 = Ro_00c + Ro_00d, Ro_00_error = ksl_sum_error(Ro_00c, Ro_00d, Ro_00),
-      Ro_00_lo1 = Ro_00_error + Ro_00c_lo, Ro_00_lo = Ro_00_lo1 + Ro_00d_lo;
-  const double Ro_01a = R1->m00 * R2->m01, Ro_01a_lo = ksl_product_error(R1->m00, R2->m01, Ro_01a),
-      Ro_01b = R1->m01 * R2->m11, Ro_01b_lo = ksl_product_error(R1->m01, R2->m11, Ro_01b),
-      Ro_01c = Ro_01a + Ro_01b, Ro_01c_error = ksl_sum_error(Ro_01a, Ro_01b, Ro_01c),
-      Ro_01c_lo1 = Ro_01c_error + Ro_01a_lo, Ro_01c_lo = Ro_01c_lo1 + Ro_01b_lo,
-      Ro_01d = R1->m02 * R2->m21, Ro_01d_lo = ksl_product_error(R1->m02, R2->m21, Ro_01d),
-      Ro_01 = Ro_01c + Ro_01d, Ro_01_error = ksl_sum_error(Ro_01c, Ro_01d, Ro_01),
-      Ro_01_lo1 = Ro_01_error + Ro_01c_lo, Ro_01_lo = Ro_01_lo1 + Ro_01d_lo;
-  const double Ro_02a = R1->m00 * R2->m02, Ro_02a_lo = ksl_product_error(R1->m00, R2->m02, Ro_02a),
-      Ro_02b = R1->m01 * R2->m12, Ro_02b_lo = ksl_product_error(R1->m01, R2->m12, Ro_02b),
-      Ro_02c = Ro_02a + Ro_02b, Ro_02c_error = ksl_sum_error(Ro_02a, Ro_02b, Ro_02c),
-      Ro_02c_lo1 = Ro_02c_error + Ro_02a_lo, Ro_02c_lo = Ro_02c_lo1 + Ro_02b_lo,
-      Ro_02d = R1->m02 * R2->m22, Ro_02d_lo = ksl_product_error(R1->m02, R2->m22, Ro_02d),
-      Ro_02 = Ro_02c + Ro_02d, Ro_02_error = ksl_sum_error(Ro_02c, Ro_02d, Ro_02),
-      Ro_02_lo1 = Ro_02_error + Ro_02c_lo, Ro_02_lo = Ro_02_lo1 + Ro_02d_lo;
-  const double Ro_10a = R1->m10 * R2->m00, Ro_10a_lo = ksl_product_error(R1->m10, R2->m00, Ro_10a),
-      Ro_10b = R1->m11 * R2->m10, Ro_10b_lo = ksl_product_error(R1->m11, R2->m10, Ro_10b),
-      Ro_10c = Ro_10a + Ro_10b, Ro_10c_error = ksl_sum_error(Ro_10a, Ro_10b, Ro_10c),
-      Ro_10c_lo1 = Ro_10c_error + Ro_10a_lo, Ro_10c_lo = Ro_10c_lo1 + Ro_10b_lo,
-      Ro_10d = R1->m12 * R2->m20, Ro_10d_lo = ksl_product_error(R1->m12, R2->m20, Ro_10d),
-      Ro_10 = Ro_10c + Ro_10d, Ro_10_error = ksl_sum_error(Ro_10c, Ro_10d, Ro_10),
-      Ro_10_lo1 = Ro_10_error + Ro_10c_lo, Ro_10_lo = Ro_10_lo1 + Ro_10d_lo;
-  const double Ro_11a = R1->m10 * R2->m01, Ro_11a_lo = ksl_product_error(R1->m10, R2->m01, Ro_11a),
-      Ro_11b = R1->m11 * R2->m11, Ro_11b_lo = ksl_product_error(R1->m11, R2->m11, Ro_11b),
-      Ro_11c = Ro_11a + Ro_11b, Ro_11c_error = ksl_sum_error(Ro_11a, Ro_11b, Ro_11c),
-      Ro_11c_lo1 = Ro_11c_error + Ro_11a_lo, Ro_11c_lo = Ro_11c_lo1 + Ro_11b_lo,
-      Ro_11d = R1->m12 * R2->m21, Ro_11d_lo = ksl_product_error(R1->m12, R2->m21, Ro_11d),
-      Ro_11 = Ro_11c + Ro_11d, Ro_11_error = ksl_sum_error(Ro_11c, Ro_11d, Ro_11),
-      Ro_11_lo1 = Ro_11_error + Ro_11c_lo, Ro_11_lo = Ro_11_lo1 + Ro_11d_lo;
-  const double Ro_12a = R1->m10 * R2->m02, Ro_12a_lo = ksl_product_error(R1->m10, R2->m02, Ro_12a),
-      Ro_12b = R1->m11 * R2->m12, Ro_12b_lo = ksl_product_error(R1->m11, R2->m12, Ro_12b),
-      Ro_12c = Ro_12a + Ro_12b, Ro_12c_error = ksl_sum_error(Ro_12a, Ro_12b, Ro_12c),
-      Ro_12c_lo1 = Ro_12c_error + Ro_12a_lo, Ro_12c_lo = Ro_12c_lo1 + Ro_12b_lo,
-      Ro_12d = R1->m12 * R2->m22, Ro_12d_lo = ksl_product_error(R1->m12, R2->m22, Ro_12d),
-      Ro_12 = Ro_12c + Ro_12d, Ro_12_error = ksl_sum_error(Ro_12c, Ro_12d, Ro_12),
-      Ro_12_lo1 = Ro_12_error + Ro_12c_lo, Ro_12_lo = Ro_12_lo1 + Ro_12d_lo;
-  const double Ro_20a = R1->m20 * R2->m00, Ro_20a_lo = ksl_product_error(R1->m20, R2->m00, Ro_20a),
-      Ro_20b = R1->m21 * R2->m10, Ro_20b_lo = ksl_product_error(R1->m21, R2->m10, Ro_20b),
-      Ro_20c = Ro_20a + Ro_20b, Ro_20c_error = ksl_sum_error(Ro_20a, Ro_20b, Ro_20c),
-      Ro_20c_lo1 = Ro_20c_error + Ro_20a_lo, Ro_20c_lo = Ro_20c_lo1 + Ro_20b_lo,
-      Ro_20d = R1->m22 * R2->m20, Ro_20d_lo = ksl_product_error(R1->m22, R2->m20, Ro_20d),
-      Ro_20 = Ro_20c + Ro_20d, Ro_20_error = ksl_sum_error(Ro_20c, Ro_20d, Ro_20),
-      Ro_20_lo1 = Ro_20_error + Ro_20c_lo, Ro_20_lo = Ro_20_lo1 + Ro_20d_lo;
-  const double Ro_21a = R1->m20 * R2->m01, Ro_21a_lo = ksl_product_error(R1->m20, R2->m01, Ro_21a),
-      Ro_21b = R1->m21 * R2->m11, Ro_21b_lo = ksl_product_error(R1->m21, R2->m11, Ro_21b),
-      Ro_21c = Ro_21a + Ro_21b, Ro_21c_error = ksl_sum_error(Ro_21a, Ro_21b, Ro_21c),
-      Ro_21c_lo1 = Ro_21c_error + Ro_21a_lo, Ro_21c_lo = Ro_21c_lo1 + Ro_21b_lo,
-      Ro_21d = R1->m22 * R2->m21, Ro_21d_lo = ksl_product_error(R1->m22, R2->m21, Ro_21d),
-      Ro_21 = Ro_21c + Ro_21d, Ro_21_error = ksl_sum_error(Ro_21c, Ro_21d, Ro_21),
-      Ro_21_lo1 = Ro_21_error + Ro_21c_lo, Ro_21_lo = Ro_21_lo1 + Ro_21d_lo;
-  const double Ro_22a = R1->m20 * R2->m02, Ro_22a_lo = ksl_product_error(R1->m20, R2->m02, Ro_22a),
-      Ro_22b = R1->m21 * R2->m12, Ro_22b_lo = ksl_product_error(R1->m21, R2->m12, Ro_22b),
-      Ro_22c = Ro_22a + Ro_22b, Ro_22c_error = ksl_sum_error(Ro_22a, Ro_22b, Ro_22c),
-      Ro_22c_lo1 = Ro_22c_error + Ro_22a_lo, Ro_22c_lo = Ro_22c_lo1 + Ro_22b_lo,
-      Ro_22d = R1->m22 * R2->m22, Ro_22d_lo = ksl_product_error(R1->m22, R2->m22, Ro_22d),
-      Ro_22 = Ro_22c + Ro_22d, Ro_22_error = ksl_sum_error(Ro_22c, Ro_22d, Ro_22),
-      Ro_22_lo1 = Ro_22_error + Ro_22c_lo, Ro_22_lo = Ro_22_lo1 + Ro_22d_lo;
+  const double Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
+      Ro_00c_right = Ro_00c - Ro_00a, Ro_00c_left = Ro_00c - Ro_00c_right,
+      Ro_00c_left_rest = ksl_product_rest(R1->m00, R2->m00, Ro_00a, Ro_00c_left),
+      Ro_00c_right_rest = ksl_product_rest(R1->m01, R2->m10, Ro_00b, Ro_00c_right),
+      Ro_00c_lo = Ro_00c_left_rest + Ro_00c_right_rest, Ro_00d = R1->m02 * R2->m20,
+      Ro_00 = Ro_00c + Ro_00d, Ro_00_right = Ro_00 - Ro_00c, Ro_00_left = Ro_00 - Ro_00_right,
+      Ro_00_left_rest = Ro_00c - Ro_00_left,
+      Ro_00_right_rest = ksl_product_rest(R1->m02, R2->m20, Ro_00d, Ro_00_right),
+      Ro_00_lo1 = Ro_00_left_rest + Ro_00_right_rest, Ro_00_lo = Ro_00_lo1 + Ro_00c_lo;
+  const double Ro_01a = R1->m00 * R2->m01, Ro_01b = R1->m01 * R2->m11, Ro_01c = Ro_01a + Ro_01b,
+      Ro_01c_right = Ro_01c - Ro_01a, Ro_01c_left = Ro_01c - Ro_01c_right,
+      Ro_01c_left_rest = ksl_product_rest(R1->m00, R2->m01, Ro_01a, Ro_01c_left),
+      Ro_01c_right_rest = ksl_product_rest(R1->m01, R2->m11, Ro_01b, Ro_01c_right),
+      Ro_01c_lo = Ro_01c_left_rest + Ro_01c_right_rest, Ro_01d = R1->m02 * R2->m21,
+      Ro_01 = Ro_01c + Ro_01d, Ro_01_right = Ro_01 - Ro_01c, Ro_01_left = Ro_01 - Ro_01_right,
+      Ro_01_left_rest = Ro_01c - Ro_01_left,
+      Ro_01_right_rest = ksl_product_rest(R1->m02, R2->m21, Ro_01d, Ro_01_right),
+      Ro_01_lo1 = Ro_01_left_rest + Ro_01_right_rest, Ro_01_lo = Ro_01_lo1 + Ro_01c_lo;
+  const double Ro_02a = R1->m00 * R2->m02, Ro_02b = R1->m01 * R2->m12, Ro_02c = Ro_02a + Ro_02b,
+      Ro_02c_right = Ro_02c - Ro_02a, Ro_02c_left = Ro_02c - Ro_02c_right,
+      Ro_02c_left_rest = ksl_product_rest(R1->m00, R2->m02, Ro_02a, Ro_02c_left),
+      Ro_02c_right_rest = ksl_product_rest(R1->m01, R2->m12, Ro_02b, Ro_02c_right),
+      Ro_02c_lo = Ro_02c_left_rest + Ro_02c_right_rest, Ro_02d = R1->m02 * R2->m22,
+      Ro_02 = Ro_02c + Ro_02d, Ro_02_right = Ro_02 - Ro_02c, Ro_02_left = Ro_02 - Ro_02_right,
+      Ro_02_left_rest = Ro_02c - Ro_02_left,
+      Ro_02_right_rest = ksl_product_rest(R1->m02, R2->m22, Ro_02d, Ro_02_right),
+      Ro_02_lo1 = Ro_02_left_rest + Ro_02_right_rest, Ro_02_lo = Ro_02_lo1 + Ro_02c_lo;
+  const double Ro_10a = R1->m10 * R2->m00, Ro_10b = R1->m11 * R2->m10, Ro_10c = Ro_10a + Ro_10b,
+      Ro_10c_right = Ro_10c - Ro_10a, Ro_10c_left = Ro_10c - Ro_10c_right,
+      Ro_10c_left_rest = ksl_product_rest(R1->m10, R2->m00, Ro_10a, Ro_10c_left),
+      Ro_10c_right_rest = ksl_product_rest(R1->m11, R2->m10, Ro_10b, Ro_10c_right),
+      Ro_10c_lo = Ro_10c_left_rest + Ro_10c_right_rest, Ro_10d = R1->m12 * R2->m20,
+      Ro_10 = Ro_10c + Ro_10d, Ro_10_right = Ro_10 - Ro_10c, Ro_10_left = Ro_10 - Ro_10_right,
+      Ro_10_left_rest = Ro_10c - Ro_10_left,
+      Ro_10_right_rest = ksl_product_rest(R1->m12, R2->m20, Ro_10d, Ro_10_right),
+      Ro_10_lo1 = Ro_10_left_rest + Ro_10_right_rest, Ro_10_lo = Ro_10_lo1 + Ro_10c_lo;
+  const double Ro_11a = R1->m10 * R2->m01, Ro_11b = R1->m11 * R2->m11, Ro_11c = Ro_11a + Ro_11b,
+      Ro_11c_right = Ro_11c - Ro_11a, Ro_11c_left = Ro_11c - Ro_11c_right,
+      Ro_11c_left_rest = ksl_product_rest(R1->m10, R2->m01, Ro_11a, Ro_11c_left),
+      Ro_11c_right_rest = ksl_product_rest(R1->m11, R2->m11, Ro_11b, Ro_11c_right),
+      Ro_11c_lo = Ro_11c_left_rest + Ro_11c_right_rest, Ro_11d = R1->m12 * R2->m21,
+      Ro_11 = Ro_11c + Ro_11d, Ro_11_right = Ro_11 - Ro_11c, Ro_11_left = Ro_11 - Ro_11_right,
+      Ro_11_left_rest = Ro_11c - Ro_11_left,
+      Ro_11_right_rest = ksl_product_rest(R1->m12, R2->m21, Ro_11d, Ro_11_right),
+      Ro_11_lo1 = Ro_11_left_rest + Ro_11_right_rest, Ro_11_lo = Ro_11_lo1 + Ro_11c_lo;
+  const double Ro_12a = R1->m10 * R2->m02, Ro_12b = R1->m11 * R2->m12, Ro_12c = Ro_12a + Ro_12b,
+      Ro_12c_right = Ro_12c - Ro_12a, Ro_12c_left = Ro_12c - Ro_12c_right,
+      Ro_12c_left_rest = ksl_product_rest(R1->m10, R2->m02, Ro_12a, Ro_12c_left),
+      Ro_12c_right_rest = ksl_product_rest(R1->m11, R2->m12, Ro_12b, Ro_12c_right),
+      Ro_12c_lo = Ro_12c_left_rest + Ro_12c_right_rest, Ro_12d = R1->m12 * R2->m22,
+      Ro_12 = Ro_12c + Ro_12d, Ro_12_right = Ro_12 - Ro_12c, Ro_12_left = Ro_12 - Ro_12_right,
+      Ro_12_left_rest = Ro_12c - Ro_12_left,
+      Ro_12_right_rest = ksl_product_rest(R1->m12, R2->m22, Ro_12d, Ro_12_right),
+      Ro_12_lo1 = Ro_12_left_rest + Ro_12_right_rest, Ro_12_lo = Ro_12_lo1 + Ro_12c_lo;
+  const double Ro_20a = R1->m20 * R2->m00, Ro_20b = R1->m21 * R2->m10, Ro_20c = Ro_20a + Ro_20b,
+      Ro_20c_right = Ro_20c - Ro_20a, Ro_20c_left = Ro_20c - Ro_20c_right,
+      Ro_20c_left_rest = ksl_product_rest(R1->m20, R2->m00, Ro_20a, Ro_20c_left),
+      Ro_20c_right_rest = ksl_product_rest(R1->m21, R2->m10, Ro_20b, Ro_20c_right),
+      Ro_20c_lo = Ro_20c_left_rest + Ro_20c_right_rest, Ro_20d = R1->m22 * R2->m20,
+      Ro_20 = Ro_20c + Ro_20d, Ro_20_right = Ro_20 - Ro_20c, Ro_20_left = Ro_20 - Ro_20_right,
+      Ro_20_left_rest = Ro_20c - Ro_20_left,
+      Ro_20_right_rest = ksl_product_rest(R1->m22, R2->m20, Ro_20d, Ro_20_right),
+      Ro_20_lo1 = Ro_20_left_rest + Ro_20_right_rest, Ro_20_lo = Ro_20_lo1 + Ro_20c_lo;
+  const double Ro_21a = R1->m20 * R2->m01, Ro_21b = R1->m21 * R2->m11, Ro_21c = Ro_21a + Ro_21b,
+      Ro_21c_right = Ro_21c - Ro_21a, Ro_21c_left = Ro_21c - Ro_21c_right,
+      Ro_21c_left_rest = ksl_product_rest(R1->m20, R2->m01, Ro_21a, Ro_21c_left),
+      Ro_21c_right_rest = ksl_product_rest(R1->m21, R2->m11, Ro_21b, Ro_21c_right),
+      Ro_21c_lo = Ro_21c_left_rest + Ro_21c_right_rest, Ro_21d = R1->m22 * R2->m21,
+      Ro_21 = Ro_21c + Ro_21d, Ro_21_right = Ro_21 - Ro_21c, Ro_21_left = Ro_21 - Ro_21_right,
+      Ro_21_left_rest = Ro_21c - Ro_21_left,
+      Ro_21_right_rest = ksl_product_rest(R1->m22, R2->m21, Ro_21d, Ro_21_right),
+      Ro_21_lo1 = Ro_21_left_rest + Ro_21_right_rest, Ro_21_lo = Ro_21_lo1 + Ro_21c_lo;
+  const double Ro_22a = R1->m20 * R2->m02, Ro_22b = R1->m21 * R2->m12, Ro_22c = Ro_22a + Ro_22b,
+      Ro_22c_right = Ro_22c - Ro_22a, Ro_22c_left = Ro_22c - Ro_22c_right,
+      Ro_22c_left_rest = ksl_product_rest(R1->m20, R2->m02, Ro_22a, Ro_22c_left),
+      Ro_22c_right_rest = ksl_product_rest(R1->m21, R2->m12, Ro_22b, Ro_22c_right),
+      Ro_22c_lo = Ro_22c_left_rest + Ro_22c_right_rest, Ro_22d = R1->m22 * R2->m22,
+      Ro_22 = Ro_22c + Ro_22d, Ro_22_right = Ro_22 - Ro_22c, Ro_22_left = Ro_22 - Ro_22_right,
+      Ro_22_left_rest = Ro_22c - Ro_22_left,
+      Ro_22_right_rest = ksl_product_rest(R1->m22, R2->m22, Ro_22d, Ro_22_right),
+      Ro_22_lo1 = Ro_22_left_rest + Ro_22_right_rest, Ro_22_lo = Ro_22_lo1 + Ro_22c_lo;
   const double Ro_00_rounded = Ro_00 + Ro_00_lo;
   const double Ro_01_rounded = Ro_01 + Ro_01_lo;
   const double Ro_02_rounded = Ro_02 + Ro_02_lo;
@@ -329,74 +395,92 @@ static inline void ksl_product_drdr_accurate(const ksl_mat3x3_t *R1, const ksl_m
 
 /* Ro = R1 R2^T.
    R1, R2, Ro: rotation or other 3×3 matrix.
-   27 mul, 63 add, 27 product error, 18 sum error.
-   Error <= u |result| + 10 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   27 mul, 99 add, 27 product rest.
+   Error <= u |result| + 11 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_drdrinv_accurate(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R1->m00 * R2->m00, Ro_00a_lo = ksl_product_error(R1->m00, R2->m00, Ro_00a),
-      Ro_00b = R1->m01 * R2->m01, Ro_00b_lo = ksl_product_error(R1->m01, R2->m01, Ro_00b),
-      Ro_00c = Ro_00a + Ro_00b, Ro_00c_error = ksl_sum_error(Ro_00a, Ro_00b, Ro_00c),
-      Ro_00c_lo1 = Ro_00c_error + Ro_00a_lo, Ro_00c_lo = Ro_00c_lo1 + Ro_00b_lo,
-      Ro_00d = R1->m02 * R2->m02, Ro_00d_lo = ksl_product_error(R1->m02, R2->m02, Ro_00d),
-      Ro_00 = Ro_00c + Ro_00d, Ro_00_error = ksl_sum_error(Ro_00c, Ro_00d, Ro_00),
-      Ro_00_lo1 = Ro_00_error + Ro_00c_lo, Ro_00_lo = Ro_00_lo1 + Ro_00d_lo;
-  const double Ro_01a = R1->m00 * R2->m10, Ro_01a_lo = ksl_product_error(R1->m00, R2->m10, Ro_01a),
-      Ro_01b = R1->m01 * R2->m11, Ro_01b_lo = ksl_product_error(R1->m01, R2->m11, Ro_01b),
-      Ro_01c = Ro_01a + Ro_01b, Ro_01c_error = ksl_sum_error(Ro_01a, Ro_01b, Ro_01c),
-      Ro_01c_lo1 = Ro_01c_error + Ro_01a_lo, Ro_01c_lo = Ro_01c_lo1 + Ro_01b_lo,
-      Ro_01d = R1->m02 * R2->m12, Ro_01d_lo = ksl_product_error(R1->m02, R2->m12, Ro_01d),
-      Ro_01 = Ro_01c + Ro_01d, Ro_01_error = ksl_sum_error(Ro_01c, Ro_01d, Ro_01),
-      Ro_01_lo1 = Ro_01_error + Ro_01c_lo, Ro_01_lo = Ro_01_lo1 + Ro_01d_lo;
-  const double Ro_02a = R1->m00 * R2->m20, Ro_02a_lo = ksl_product_error(R1->m00, R2->m20, Ro_02a),
-      Ro_02b = R1->m01 * R2->m21, Ro_02b_lo = ksl_product_error(R1->m01, R2->m21, Ro_02b),
-      Ro_02c = Ro_02a + Ro_02b, Ro_02c_error = ksl_sum_error(Ro_02a, Ro_02b, Ro_02c),
-      Ro_02c_lo1 = Ro_02c_error + Ro_02a_lo, Ro_02c_lo = Ro_02c_lo1 + Ro_02b_lo,
-      Ro_02d = R1->m02 * R2->m22, Ro_02d_lo = ksl_product_error(R1->m02, R2->m22, Ro_02d),
-      Ro_02 = Ro_02c + Ro_02d, Ro_02_error = ksl_sum_error(Ro_02c, Ro_02d, Ro_02),
-      Ro_02_lo1 = Ro_02_error + Ro_02c_lo, Ro_02_lo = Ro_02_lo1 + Ro_02d_lo;
-  const double Ro_10a = R1->m10 * R2->m00, Ro_10a_lo = ksl_product_error(R1->m10, R2->m00, Ro_10a),
-      Ro_10b = R1->m11 * R2->m01, Ro_10b_lo = ksl_product_error(R1->m11, R2->m01, Ro_10b),
-      Ro_10c = Ro_10a + Ro_10b, Ro_10c_error = ksl_sum_error(Ro_10a, Ro_10b, Ro_10c),
-      Ro_10c_lo1 = Ro_10c_error + Ro_10a_lo, Ro_10c_lo = Ro_10c_lo1 + Ro_10b_lo,
-      Ro_10d = R1->m12 * R2->m02, Ro_10d_lo = ksl_product_error(R1->m12, R2->m02, Ro_10d),
-      Ro_10 = Ro_10c + Ro_10d, Ro_10_error = ksl_sum_error(Ro_10c, Ro_10d, Ro_10),
-      Ro_10_lo1 = Ro_10_error + Ro_10c_lo, Ro_10_lo = Ro_10_lo1 + Ro_10d_lo;
-  const double Ro_11a = R1->m10 * R2->m10, Ro_11a_lo = ksl_product_error(R1->m10, R2->m10, Ro_11a),
-      Ro_11b = R1->m11 * R2->m11, Ro_11b_lo = ksl_product_error(R1->m11, R2->m11, Ro_11b),
-      Ro_11c = Ro_11a + Ro_11b, Ro_11c_error = ksl_sum_error(Ro_11a, Ro_11b, Ro_11c),
-      Ro_11c_lo1 = Ro_11c_error + Ro_11a_lo, Ro_11c_lo = Ro_11c_lo1 + Ro_11b_lo,
-      Ro_11d = R1->m12 * R2->m12, Ro_11d_lo = ksl_product_error(R1->m12, R2->m12, Ro_11d),
-      Ro_11 = Ro_11c + Ro_11d, Ro_11_error = ksl_sum_error(Ro_11c, Ro_11d, Ro_11),
-      Ro_11_lo1 = Ro_11_error + Ro_11c_lo, Ro_11_lo = Ro_11_lo1 + Ro_11d_lo;
-  const double Ro_12a = R1->m10 * R2->m20, Ro_12a_lo = ksl_product_error(R1->m10, R2->m20, Ro_12a),
-      Ro_12b = R1->m11 * R2->m21, Ro_12b_lo = ksl_product_error(R1->m11, R2->m21, Ro_12b),
-      Ro_12c = Ro_12a + Ro_12b, Ro_12c_error = ksl_sum_error(Ro_12a, Ro_12b, Ro_12c),
-      Ro_12c_lo1 = Ro_12c_error + Ro_12a_lo, Ro_12c_lo = Ro_12c_lo1 + Ro_12b_lo,
-      Ro_12d = R1->m12 * R2->m22, Ro_12d_lo = ksl_product_error(R1->m12, R2->m22, Ro_12d),
-      Ro_12 = Ro_12c + Ro_12d, Ro_12_error = ksl_sum_error(Ro_12c, Ro_12d, Ro_12),
-      Ro_12_lo1 = Ro_12_error + Ro_12c_lo, Ro_12_lo = Ro_12_lo1 + Ro_12d_lo;
-  const double Ro_20a = R1->m20 * R2->m00, Ro_20a_lo = ksl_product_error(R1->m20, R2->m00, Ro_20a),
-      Ro_20b = R1->m21 * R2->m01, Ro_20b_lo = ksl_product_error(R1->m21, R2->m01, Ro_20b),
-      Ro_20c = Ro_20a + Ro_20b, Ro_20c_error = ksl_sum_error(Ro_20a, Ro_20b, Ro_20c),
-      Ro_20c_lo1 = Ro_20c_error + Ro_20a_lo, Ro_20c_lo = Ro_20c_lo1 + Ro_20b_lo,
-      Ro_20d = R1->m22 * R2->m02, Ro_20d_lo = ksl_product_error(R1->m22, R2->m02, Ro_20d),
-      Ro_20 = Ro_20c + Ro_20d, Ro_20_error = ksl_sum_error(Ro_20c, Ro_20d, Ro_20),
-      Ro_20_lo1 = Ro_20_error + Ro_20c_lo, Ro_20_lo = Ro_20_lo1 + Ro_20d_lo;
-  const double Ro_21a = R1->m20 * R2->m10, Ro_21a_lo = ksl_product_error(R1->m20, R2->m10, Ro_21a),
-      Ro_21b = R1->m21 * R2->m11, Ro_21b_lo = ksl_product_error(R1->m21, R2->m11, Ro_21b),
-      Ro_21c = Ro_21a + Ro_21b, Ro_21c_error = ksl_sum_error(Ro_21a, Ro_21b, Ro_21c),
-      Ro_21c_lo1 = Ro_21c_error + Ro_21a_lo, Ro_21c_lo = Ro_21c_lo1 + Ro_21b_lo,
-      Ro_21d = R1->m22 * R2->m12, Ro_21d_lo = ksl_product_error(R1->m22, R2->m12, Ro_21d),
-      Ro_21 = Ro_21c + Ro_21d, Ro_21_error = ksl_sum_error(Ro_21c, Ro_21d, Ro_21),
-      Ro_21_lo1 = Ro_21_error + Ro_21c_lo, Ro_21_lo = Ro_21_lo1 + Ro_21d_lo;
-  const double Ro_22a = R1->m20 * R2->m20, Ro_22a_lo = ksl_product_error(R1->m20, R2->m20, Ro_22a),
-      Ro_22b = R1->m21 * R2->m21, Ro_22b_lo = ksl_product_error(R1->m21, R2->m21, Ro_22b),
-      Ro_22c = Ro_22a + Ro_22b, Ro_22c_error = ksl_sum_error(Ro_22a, Ro_22b, Ro_22c),
-      Ro_22c_lo1 = Ro_22c_error + Ro_22a_lo, Ro_22c_lo = Ro_22c_lo1 + Ro_22b_lo,
-      Ro_22d = R1->m22 * R2->m22, Ro_22d_lo = ksl_product_error(R1->m22, R2->m22, Ro_22d),
-      Ro_22 = Ro_22c + Ro_22d, Ro_22_error = ksl_sum_error(Ro_22c, Ro_22d, Ro_22),
-      Ro_22_lo1 = Ro_22_error + Ro_22c_lo, Ro_22_lo = Ro_22_lo1 + Ro_22d_lo;
+  const double Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m01, Ro_00c = Ro_00a + Ro_00b,
+      Ro_00c_right = Ro_00c - Ro_00a, Ro_00c_left = Ro_00c - Ro_00c_right,
+      Ro_00c_left_rest = ksl_product_rest(R1->m00, R2->m00, Ro_00a, Ro_00c_left),
+      Ro_00c_right_rest = ksl_product_rest(R1->m01, R2->m01, Ro_00b, Ro_00c_right),
+      Ro_00c_lo = Ro_00c_left_rest + Ro_00c_right_rest, Ro_00d = R1->m02 * R2->m02,
+      Ro_00 = Ro_00c + Ro_00d, Ro_00_right = Ro_00 - Ro_00c, Ro_00_left = Ro_00 - Ro_00_right,
+      Ro_00_left_rest = Ro_00c - Ro_00_left,
+      Ro_00_right_rest = ksl_product_rest(R1->m02, R2->m02, Ro_00d, Ro_00_right),
+      Ro_00_lo1 = Ro_00_left_rest + Ro_00_right_rest, Ro_00_lo = Ro_00_lo1 + Ro_00c_lo;
+  const double Ro_01a = R1->m00 * R2->m10, Ro_01b = R1->m01 * R2->m11, Ro_01c = Ro_01a + Ro_01b,
+      Ro_01c_right = Ro_01c - Ro_01a, Ro_01c_left = Ro_01c - Ro_01c_right,
+      Ro_01c_left_rest = ksl_product_rest(R1->m00, R2->m10, Ro_01a, Ro_01c_left),
+      Ro_01c_right_rest = ksl_product_rest(R1->m01, R2->m11, Ro_01b, Ro_01c_right),
+      Ro_01c_lo = Ro_01c_left_rest + Ro_01c_right_rest, Ro_01d = R1->m02 * R2->m12,
+      Ro_01 = Ro_01c + Ro_01d, Ro_01_right = Ro_01 - Ro_01c, Ro_01_left = Ro_01 - Ro_01_right,
+      Ro_01_left_rest = Ro_01c - Ro_01_left,
+      Ro_01_right_rest = ksl_product_rest(R1->m02, R2->m12, Ro_01d, Ro_01_right),
+      Ro_01_lo1 = Ro_01_left_rest + Ro_01_right_rest, Ro_01_lo = Ro_01_lo1 + Ro_01c_lo;
+  const double Ro_02a = R1->m00 * R2->m20, Ro_02b = R1->m01 * R2->m21, Ro_02c = Ro_02a + Ro_02b,
+      Ro_02c_right = Ro_02c - Ro_02a, Ro_02c_left = Ro_02c - Ro_02c_right,
+      Ro_02c_left_rest = ksl_product_rest(R1->m00, R2->m20, Ro_02a, Ro_02c_left),
+      Ro_02c_right_rest = ksl_product_rest(R1->m01, R2->m21, Ro_02b, Ro_02c_right),
+      Ro_02c_lo = Ro_02c_left_rest + Ro_02c_right_rest, Ro_02d = R1->m02 * R2->m22,
+      Ro_02 = Ro_02c + Ro_02d, Ro_02_right = Ro_02 - Ro_02c, Ro_02_left = Ro_02 - Ro_02_right,
+      Ro_02_left_rest = Ro_02c - Ro_02_left,
+      Ro_02_right_rest = ksl_product_rest(R1->m02, R2->m22, Ro_02d, Ro_02_right),
+      Ro_02_lo1 = Ro_02_left_rest + Ro_02_right_rest, Ro_02_lo = Ro_02_lo1 + Ro_02c_lo;
+  const double Ro_10a = R1->m10 * R2->m00, Ro_10b = R1->m11 * R2->m01, Ro_10c = Ro_10a + Ro_10b,
+      Ro_10c_right = Ro_10c - Ro_10a, Ro_10c_left = Ro_10c - Ro_10c_right,
+      Ro_10c_left_rest = ksl_product_rest(R1->m10, R2->m00, Ro_10a, Ro_10c_left),
+      Ro_10c_right_rest = ksl_product_rest(R1->m11, R2->m01, Ro_10b, Ro_10c_right),
+      Ro_10c_lo = Ro_10c_left_rest + Ro_10c_right_rest, Ro_10d = R1->m12 * R2->m02,
+      Ro_10 = Ro_10c + Ro_10d, Ro_10_right = Ro_10 - Ro_10c, Ro_10_left = Ro_10 - Ro_10_right,
+      Ro_10_left_rest = Ro_10c - Ro_10_left,
+      Ro_10_right_rest = ksl_product_rest(R1->m12, R2->m02, Ro_10d, Ro_10_right),
+      Ro_10_lo1 = Ro_10_left_rest + Ro_10_right_rest, Ro_10_lo = Ro_10_lo1 + Ro_10c_lo;
+  const double Ro_11a = R1->m10 * R2->m10, Ro_11b = R1->m11 * R2->m11, Ro_11c = Ro_11a + Ro_11b,
+      Ro_11c_right = Ro_11c - Ro_11a, Ro_11c_left = Ro_11c - Ro_11c_right,
+      Ro_11c_left_rest = ksl_product_rest(R1->m10, R2->m10, Ro_11a, Ro_11c_left),
+      Ro_11c_right_rest = ksl_product_rest(R1->m11, R2->m11, Ro_11b, Ro_11c_right),
+      Ro_11c_lo = Ro_11c_left_rest + Ro_11c_right_rest, Ro_11d = R1->m12 * R2->m12,
+      Ro_11 = Ro_11c + Ro_11d, Ro_11_right = Ro_11 - Ro_11c, Ro_11_left = Ro_11 - Ro_11_right,
+      Ro_11_left_rest = Ro_11c - Ro_11_left,
+      Ro_11_right_rest = ksl_product_rest(R1->m12, R2->m12, Ro_11d, Ro_11_right),
+      Ro_11_lo1 = Ro_11_left_rest + Ro_11_right_rest, Ro_11_lo = Ro_11_lo1 + Ro_11c_lo;
+  const double Ro_12a = R1->m10 * R2->m20, Ro_12b = R1->m11 * R2->m21, Ro_12c = Ro_12a + Ro_12b,
+      Ro_12c_right = Ro_12c - Ro_12a, Ro_12c_left = Ro_12c - Ro_12c_right,
+      Ro_12c_left_rest = ksl_product_rest(R1->m10, R2->m20, Ro_12a, Ro_12c_left),
+      Ro_12c_right_rest = ksl_product_rest(R1->m11, R2->m21, Ro_12b, Ro_12c_right),
+      Ro_12c_lo = Ro_12c_left_rest + Ro_12c_right_rest, Ro_12d = R1->m12 * R2->m22,
+      Ro_12 = Ro_12c + Ro_12d, Ro_12_right = Ro_12 - Ro_12c, Ro_12_left = Ro_12 - Ro_12_right,
+      Ro_12_left_rest = Ro_12c - Ro_12_left,
+      Ro_12_right_rest = ksl_product_rest(R1->m12, R2->m22, Ro_12d, Ro_12_right),
+      Ro_12_lo1 = Ro_12_left_rest + Ro_12_right_rest, Ro_12_lo = Ro_12_lo1 + Ro_12c_lo;
+  const double Ro_20a = R1->m20 * R2->m00, Ro_20b = R1->m21 * R2->m01, Ro_20c = Ro_20a + Ro_20b,
+      Ro_20c_right = Ro_20c - Ro_20a, Ro_20c_left = Ro_20c - Ro_20c_right,
+      Ro_20c_left_rest = ksl_product_rest(R1->m20, R2->m00, Ro_20a, Ro_20c_left),
+      Ro_20c_right_rest = ksl_product_rest(R1->m21, R2->m01, Ro_20b, Ro_20c_right),
+      Ro_20c_lo = Ro_20c_left_rest + Ro_20c_right_rest, Ro_20d = R1->m22 * R2->m02,
+      Ro_20 = Ro_20c + Ro_20d, Ro_20_right = Ro_20 - Ro_20c, Ro_20_left = Ro_20 - Ro_20_right,
+      Ro_20_left_rest = Ro_20c - Ro_20_left,
+      Ro_20_right_rest = ksl_product_rest(R1->m22, R2->m02, Ro_20d, Ro_20_right),
+      Ro_20_lo1 = Ro_20_left_rest + Ro_20_right_rest, Ro_20_lo = Ro_20_lo1 + Ro_20c_lo;
+  const double Ro_21a = R1->m20 * R2->m10, Ro_21b = R1->m21 * R2->m11, Ro_21c = Ro_21a + Ro_21b,
+      Ro_21c_right = Ro_21c - Ro_21a, Ro_21c_left = Ro_21c - Ro_21c_right,
+      Ro_21c_left_rest = ksl_product_rest(R1->m20, R2->m10, Ro_21a, Ro_21c_left),
+      Ro_21c_right_rest = ksl_product_rest(R1->m21, R2->m11, Ro_21b, Ro_21c_right),
+      Ro_21c_lo = Ro_21c_left_rest + Ro_21c_right_rest, Ro_21d = R1->m22 * R2->m12,
+      Ro_21 = Ro_21c + Ro_21d, Ro_21_right = Ro_21 - Ro_21c, Ro_21_left = Ro_21 - Ro_21_right,
+      Ro_21_left_rest = Ro_21c - Ro_21_left,
+      Ro_21_right_rest = ksl_product_rest(R1->m22, R2->m12, Ro_21d, Ro_21_right),
+      Ro_21_lo1 = Ro_21_left_rest + Ro_21_right_rest, Ro_21_lo = Ro_21_lo1 + Ro_21c_lo;
+  const double Ro_22a = R1->m20 * R2->m20, Ro_22b = R1->m21 * R2->m21, Ro_22c = Ro_22a + Ro_22b,
+      Ro_22c_right = Ro_22c - Ro_22a, Ro_22c_left = Ro_22c - Ro_22c_right,
+      Ro_22c_left_rest = ksl_product_rest(R1->m20, R2->m20, Ro_22a, Ro_22c_left),
+      Ro_22c_right_rest = ksl_product_rest(R1->m21, R2->m21, Ro_22b, Ro_22c_right),
+      Ro_22c_lo = Ro_22c_left_rest + Ro_22c_right_rest, Ro_22d = R1->m22 * R2->m22,
+      Ro_22 = Ro_22c + Ro_22d, Ro_22_right = Ro_22 - Ro_22c, Ro_22_left = Ro_22 - Ro_22_right,
+      Ro_22_left_rest = Ro_22c - Ro_22_left,
+      Ro_22_right_rest = ksl_product_rest(R1->m22, R2->m22, Ro_22d, Ro_22_right),
+      Ro_22_lo1 = Ro_22_left_rest + Ro_22_right_rest, Ro_22_lo = Ro_22_lo1 + Ro_22c_lo;
   const double Ro_00_rounded = Ro_00 + Ro_00_lo;
   const double Ro_01_rounded = Ro_01 + Ro_01_lo;
   const double Ro_02_rounded = Ro_02 + Ro_02_lo;
@@ -419,74 +503,92 @@ static inline void ksl_product_drdrinv_accurate(const ksl_mat3x3_t *R1, const ks
 
 /* Ro = R1^T R2.
    R1, R2, Ro: rotation or other 3×3 matrix.
-   27 mul, 63 add, 27 product error, 18 sum error.
-   Error <= u |result| + 10 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   27 mul, 99 add, 27 product rest.
+   Error <= u |result| + 11 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_drinvdr_accurate(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R1->m00 * R2->m00, Ro_00a_lo = ksl_product_error(R1->m00, R2->m00, Ro_00a),
-      Ro_00b = R1->m10 * R2->m10, Ro_00b_lo = ksl_product_error(R1->m10, R2->m10, Ro_00b),
-      Ro_00c = Ro_00a + Ro_00b, Ro_00c_error = ksl_sum_error(Ro_00a, Ro_00b, Ro_00c),
-      Ro_00c_lo1 = Ro_00c_error + Ro_00a_lo, Ro_00c_lo = Ro_00c_lo1 + Ro_00b_lo,
-      Ro_00d = R1->m20 * R2->m20, Ro_00d_lo = ksl_product_error(R1->m20, R2->m20, Ro_00d),
-      Ro_00 = Ro_00c + Ro_00d, Ro_00_error = ksl_sum_error(Ro_00c, Ro_00d, Ro_00),
-      Ro_00_lo1 = Ro_00_error + Ro_00c_lo, Ro_00_lo = Ro_00_lo1 + Ro_00d_lo;
-  const double Ro_01a = R1->m00 * R2->m01, Ro_01a_lo = ksl_product_error(R1->m00, R2->m01, Ro_01a),
-      Ro_01b = R1->m10 * R2->m11, Ro_01b_lo = ksl_product_error(R1->m10, R2->m11, Ro_01b),
-      Ro_01c = Ro_01a + Ro_01b, Ro_01c_error = ksl_sum_error(Ro_01a, Ro_01b, Ro_01c),
-      Ro_01c_lo1 = Ro_01c_error + Ro_01a_lo, Ro_01c_lo = Ro_01c_lo1 + Ro_01b_lo,
-      Ro_01d = R1->m20 * R2->m21, Ro_01d_lo = ksl_product_error(R1->m20, R2->m21, Ro_01d),
-      Ro_01 = Ro_01c + Ro_01d, Ro_01_error = ksl_sum_error(Ro_01c, Ro_01d, Ro_01),
-      Ro_01_lo1 = Ro_01_error + Ro_01c_lo, Ro_01_lo = Ro_01_lo1 + Ro_01d_lo;
-  const double Ro_02a = R1->m00 * R2->m02, Ro_02a_lo = ksl_product_error(R1->m00, R2->m02, Ro_02a),
-      Ro_02b = R1->m10 * R2->m12, Ro_02b_lo = ksl_product_error(R1->m10, R2->m12, Ro_02b),
-      Ro_02c = Ro_02a + Ro_02b, Ro_02c_error = ksl_sum_error(Ro_02a, Ro_02b, Ro_02c),
-      Ro_02c_lo1 = Ro_02c_error + Ro_02a_lo, Ro_02c_lo = Ro_02c_lo1 + Ro_02b_lo,
-      Ro_02d = R1->m20 * R2->m22, Ro_02d_lo = ksl_product_error(R1->m20, R2->m22, Ro_02d),
-      Ro_02 = Ro_02c + Ro_02d, Ro_02_error = ksl_sum_error(Ro_02c, Ro_02d, Ro_02),
-      Ro_02_lo1 = Ro_02_error + Ro_02c_lo, Ro_02_lo = Ro_02_lo1 + Ro_02d_lo;
-  const double Ro_10a = R1->m01 * R2->m00, Ro_10a_lo = ksl_product_error(R1->m01, R2->m00, Ro_10a),
-      Ro_10b = R1->m11 * R2->m10, Ro_10b_lo = ksl_product_error(R1->m11, R2->m10, Ro_10b),
-      Ro_10c = Ro_10a + Ro_10b, Ro_10c_error = ksl_sum_error(Ro_10a, Ro_10b, Ro_10c),
-      Ro_10c_lo1 = Ro_10c_error + Ro_10a_lo, Ro_10c_lo = Ro_10c_lo1 + Ro_10b_lo,
-      Ro_10d = R1->m21 * R2->m20, Ro_10d_lo = ksl_product_error(R1->m21, R2->m20, Ro_10d),
-      Ro_10 = Ro_10c + Ro_10d, Ro_10_error = ksl_sum_error(Ro_10c, Ro_10d, Ro_10),
-      Ro_10_lo1 = Ro_10_error + Ro_10c_lo, Ro_10_lo = Ro_10_lo1 + Ro_10d_lo;
-  const double Ro_11a = R1->m01 * R2->m01, Ro_11a_lo = ksl_product_error(R1->m01, R2->m01, Ro_11a),
-      Ro_11b = R1->m11 * R2->m11, Ro_11b_lo = ksl_product_error(R1->m11, R2->m11, Ro_11b),
-      Ro_11c = Ro_11a + Ro_11b, Ro_11c_error = ksl_sum_error(Ro_11a, Ro_11b, Ro_11c),
-      Ro_11c_lo1 = Ro_11c_error + Ro_11a_lo, Ro_11c_lo = Ro_11c_lo1 + Ro_11b_lo,
-      Ro_11d = R1->m21 * R2->m21, Ro_11d_lo = ksl_product_error(R1->m21, R2->m21, Ro_11d),
-      Ro_11 = Ro_11c + Ro_11d, Ro_11_error = ksl_sum_error(Ro_11c, Ro_11d, Ro_11),
-      Ro_11_lo1 = Ro_11_error + Ro_11c_lo, Ro_11_lo = Ro_11_lo1 + Ro_11d_lo;
-  const double Ro_12a = R1->m01 * R2->m02, Ro_12a_lo = ksl_product_error(R1->m01, R2->m02, Ro_12a),
-      Ro_12b = R1->m11 * R2->m12, Ro_12b_lo = ksl_product_error(R1->m11, R2->m12, Ro_12b),
-      Ro_12c = Ro_12a + Ro_12b, Ro_12c_error = ksl_sum_error(Ro_12a, Ro_12b, Ro_12c),
-      Ro_12c_lo1 = Ro_12c_error + Ro_12a_lo, Ro_12c_lo = Ro_12c_lo1 + Ro_12b_lo,
-      Ro_12d = R1->m21 * R2->m22, Ro_12d_lo = ksl_product_error(R1->m21, R2->m22, Ro_12d),
-      Ro_12 = Ro_12c + Ro_12d, Ro_12_error = ksl_sum_error(Ro_12c, Ro_12d, Ro_12),
-      Ro_12_lo1 = Ro_12_error + Ro_12c_lo, Ro_12_lo = Ro_12_lo1 + Ro_12d_lo;
-  const double Ro_20a = R1->m02 * R2->m00, Ro_20a_lo = ksl_product_error(R1->m02, R2->m00, Ro_20a),
-      Ro_20b = R1->m12 * R2->m10, Ro_20b_lo = ksl_product_error(R1->m12, R2->m10, Ro_20b),
-      Ro_20c = Ro_20a + Ro_20b, Ro_20c_error = ksl_sum_error(Ro_20a, Ro_20b, Ro_20c),
-      Ro_20c_lo1 = Ro_20c_error + Ro_20a_lo, Ro_20c_lo = Ro_20c_lo1 + Ro_20b_lo,
-      Ro_20d = R1->m22 * R2->m20, Ro_20d_lo = ksl_product_error(R1->m22, R2->m20, Ro_20d),
-      Ro_20 = Ro_20c + Ro_20d, Ro_20_error = ksl_sum_error(Ro_20c, Ro_20d, Ro_20),
-      Ro_20_lo1 = Ro_20_error + Ro_20c_lo, Ro_20_lo = Ro_20_lo1 + Ro_20d_lo;
-  const double Ro_21a = R1->m02 * R2->m01, Ro_21a_lo = ksl_product_error(R1->m02, R2->m01, Ro_21a),
-      Ro_21b = R1->m12 * R2->m11, Ro_21b_lo = ksl_product_error(R1->m12, R2->m11, Ro_21b),
-      Ro_21c = Ro_21a + Ro_21b, Ro_21c_error = ksl_sum_error(Ro_21a, Ro_21b, Ro_21c),
-      Ro_21c_lo1 = Ro_21c_error + Ro_21a_lo, Ro_21c_lo = Ro_21c_lo1 + Ro_21b_lo,
-      Ro_21d = R1->m22 * R2->m21, Ro_21d_lo = ksl_product_error(R1->m22, R2->m21, Ro_21d),
-      Ro_21 = Ro_21c + Ro_21d, Ro_21_error = ksl_sum_error(Ro_21c, Ro_21d, Ro_21),
-      Ro_21_lo1 = Ro_21_error + Ro_21c_lo, Ro_21_lo = Ro_21_lo1 + Ro_21d_lo;
-  const double Ro_22a = R1->m02 * R2->m02, Ro_22a_lo = ksl_product_error(R1->m02, R2->m02, Ro_22a),
-      Ro_22b = R1->m12 * R2->m12, Ro_22b_lo = ksl_product_error(R1->m12, R2->m12, Ro_22b),
-      Ro_22c = Ro_22a + Ro_22b, Ro_22c_error = ksl_sum_error(Ro_22a, Ro_22b, Ro_22c),
-      Ro_22c_lo1 = Ro_22c_error + Ro_22a_lo, Ro_22c_lo = Ro_22c_lo1 + Ro_22b_lo,
-      Ro_22d = R1->m22 * R2->m22, Ro_22d_lo = ksl_product_error(R1->m22, R2->m22, Ro_22d),
-      Ro_22 = Ro_22c + Ro_22d, Ro_22_error = ksl_sum_error(Ro_22c, Ro_22d, Ro_22),
-      Ro_22_lo1 = Ro_22_error + Ro_22c_lo, Ro_22_lo = Ro_22_lo1 + Ro_22d_lo;
+  const double Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m10 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
+      Ro_00c_right = Ro_00c - Ro_00a, Ro_00c_left = Ro_00c - Ro_00c_right,
+      Ro_00c_left_rest = ksl_product_rest(R1->m00, R2->m00, Ro_00a, Ro_00c_left),
+      Ro_00c_right_rest = ksl_product_rest(R1->m10, R2->m10, Ro_00b, Ro_00c_right),
+      Ro_00c_lo = Ro_00c_left_rest + Ro_00c_right_rest, Ro_00d = R1->m20 * R2->m20,
+      Ro_00 = Ro_00c + Ro_00d, Ro_00_right = Ro_00 - Ro_00c, Ro_00_left = Ro_00 - Ro_00_right,
+      Ro_00_left_rest = Ro_00c - Ro_00_left,
+      Ro_00_right_rest = ksl_product_rest(R1->m20, R2->m20, Ro_00d, Ro_00_right),
+      Ro_00_lo1 = Ro_00_left_rest + Ro_00_right_rest, Ro_00_lo = Ro_00_lo1 + Ro_00c_lo;
+  const double Ro_01a = R1->m00 * R2->m01, Ro_01b = R1->m10 * R2->m11, Ro_01c = Ro_01a + Ro_01b,
+      Ro_01c_right = Ro_01c - Ro_01a, Ro_01c_left = Ro_01c - Ro_01c_right,
+      Ro_01c_left_rest = ksl_product_rest(R1->m00, R2->m01, Ro_01a, Ro_01c_left),
+      Ro_01c_right_rest = ksl_product_rest(R1->m10, R2->m11, Ro_01b, Ro_01c_right),
+      Ro_01c_lo = Ro_01c_left_rest + Ro_01c_right_rest, Ro_01d = R1->m20 * R2->m21,
+      Ro_01 = Ro_01c + Ro_01d, Ro_01_right = Ro_01 - Ro_01c, Ro_01_left = Ro_01 - Ro_01_right,
+      Ro_01_left_rest = Ro_01c - Ro_01_left,
+      Ro_01_right_rest = ksl_product_rest(R1->m20, R2->m21, Ro_01d, Ro_01_right),
+      Ro_01_lo1 = Ro_01_left_rest + Ro_01_right_rest, Ro_01_lo = Ro_01_lo1 + Ro_01c_lo;
+  const double Ro_02a = R1->m00 * R2->m02, Ro_02b = R1->m10 * R2->m12, Ro_02c = Ro_02a + Ro_02b,
+      Ro_02c_right = Ro_02c - Ro_02a, Ro_02c_left = Ro_02c - Ro_02c_right,
+      Ro_02c_left_rest = ksl_product_rest(R1->m00, R2->m02, Ro_02a, Ro_02c_left),
+      Ro_02c_right_rest = ksl_product_rest(R1->m10, R2->m12, Ro_02b, Ro_02c_right),
+      Ro_02c_lo = Ro_02c_left_rest + Ro_02c_right_rest, Ro_02d = R1->m20 * R2->m22,
+      Ro_02 = Ro_02c + Ro_02d, Ro_02_right = Ro_02 - Ro_02c, Ro_02_left = Ro_02 - Ro_02_right,
+      Ro_02_left_rest = Ro_02c - Ro_02_left,
+      Ro_02_right_rest = ksl_product_rest(R1->m20, R2->m22, Ro_02d, Ro_02_right),
+      Ro_02_lo1 = Ro_02_left_rest + Ro_02_right_rest, Ro_02_lo = Ro_02_lo1 + Ro_02c_lo;
+  const double Ro_10a = R1->m01 * R2->m00, Ro_10b = R1->m11 * R2->m10, Ro_10c = Ro_10a + Ro_10b,
+      Ro_10c_right = Ro_10c - Ro_10a, Ro_10c_left = Ro_10c - Ro_10c_right,
+      Ro_10c_left_rest = ksl_product_rest(R1->m01, R2->m00, Ro_10a, Ro_10c_left),
+      Ro_10c_right_rest = ksl_product_rest(R1->m11, R2->m10, Ro_10b, Ro_10c_right),
+      Ro_10c_lo = Ro_10c_left_rest + Ro_10c_right_rest, Ro_10d = R1->m21 * R2->m20,
+      Ro_10 = Ro_10c + Ro_10d, Ro_10_right = Ro_10 - Ro_10c, Ro_10_left = Ro_10 - Ro_10_right,
+      Ro_10_left_rest = Ro_10c - Ro_10_left,
+      Ro_10_right_rest = ksl_product_rest(R1->m21, R2->m20, Ro_10d, Ro_10_right),
+      Ro_10_lo1 = Ro_10_left_rest + Ro_10_right_rest, Ro_10_lo = Ro_10_lo1 + Ro_10c_lo;
+  const double Ro_11a = R1->m01 * R2->m01, Ro_11b = R1->m11 * R2->m11, Ro_11c = Ro_11a + Ro_11b,
+      Ro_11c_right = Ro_11c - Ro_11a, Ro_11c_left = Ro_11c - Ro_11c_right,
+      Ro_11c_left_rest = ksl_product_rest(R1->m01, R2->m01, Ro_11a, Ro_11c_left),
+      Ro_11c_right_rest = ksl_product_rest(R1->m11, R2->m11, Ro_11b, Ro_11c_right),
+      Ro_11c_lo = Ro_11c_left_rest + Ro_11c_right_rest, Ro_11d = R1->m21 * R2->m21,
+      Ro_11 = Ro_11c + Ro_11d, Ro_11_right = Ro_11 - Ro_11c, Ro_11_left = Ro_11 - Ro_11_right,
+      Ro_11_left_rest = Ro_11c - Ro_11_left,
+      Ro_11_right_rest = ksl_product_rest(R1->m21, R2->m21, Ro_11d, Ro_11_right),
+      Ro_11_lo1 = Ro_11_left_rest + Ro_11_right_rest, Ro_11_lo = Ro_11_lo1 + Ro_11c_lo;
+  const double Ro_12a = R1->m01 * R2->m02, Ro_12b = R1->m11 * R2->m12, Ro_12c = Ro_12a + Ro_12b,
+      Ro_12c_right = Ro_12c - Ro_12a, Ro_12c_left = Ro_12c - Ro_12c_right,
+      Ro_12c_left_rest = ksl_product_rest(R1->m01, R2->m02, Ro_12a, Ro_12c_left),
+      Ro_12c_right_rest = ksl_product_rest(R1->m11, R2->m12, Ro_12b, Ro_12c_right),
+      Ro_12c_lo = Ro_12c_left_rest + Ro_12c_right_rest, Ro_12d = R1->m21 * R2->m22,
+      Ro_12 = Ro_12c + Ro_12d, Ro_12_right = Ro_12 - Ro_12c, Ro_12_left = Ro_12 - Ro_12_right,
+      Ro_12_left_rest = Ro_12c - Ro_12_left,
+      Ro_12_right_rest = ksl_product_rest(R1->m21, R2->m22, Ro_12d, Ro_12_right),
+      Ro_12_lo1 = Ro_12_left_rest + Ro_12_right_rest, Ro_12_lo = Ro_12_lo1 + Ro_12c_lo;
+  const double Ro_20a = R1->m02 * R2->m00, Ro_20b = R1->m12 * R2->m10, Ro_20c = Ro_20a + Ro_20b,
+      Ro_20c_right = Ro_20c - Ro_20a, Ro_20c_left = Ro_20c - Ro_20c_right,
+      Ro_20c_left_rest = ksl_product_rest(R1->m02, R2->m00, Ro_20a, Ro_20c_left),
+      Ro_20c_right_rest = ksl_product_rest(R1->m12, R2->m10, Ro_20b, Ro_20c_right),
+      Ro_20c_lo = Ro_20c_left_rest + Ro_20c_right_rest, Ro_20d = R1->m22 * R2->m20,
+      Ro_20 = Ro_20c + Ro_20d, Ro_20_right = Ro_20 - Ro_20c, Ro_20_left = Ro_20 - Ro_20_right,
+      Ro_20_left_rest = Ro_20c - Ro_20_left,
+      Ro_20_right_rest = ksl_product_rest(R1->m22, R2->m20, Ro_20d, Ro_20_right),
+      Ro_20_lo1 = Ro_20_left_rest + Ro_20_right_rest, Ro_20_lo = Ro_20_lo1 + Ro_20c_lo;
+  const double Ro_21a = R1->m02 * R2->m01, Ro_21b = R1->m12 * R2->m11, Ro_21c = Ro_21a + Ro_21b,
+      Ro_21c_right = Ro_21c - Ro_21a, Ro_21c_left = Ro_21c - Ro_21c_right,
+      Ro_21c_left_rest = ksl_product_rest(R1->m02, R2->m01, Ro_21a, Ro_21c_left),
+      Ro_21c_right_rest = ksl_product_rest(R1->m12, R2->m11, Ro_21b, Ro_21c_right),
+      Ro_21c_lo = Ro_21c_left_rest + Ro_21c_right_rest, Ro_21d = R1->m22 * R2->m21,
+      Ro_21 = Ro_21c + Ro_21d, Ro_21_right = Ro_21 - Ro_21c, Ro_21_left = Ro_21 - Ro_21_right,
+      Ro_21_left_rest = Ro_21c - Ro_21_left,
+      Ro_21_right_rest = ksl_product_rest(R1->m22, R2->m21, Ro_21d, Ro_21_right),
+      Ro_21_lo1 = Ro_21_left_rest + Ro_21_right_rest, Ro_21_lo = Ro_21_lo1 + Ro_21c_lo;
+  const double Ro_22a = R1->m02 * R2->m02, Ro_22b = R1->m12 * R2->m12, Ro_22c = Ro_22a + Ro_22b,
+      Ro_22c_right = Ro_22c - Ro_22a, Ro_22c_left = Ro_22c - Ro_22c_right,
+      Ro_22c_left_rest = ksl_product_rest(R1->m02, R2->m02, Ro_22a, Ro_22c_left),
+      Ro_22c_right_rest = ksl_product_rest(R1->m12, R2->m12, Ro_22b, Ro_22c_right),
+      Ro_22c_lo = Ro_22c_left_rest + Ro_22c_right_rest, Ro_22d = R1->m22 * R2->m22,
+      Ro_22 = Ro_22c + Ro_22d, Ro_22_right = Ro_22 - Ro_22c, Ro_22_left = Ro_22 - Ro_22_right,
+      Ro_22_left_rest = Ro_22c - Ro_22_left,
+      Ro_22_right_rest = ksl_product_rest(R1->m22, R2->m22, Ro_22d, Ro_22_right),
+      Ro_22_lo1 = Ro_22_left_rest + Ro_22_right_rest, Ro_22_lo = Ro_22_lo1 + Ro_22c_lo;
   const double Ro_00_rounded = Ro_00 + Ro_00_lo;
   const double Ro_01_rounded = Ro_01 + Ro_01_lo;
   const double Ro_02_rounded = Ro_02 + Ro_02_lo;
@@ -509,101 +611,128 @@ static inline void ksl_product_drinvdr_accurate(const ksl_mat3x3_t *R1, const ks
 
 /* Do = D1 D2 = [R1 R2 | R1 t2 + t1].
    D1, D2, Do: displacement [R | t], R rotation, t in m.
-   36 mul, 90 add, 36 product error, 27 sum error.
-   Error <= u |result| + (R: 10, t: 14) u^2 S, S the sum of the |terms| of the expanded formula;
+   36 mul, 153 add, 36 product rest.
+   Error <= u |result| + (R: 11, t: 15) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_dd_accurate(const ksl_SE3_t *D1, const ksl_SE3_t *D2,
     ksl_SE3_t *Do) {
-  const double Do_00a = D1->m00 * D2->m00, Do_00a_lo = ksl_product_error(D1->m00, D2->m00, Do_00a),
-      Do_00b = D1->m01 * D2->m10, Do_00b_lo = ksl_product_error(D1->m01, D2->m10, Do_00b),
-      Do_00c = Do_00a + Do_00b, Do_00c_error = ksl_sum_error(Do_00a, Do_00b, Do_00c),
-      Do_00c_lo1 = Do_00c_error + Do_00a_lo, Do_00c_lo = Do_00c_lo1 + Do_00b_lo,
-      Do_00d = D1->m02 * D2->m20, Do_00d_lo = ksl_product_error(D1->m02, D2->m20, Do_00d),
-      Do_00 = Do_00c + Do_00d, Do_00_error = ksl_sum_error(Do_00c, Do_00d, Do_00),
-      Do_00_lo1 = Do_00_error + Do_00c_lo, Do_00_lo = Do_00_lo1 + Do_00d_lo;
-  const double Do_01a = D1->m00 * D2->m01, Do_01a_lo = ksl_product_error(D1->m00, D2->m01, Do_01a),
-      Do_01b = D1->m01 * D2->m11, Do_01b_lo = ksl_product_error(D1->m01, D2->m11, Do_01b),
-      Do_01c = Do_01a + Do_01b, Do_01c_error = ksl_sum_error(Do_01a, Do_01b, Do_01c),
-      Do_01c_lo1 = Do_01c_error + Do_01a_lo, Do_01c_lo = Do_01c_lo1 + Do_01b_lo,
-      Do_01d = D1->m02 * D2->m21, Do_01d_lo = ksl_product_error(D1->m02, D2->m21, Do_01d),
-      Do_01 = Do_01c + Do_01d, Do_01_error = ksl_sum_error(Do_01c, Do_01d, Do_01),
-      Do_01_lo1 = Do_01_error + Do_01c_lo, Do_01_lo = Do_01_lo1 + Do_01d_lo;
-  const double Do_02a = D1->m00 * D2->m02, Do_02a_lo = ksl_product_error(D1->m00, D2->m02, Do_02a),
-      Do_02b = D1->m01 * D2->m12, Do_02b_lo = ksl_product_error(D1->m01, D2->m12, Do_02b),
-      Do_02c = Do_02a + Do_02b, Do_02c_error = ksl_sum_error(Do_02a, Do_02b, Do_02c),
-      Do_02c_lo1 = Do_02c_error + Do_02a_lo, Do_02c_lo = Do_02c_lo1 + Do_02b_lo,
-      Do_02d = D1->m02 * D2->m22, Do_02d_lo = ksl_product_error(D1->m02, D2->m22, Do_02d),
-      Do_02 = Do_02c + Do_02d, Do_02_error = ksl_sum_error(Do_02c, Do_02d, Do_02),
-      Do_02_lo1 = Do_02_error + Do_02c_lo, Do_02_lo = Do_02_lo1 + Do_02d_lo;
-  const double Do_03a = D1->m00 * D2->m03, Do_03a_lo = ksl_product_error(D1->m00, D2->m03, Do_03a),
-      Do_03b = D1->m01 * D2->m13, Do_03b_lo = ksl_product_error(D1->m01, D2->m13, Do_03b),
-      Do_03c = Do_03a + Do_03b, Do_03c_error = ksl_sum_error(Do_03a, Do_03b, Do_03c),
-      Do_03c_lo1 = Do_03c_error + Do_03a_lo, Do_03c_lo = Do_03c_lo1 + Do_03b_lo,
-      Do_03d = D1->m02 * D2->m23, Do_03d_lo = ksl_product_error(D1->m02, D2->m23, Do_03d),
-      Do_03e = Do_03c + Do_03d, Do_03e_error = ksl_sum_error(Do_03c, Do_03d, Do_03e),
-      Do_03e_lo1 = Do_03e_error + Do_03c_lo, Do_03e_lo = Do_03e_lo1 + Do_03d_lo,
-      Do_03 = Do_03e + D1->m03, Do_03_error = ksl_sum_error(Do_03e, D1->m03, Do_03),
-      Do_03_lo = Do_03_error + Do_03e_lo;
-  const double Do_10a = D1->m10 * D2->m00, Do_10a_lo = ksl_product_error(D1->m10, D2->m00, Do_10a),
-      Do_10b = D1->m11 * D2->m10, Do_10b_lo = ksl_product_error(D1->m11, D2->m10, Do_10b),
-      Do_10c = Do_10a + Do_10b, Do_10c_error = ksl_sum_error(Do_10a, Do_10b, Do_10c),
-      Do_10c_lo1 = Do_10c_error + Do_10a_lo, Do_10c_lo = Do_10c_lo1 + Do_10b_lo,
-      Do_10d = D1->m12 * D2->m20, Do_10d_lo = ksl_product_error(D1->m12, D2->m20, Do_10d),
-      Do_10 = Do_10c + Do_10d, Do_10_error = ksl_sum_error(Do_10c, Do_10d, Do_10),
-      Do_10_lo1 = Do_10_error + Do_10c_lo, Do_10_lo = Do_10_lo1 + Do_10d_lo;
-  const double Do_11a = D1->m10 * D2->m01, Do_11a_lo = ksl_product_error(D1->m10, D2->m01, Do_11a),
-      Do_11b = D1->m11 * D2->m11, Do_11b_lo = ksl_product_error(D1->m11, D2->m11, Do_11b),
-      Do_11c = Do_11a + Do_11b, Do_11c_error = ksl_sum_error(Do_11a, Do_11b, Do_11c),
-      Do_11c_lo1 = Do_11c_error + Do_11a_lo, Do_11c_lo = Do_11c_lo1 + Do_11b_lo,
-      Do_11d = D1->m12 * D2->m21, Do_11d_lo = ksl_product_error(D1->m12, D2->m21, Do_11d),
-      Do_11 = Do_11c + Do_11d, Do_11_error = ksl_sum_error(Do_11c, Do_11d, Do_11),
-      Do_11_lo1 = Do_11_error + Do_11c_lo, Do_11_lo = Do_11_lo1 + Do_11d_lo;
-  const double Do_12a = D1->m10 * D2->m02, Do_12a_lo = ksl_product_error(D1->m10, D2->m02, Do_12a),
-      Do_12b = D1->m11 * D2->m12, Do_12b_lo = ksl_product_error(D1->m11, D2->m12, Do_12b),
-      Do_12c = Do_12a + Do_12b, Do_12c_error = ksl_sum_error(Do_12a, Do_12b, Do_12c),
-      Do_12c_lo1 = Do_12c_error + Do_12a_lo, Do_12c_lo = Do_12c_lo1 + Do_12b_lo,
-      Do_12d = D1->m12 * D2->m22, Do_12d_lo = ksl_product_error(D1->m12, D2->m22, Do_12d),
-      Do_12 = Do_12c + Do_12d, Do_12_error = ksl_sum_error(Do_12c, Do_12d, Do_12),
-      Do_12_lo1 = Do_12_error + Do_12c_lo, Do_12_lo = Do_12_lo1 + Do_12d_lo;
-  const double Do_13a = D1->m10 * D2->m03, Do_13a_lo = ksl_product_error(D1->m10, D2->m03, Do_13a),
-      Do_13b = D1->m11 * D2->m13, Do_13b_lo = ksl_product_error(D1->m11, D2->m13, Do_13b),
-      Do_13c = Do_13a + Do_13b, Do_13c_error = ksl_sum_error(Do_13a, Do_13b, Do_13c),
-      Do_13c_lo1 = Do_13c_error + Do_13a_lo, Do_13c_lo = Do_13c_lo1 + Do_13b_lo,
-      Do_13d = D1->m12 * D2->m23, Do_13d_lo = ksl_product_error(D1->m12, D2->m23, Do_13d),
-      Do_13e = Do_13c + Do_13d, Do_13e_error = ksl_sum_error(Do_13c, Do_13d, Do_13e),
-      Do_13e_lo1 = Do_13e_error + Do_13c_lo, Do_13e_lo = Do_13e_lo1 + Do_13d_lo,
-      Do_13 = Do_13e + D1->m13, Do_13_error = ksl_sum_error(Do_13e, D1->m13, Do_13),
-      Do_13_lo = Do_13_error + Do_13e_lo;
-  const double Do_20a = D1->m20 * D2->m00, Do_20a_lo = ksl_product_error(D1->m20, D2->m00, Do_20a),
-      Do_20b = D1->m21 * D2->m10, Do_20b_lo = ksl_product_error(D1->m21, D2->m10, Do_20b),
-      Do_20c = Do_20a + Do_20b, Do_20c_error = ksl_sum_error(Do_20a, Do_20b, Do_20c),
-      Do_20c_lo1 = Do_20c_error + Do_20a_lo, Do_20c_lo = Do_20c_lo1 + Do_20b_lo,
-      Do_20d = D1->m22 * D2->m20, Do_20d_lo = ksl_product_error(D1->m22, D2->m20, Do_20d),
-      Do_20 = Do_20c + Do_20d, Do_20_error = ksl_sum_error(Do_20c, Do_20d, Do_20),
-      Do_20_lo1 = Do_20_error + Do_20c_lo, Do_20_lo = Do_20_lo1 + Do_20d_lo;
-  const double Do_21a = D1->m20 * D2->m01, Do_21a_lo = ksl_product_error(D1->m20, D2->m01, Do_21a),
-      Do_21b = D1->m21 * D2->m11, Do_21b_lo = ksl_product_error(D1->m21, D2->m11, Do_21b),
-      Do_21c = Do_21a + Do_21b, Do_21c_error = ksl_sum_error(Do_21a, Do_21b, Do_21c),
-      Do_21c_lo1 = Do_21c_error + Do_21a_lo, Do_21c_lo = Do_21c_lo1 + Do_21b_lo,
-      Do_21d = D1->m22 * D2->m21, Do_21d_lo = ksl_product_error(D1->m22, D2->m21, Do_21d),
-      Do_21 = Do_21c + Do_21d, Do_21_error = ksl_sum_error(Do_21c, Do_21d, Do_21),
-      Do_21_lo1 = Do_21_error + Do_21c_lo, Do_21_lo = Do_21_lo1 + Do_21d_lo;
-  const double Do_22a = D1->m20 * D2->m02, Do_22a_lo = ksl_product_error(D1->m20, D2->m02, Do_22a),
-      Do_22b = D1->m21 * D2->m12, Do_22b_lo = ksl_product_error(D1->m21, D2->m12, Do_22b),
-      Do_22c = Do_22a + Do_22b, Do_22c_error = ksl_sum_error(Do_22a, Do_22b, Do_22c),
-      Do_22c_lo1 = Do_22c_error + Do_22a_lo, Do_22c_lo = Do_22c_lo1 + Do_22b_lo,
-      Do_22d = D1->m22 * D2->m22, Do_22d_lo = ksl_product_error(D1->m22, D2->m22, Do_22d),
-      Do_22 = Do_22c + Do_22d, Do_22_error = ksl_sum_error(Do_22c, Do_22d, Do_22),
-      Do_22_lo1 = Do_22_error + Do_22c_lo, Do_22_lo = Do_22_lo1 + Do_22d_lo;
-  const double Do_23a = D1->m20 * D2->m03, Do_23a_lo = ksl_product_error(D1->m20, D2->m03, Do_23a),
-      Do_23b = D1->m21 * D2->m13, Do_23b_lo = ksl_product_error(D1->m21, D2->m13, Do_23b),
-      Do_23c = Do_23a + Do_23b, Do_23c_error = ksl_sum_error(Do_23a, Do_23b, Do_23c),
-      Do_23c_lo1 = Do_23c_error + Do_23a_lo, Do_23c_lo = Do_23c_lo1 + Do_23b_lo,
-      Do_23d = D1->m22 * D2->m23, Do_23d_lo = ksl_product_error(D1->m22, D2->m23, Do_23d),
-      Do_23e = Do_23c + Do_23d, Do_23e_error = ksl_sum_error(Do_23c, Do_23d, Do_23e),
-      Do_23e_lo1 = Do_23e_error + Do_23c_lo, Do_23e_lo = Do_23e_lo1 + Do_23d_lo,
-      Do_23 = Do_23e + D1->m23, Do_23_error = ksl_sum_error(Do_23e, D1->m23, Do_23),
-      Do_23_lo = Do_23_error + Do_23e_lo;
+  const double Do_00a = D1->m00 * D2->m00, Do_00b = D1->m01 * D2->m10, Do_00c = Do_00a + Do_00b,
+      Do_00c_right = Do_00c - Do_00a, Do_00c_left = Do_00c - Do_00c_right,
+      Do_00c_left_rest = ksl_product_rest(D1->m00, D2->m00, Do_00a, Do_00c_left),
+      Do_00c_right_rest = ksl_product_rest(D1->m01, D2->m10, Do_00b, Do_00c_right),
+      Do_00c_lo = Do_00c_left_rest + Do_00c_right_rest, Do_00d = D1->m02 * D2->m20,
+      Do_00 = Do_00c + Do_00d, Do_00_right = Do_00 - Do_00c, Do_00_left = Do_00 - Do_00_right,
+      Do_00_left_rest = Do_00c - Do_00_left,
+      Do_00_right_rest = ksl_product_rest(D1->m02, D2->m20, Do_00d, Do_00_right),
+      Do_00_lo1 = Do_00_left_rest + Do_00_right_rest, Do_00_lo = Do_00_lo1 + Do_00c_lo;
+  const double Do_01a = D1->m00 * D2->m01, Do_01b = D1->m01 * D2->m11, Do_01c = Do_01a + Do_01b,
+      Do_01c_right = Do_01c - Do_01a, Do_01c_left = Do_01c - Do_01c_right,
+      Do_01c_left_rest = ksl_product_rest(D1->m00, D2->m01, Do_01a, Do_01c_left),
+      Do_01c_right_rest = ksl_product_rest(D1->m01, D2->m11, Do_01b, Do_01c_right),
+      Do_01c_lo = Do_01c_left_rest + Do_01c_right_rest, Do_01d = D1->m02 * D2->m21,
+      Do_01 = Do_01c + Do_01d, Do_01_right = Do_01 - Do_01c, Do_01_left = Do_01 - Do_01_right,
+      Do_01_left_rest = Do_01c - Do_01_left,
+      Do_01_right_rest = ksl_product_rest(D1->m02, D2->m21, Do_01d, Do_01_right),
+      Do_01_lo1 = Do_01_left_rest + Do_01_right_rest, Do_01_lo = Do_01_lo1 + Do_01c_lo;
+  const double Do_02a = D1->m00 * D2->m02, Do_02b = D1->m01 * D2->m12, Do_02c = Do_02a + Do_02b,
+      Do_02c_right = Do_02c - Do_02a, Do_02c_left = Do_02c - Do_02c_right,
+      Do_02c_left_rest = ksl_product_rest(D1->m00, D2->m02, Do_02a, Do_02c_left),
+      Do_02c_right_rest = ksl_product_rest(D1->m01, D2->m12, Do_02b, Do_02c_right),
+      Do_02c_lo = Do_02c_left_rest + Do_02c_right_rest, Do_02d = D1->m02 * D2->m22,
+      Do_02 = Do_02c + Do_02d, Do_02_right = Do_02 - Do_02c, Do_02_left = Do_02 - Do_02_right,
+      Do_02_left_rest = Do_02c - Do_02_left,
+      Do_02_right_rest = ksl_product_rest(D1->m02, D2->m22, Do_02d, Do_02_right),
+      Do_02_lo1 = Do_02_left_rest + Do_02_right_rest, Do_02_lo = Do_02_lo1 + Do_02c_lo;
+  const double Do_03a = D1->m00 * D2->m03, Do_03b = D1->m01 * D2->m13, Do_03c = Do_03a + Do_03b,
+      Do_03c_right = Do_03c - Do_03a, Do_03c_left = Do_03c - Do_03c_right,
+      Do_03c_left_rest = ksl_product_rest(D1->m00, D2->m03, Do_03a, Do_03c_left),
+      Do_03c_right_rest = ksl_product_rest(D1->m01, D2->m13, Do_03b, Do_03c_right),
+      Do_03c_lo = Do_03c_left_rest + Do_03c_right_rest, Do_03d = D1->m02 * D2->m23,
+      Do_03e = Do_03c + Do_03d, Do_03e_right = Do_03e - Do_03c, Do_03e_left = Do_03e - Do_03e_right,
+      Do_03e_left_rest = Do_03c - Do_03e_left,
+      Do_03e_right_rest = ksl_product_rest(D1->m02, D2->m23, Do_03d, Do_03e_right),
+      Do_03e_lo1 = Do_03e_left_rest + Do_03e_right_rest, Do_03e_lo = Do_03e_lo1 + Do_03c_lo,
+      Do_03 = Do_03e + D1->m03, Do_03_right = Do_03 - Do_03e, Do_03_left = Do_03 - Do_03_right,
+      Do_03_left_rest = Do_03e - Do_03_left, Do_03_right_rest = D1->m03 - Do_03_right,
+      Do_03_lo1 = Do_03_left_rest + Do_03_right_rest, Do_03_lo = Do_03_lo1 + Do_03e_lo;
+  const double Do_10a = D1->m10 * D2->m00, Do_10b = D1->m11 * D2->m10, Do_10c = Do_10a + Do_10b,
+      Do_10c_right = Do_10c - Do_10a, Do_10c_left = Do_10c - Do_10c_right,
+      Do_10c_left_rest = ksl_product_rest(D1->m10, D2->m00, Do_10a, Do_10c_left),
+      Do_10c_right_rest = ksl_product_rest(D1->m11, D2->m10, Do_10b, Do_10c_right),
+      Do_10c_lo = Do_10c_left_rest + Do_10c_right_rest, Do_10d = D1->m12 * D2->m20,
+      Do_10 = Do_10c + Do_10d, Do_10_right = Do_10 - Do_10c, Do_10_left = Do_10 - Do_10_right,
+      Do_10_left_rest = Do_10c - Do_10_left,
+      Do_10_right_rest = ksl_product_rest(D1->m12, D2->m20, Do_10d, Do_10_right),
+      Do_10_lo1 = Do_10_left_rest + Do_10_right_rest, Do_10_lo = Do_10_lo1 + Do_10c_lo;
+  const double Do_11a = D1->m10 * D2->m01, Do_11b = D1->m11 * D2->m11, Do_11c = Do_11a + Do_11b,
+      Do_11c_right = Do_11c - Do_11a, Do_11c_left = Do_11c - Do_11c_right,
+      Do_11c_left_rest = ksl_product_rest(D1->m10, D2->m01, Do_11a, Do_11c_left),
+      Do_11c_right_rest = ksl_product_rest(D1->m11, D2->m11, Do_11b, Do_11c_right),
+      Do_11c_lo = Do_11c_left_rest + Do_11c_right_rest, Do_11d = D1->m12 * D2->m21,
+      Do_11 = Do_11c + Do_11d, Do_11_right = Do_11 - Do_11c, Do_11_left = Do_11 - Do_11_right,
+      Do_11_left_rest = Do_11c - Do_11_left,
+      Do_11_right_rest = ksl_product_rest(D1->m12, D2->m21, Do_11d, Do_11_right),
+      Do_11_lo1 = Do_11_left_rest + Do_11_right_rest, Do_11_lo = Do_11_lo1 + Do_11c_lo;
+  const double Do_12a = D1->m10 * D2->m02, Do_12b = D1->m11 * D2->m12, Do_12c = Do_12a + Do_12b,
+      Do_12c_right = Do_12c - Do_12a, Do_12c_left = Do_12c - Do_12c_right,
+      Do_12c_left_rest = ksl_product_rest(D1->m10, D2->m02, Do_12a, Do_12c_left),
+      Do_12c_right_rest = ksl_product_rest(D1->m11, D2->m12, Do_12b, Do_12c_right),
+      Do_12c_lo = Do_12c_left_rest + Do_12c_right_rest, Do_12d = D1->m12 * D2->m22,
+      Do_12 = Do_12c + Do_12d, Do_12_right = Do_12 - Do_12c, Do_12_left = Do_12 - Do_12_right,
+      Do_12_left_rest = Do_12c - Do_12_left,
+      Do_12_right_rest = ksl_product_rest(D1->m12, D2->m22, Do_12d, Do_12_right),
+      Do_12_lo1 = Do_12_left_rest + Do_12_right_rest, Do_12_lo = Do_12_lo1 + Do_12c_lo;
+  const double Do_13a = D1->m10 * D2->m03, Do_13b = D1->m11 * D2->m13, Do_13c = Do_13a + Do_13b,
+      Do_13c_right = Do_13c - Do_13a, Do_13c_left = Do_13c - Do_13c_right,
+      Do_13c_left_rest = ksl_product_rest(D1->m10, D2->m03, Do_13a, Do_13c_left),
+      Do_13c_right_rest = ksl_product_rest(D1->m11, D2->m13, Do_13b, Do_13c_right),
+      Do_13c_lo = Do_13c_left_rest + Do_13c_right_rest, Do_13d = D1->m12 * D2->m23,
+      Do_13e = Do_13c + Do_13d, Do_13e_right = Do_13e - Do_13c, Do_13e_left = Do_13e - Do_13e_right,
+      Do_13e_left_rest = Do_13c - Do_13e_left,
+      Do_13e_right_rest = ksl_product_rest(D1->m12, D2->m23, Do_13d, Do_13e_right),
+      Do_13e_lo1 = Do_13e_left_rest + Do_13e_right_rest, Do_13e_lo = Do_13e_lo1 + Do_13c_lo,
+      Do_13 = Do_13e + D1->m13, Do_13_right = Do_13 - Do_13e, Do_13_left = Do_13 - Do_13_right,
+      Do_13_left_rest = Do_13e - Do_13_left, Do_13_right_rest = D1->m13 - Do_13_right,
+      Do_13_lo1 = Do_13_left_rest + Do_13_right_rest, Do_13_lo = Do_13_lo1 + Do_13e_lo;
+  const double Do_20a = D1->m20 * D2->m00, Do_20b = D1->m21 * D2->m10, Do_20c = Do_20a + Do_20b,
+      Do_20c_right = Do_20c - Do_20a, Do_20c_left = Do_20c - Do_20c_right,
+      Do_20c_left_rest = ksl_product_rest(D1->m20, D2->m00, Do_20a, Do_20c_left),
+      Do_20c_right_rest = ksl_product_rest(D1->m21, D2->m10, Do_20b, Do_20c_right),
+      Do_20c_lo = Do_20c_left_rest + Do_20c_right_rest, Do_20d = D1->m22 * D2->m20,
+      Do_20 = Do_20c + Do_20d, Do_20_right = Do_20 - Do_20c, Do_20_left = Do_20 - Do_20_right,
+      Do_20_left_rest = Do_20c - Do_20_left,
+      Do_20_right_rest = ksl_product_rest(D1->m22, D2->m20, Do_20d, Do_20_right),
+      Do_20_lo1 = Do_20_left_rest + Do_20_right_rest, Do_20_lo = Do_20_lo1 + Do_20c_lo;
+  const double Do_21a = D1->m20 * D2->m01, Do_21b = D1->m21 * D2->m11, Do_21c = Do_21a + Do_21b,
+      Do_21c_right = Do_21c - Do_21a, Do_21c_left = Do_21c - Do_21c_right,
+      Do_21c_left_rest = ksl_product_rest(D1->m20, D2->m01, Do_21a, Do_21c_left),
+      Do_21c_right_rest = ksl_product_rest(D1->m21, D2->m11, Do_21b, Do_21c_right),
+      Do_21c_lo = Do_21c_left_rest + Do_21c_right_rest, Do_21d = D1->m22 * D2->m21,
+      Do_21 = Do_21c + Do_21d, Do_21_right = Do_21 - Do_21c, Do_21_left = Do_21 - Do_21_right,
+      Do_21_left_rest = Do_21c - Do_21_left,
+      Do_21_right_rest = ksl_product_rest(D1->m22, D2->m21, Do_21d, Do_21_right),
+      Do_21_lo1 = Do_21_left_rest + Do_21_right_rest, Do_21_lo = Do_21_lo1 + Do_21c_lo;
+  const double Do_22a = D1->m20 * D2->m02, Do_22b = D1->m21 * D2->m12, Do_22c = Do_22a + Do_22b,
+      Do_22c_right = Do_22c - Do_22a, Do_22c_left = Do_22c - Do_22c_right,
+      Do_22c_left_rest = ksl_product_rest(D1->m20, D2->m02, Do_22a, Do_22c_left),
+      Do_22c_right_rest = ksl_product_rest(D1->m21, D2->m12, Do_22b, Do_22c_right),
+      Do_22c_lo = Do_22c_left_rest + Do_22c_right_rest, Do_22d = D1->m22 * D2->m22,
+      Do_22 = Do_22c + Do_22d, Do_22_right = Do_22 - Do_22c, Do_22_left = Do_22 - Do_22_right,
+      Do_22_left_rest = Do_22c - Do_22_left,
+      Do_22_right_rest = ksl_product_rest(D1->m22, D2->m22, Do_22d, Do_22_right),
+      Do_22_lo1 = Do_22_left_rest + Do_22_right_rest, Do_22_lo = Do_22_lo1 + Do_22c_lo;
+  const double Do_23a = D1->m20 * D2->m03, Do_23b = D1->m21 * D2->m13, Do_23c = Do_23a + Do_23b,
+      Do_23c_right = Do_23c - Do_23a, Do_23c_left = Do_23c - Do_23c_right,
+      Do_23c_left_rest = ksl_product_rest(D1->m20, D2->m03, Do_23a, Do_23c_left),
+      Do_23c_right_rest = ksl_product_rest(D1->m21, D2->m13, Do_23b, Do_23c_right),
+      Do_23c_lo = Do_23c_left_rest + Do_23c_right_rest, Do_23d = D1->m22 * D2->m23,
+      Do_23e = Do_23c + Do_23d, Do_23e_right = Do_23e - Do_23c, Do_23e_left = Do_23e - Do_23e_right,
+      Do_23e_left_rest = Do_23c - Do_23e_left,
+      Do_23e_right_rest = ksl_product_rest(D1->m22, D2->m23, Do_23d, Do_23e_right),
+      Do_23e_lo1 = Do_23e_left_rest + Do_23e_right_rest, Do_23e_lo = Do_23e_lo1 + Do_23c_lo,
+      Do_23 = Do_23e + D1->m23, Do_23_right = Do_23 - Do_23e, Do_23_left = Do_23 - Do_23_right,
+      Do_23_left_rest = Do_23e - Do_23_left, Do_23_right_rest = D1->m23 - Do_23_right,
+      Do_23_lo1 = Do_23_left_rest + Do_23_right_rest, Do_23_lo = Do_23_lo1 + Do_23e_lo;
   const double Do_00_rounded = Do_00 + Do_00_lo;
   const double Do_01_rounded = Do_01 + Do_01_lo;
   const double Do_02_rounded = Do_02 + Do_02_lo;
@@ -632,113 +761,131 @@ static inline void ksl_product_dd_accurate(const ksl_SE3_t *D1, const ksl_SE3_t 
 
 /* Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T.
    D1, D2, Do: displacement [R | t], R rotation, t in m.
-   45 mul, 99 add, 36 product error, 27 sum error.
-   Error <= u |result| + (R: 10, t: 46) u^2 S, S the sum of the |terms| of the expanded formula;
+   45 mul, 162 add, 36 product rest.
+   Error <= u |result| + (R: 11, t: 44) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddinv_accurate(const ksl_SE3_t *D1, const ksl_SE3_t *D2,
     ksl_SE3_t *Do) {
-  const double R_0a = D1->m00 * D2->m00, R_0a_lo = ksl_product_error(D1->m00, D2->m00, R_0a),
-      R_0b = D1->m01 * D2->m01, R_0b_lo = ksl_product_error(D1->m01, D2->m01, R_0b),
-      R_0c = R_0a + R_0b, R_0c_error = ksl_sum_error(R_0a, R_0b, R_0c),
-      R_0c_lo1 = R_0c_error + R_0a_lo, R_0c_lo = R_0c_lo1 + R_0b_lo, R_0d = D1->m02 * D2->m02,
-      R_0d_lo = ksl_product_error(D1->m02, D2->m02, R_0d), R_0 = R_0c + R_0d,
-      R_0_error = ksl_sum_error(R_0c, R_0d, R_0), R_0_lo1 = R_0_error + R_0c_lo,
-      R_0_lo = R_0_lo1 + R_0d_lo;
-  const double R_1a = D1->m00 * D2->m10, R_1a_lo = ksl_product_error(D1->m00, D2->m10, R_1a),
-      R_1b = D1->m01 * D2->m11, R_1b_lo = ksl_product_error(D1->m01, D2->m11, R_1b),
-      R_1c = R_1a + R_1b, R_1c_error = ksl_sum_error(R_1a, R_1b, R_1c),
-      R_1c_lo1 = R_1c_error + R_1a_lo, R_1c_lo = R_1c_lo1 + R_1b_lo, R_1d = D1->m02 * D2->m12,
-      R_1d_lo = ksl_product_error(D1->m02, D2->m12, R_1d), R_1 = R_1c + R_1d,
-      R_1_error = ksl_sum_error(R_1c, R_1d, R_1), R_1_lo1 = R_1_error + R_1c_lo,
-      R_1_lo = R_1_lo1 + R_1d_lo;
-  const double R_2a = D1->m00 * D2->m20, R_2a_lo = ksl_product_error(D1->m00, D2->m20, R_2a),
-      R_2b = D1->m01 * D2->m21, R_2b_lo = ksl_product_error(D1->m01, D2->m21, R_2b),
-      R_2c = R_2a + R_2b, R_2c_error = ksl_sum_error(R_2a, R_2b, R_2c),
-      R_2c_lo1 = R_2c_error + R_2a_lo, R_2c_lo = R_2c_lo1 + R_2b_lo, R_2d = D1->m02 * D2->m22,
-      R_2d_lo = ksl_product_error(D1->m02, D2->m22, R_2d), R_2 = R_2c + R_2d,
-      R_2_error = ksl_sum_error(R_2c, R_2d, R_2), R_2_lo1 = R_2_error + R_2c_lo,
-      R_2_lo = R_2_lo1 + R_2d_lo;
-  const double R_3a = D1->m10 * D2->m00, R_3a_lo = ksl_product_error(D1->m10, D2->m00, R_3a),
-      R_3b = D1->m11 * D2->m01, R_3b_lo = ksl_product_error(D1->m11, D2->m01, R_3b),
-      R_3c = R_3a + R_3b, R_3c_error = ksl_sum_error(R_3a, R_3b, R_3c),
-      R_3c_lo1 = R_3c_error + R_3a_lo, R_3c_lo = R_3c_lo1 + R_3b_lo, R_3d = D1->m12 * D2->m02,
-      R_3d_lo = ksl_product_error(D1->m12, D2->m02, R_3d), R_3 = R_3c + R_3d,
-      R_3_error = ksl_sum_error(R_3c, R_3d, R_3), R_3_lo1 = R_3_error + R_3c_lo,
-      R_3_lo = R_3_lo1 + R_3d_lo;
-  const double R_4a = D1->m10 * D2->m10, R_4a_lo = ksl_product_error(D1->m10, D2->m10, R_4a),
-      R_4b = D1->m11 * D2->m11, R_4b_lo = ksl_product_error(D1->m11, D2->m11, R_4b),
-      R_4c = R_4a + R_4b, R_4c_error = ksl_sum_error(R_4a, R_4b, R_4c),
-      R_4c_lo1 = R_4c_error + R_4a_lo, R_4c_lo = R_4c_lo1 + R_4b_lo, R_4d = D1->m12 * D2->m12,
-      R_4d_lo = ksl_product_error(D1->m12, D2->m12, R_4d), R_4 = R_4c + R_4d,
-      R_4_error = ksl_sum_error(R_4c, R_4d, R_4), R_4_lo1 = R_4_error + R_4c_lo,
-      R_4_lo = R_4_lo1 + R_4d_lo;
-  const double R_5a = D1->m10 * D2->m20, R_5a_lo = ksl_product_error(D1->m10, D2->m20, R_5a),
-      R_5b = D1->m11 * D2->m21, R_5b_lo = ksl_product_error(D1->m11, D2->m21, R_5b),
-      R_5c = R_5a + R_5b, R_5c_error = ksl_sum_error(R_5a, R_5b, R_5c),
-      R_5c_lo1 = R_5c_error + R_5a_lo, R_5c_lo = R_5c_lo1 + R_5b_lo, R_5d = D1->m12 * D2->m22,
-      R_5d_lo = ksl_product_error(D1->m12, D2->m22, R_5d), R_5 = R_5c + R_5d,
-      R_5_error = ksl_sum_error(R_5c, R_5d, R_5), R_5_lo1 = R_5_error + R_5c_lo,
-      R_5_lo = R_5_lo1 + R_5d_lo;
-  const double R_6a = D1->m20 * D2->m00, R_6a_lo = ksl_product_error(D1->m20, D2->m00, R_6a),
-      R_6b = D1->m21 * D2->m01, R_6b_lo = ksl_product_error(D1->m21, D2->m01, R_6b),
-      R_6c = R_6a + R_6b, R_6c_error = ksl_sum_error(R_6a, R_6b, R_6c),
-      R_6c_lo1 = R_6c_error + R_6a_lo, R_6c_lo = R_6c_lo1 + R_6b_lo, R_6d = D1->m22 * D2->m02,
-      R_6d_lo = ksl_product_error(D1->m22, D2->m02, R_6d), R_6 = R_6c + R_6d,
-      R_6_error = ksl_sum_error(R_6c, R_6d, R_6), R_6_lo1 = R_6_error + R_6c_lo,
-      R_6_lo = R_6_lo1 + R_6d_lo;
-  const double R_7a = D1->m20 * D2->m10, R_7a_lo = ksl_product_error(D1->m20, D2->m10, R_7a),
-      R_7b = D1->m21 * D2->m11, R_7b_lo = ksl_product_error(D1->m21, D2->m11, R_7b),
-      R_7c = R_7a + R_7b, R_7c_error = ksl_sum_error(R_7a, R_7b, R_7c),
-      R_7c_lo1 = R_7c_error + R_7a_lo, R_7c_lo = R_7c_lo1 + R_7b_lo, R_7d = D1->m22 * D2->m12,
-      R_7d_lo = ksl_product_error(D1->m22, D2->m12, R_7d), R_7 = R_7c + R_7d,
-      R_7_error = ksl_sum_error(R_7c, R_7d, R_7), R_7_lo1 = R_7_error + R_7c_lo,
-      R_7_lo = R_7_lo1 + R_7d_lo;
-  const double R_8a = D1->m20 * D2->m20, R_8a_lo = ksl_product_error(D1->m20, D2->m20, R_8a),
-      R_8b = D1->m21 * D2->m21, R_8b_lo = ksl_product_error(D1->m21, D2->m21, R_8b),
-      R_8c = R_8a + R_8b, R_8c_error = ksl_sum_error(R_8a, R_8b, R_8c),
-      R_8c_lo1 = R_8c_error + R_8a_lo, R_8c_lo = R_8c_lo1 + R_8b_lo, R_8d = D1->m22 * D2->m22,
-      R_8d_lo = ksl_product_error(D1->m22, D2->m22, R_8d), R_8 = R_8c + R_8d,
-      R_8_error = ksl_sum_error(R_8c, R_8d, R_8), R_8_lo1 = R_8_error + R_8c_lo,
-      R_8_lo = R_8_lo1 + R_8d_lo;
-  const double Do_03a = D2->m03 * R_0, Do_03a_cross1 = D2->m03 * R_0_lo,
-      Do_03a_error = ksl_product_error(D2->m03, R_0, Do_03a),
-      Do_03a_lo = Do_03a_error + Do_03a_cross1, Do_03b = D2->m13 * R_1,
-      Do_03b_cross1 = D2->m13 * R_1_lo, Do_03b_error = ksl_product_error(D2->m13, R_1, Do_03b),
-      Do_03b_lo = Do_03b_error + Do_03b_cross1, Do_03c = Do_03a + Do_03b,
-      Do_03c_error = ksl_sum_error(Do_03a, Do_03b, Do_03c), Do_03c_lo1 = Do_03c_error + Do_03a_lo,
-      Do_03c_lo = Do_03c_lo1 + Do_03b_lo, Do_03d = D2->m23 * R_2, Do_03d_cross1 = D2->m23 * R_2_lo,
-      Do_03d_error = ksl_product_error(D2->m23, R_2, Do_03d),
-      Do_03d_lo = Do_03d_error + Do_03d_cross1, Do_03e = Do_03c + Do_03d,
-      Do_03e_error = ksl_sum_error(Do_03c, Do_03d, Do_03e), Do_03e_lo1 = Do_03e_error + Do_03c_lo,
-      Do_03e_lo = Do_03e_lo1 + Do_03d_lo, Do_03 = D1->m03 - Do_03e,
-      Do_03_error = ksl_difference_error(D1->m03, Do_03e, Do_03),
-      Do_03_lo = Do_03_error - Do_03e_lo;
-  const double Do_13a = D2->m03 * R_3, Do_13a_cross1 = D2->m03 * R_3_lo,
-      Do_13a_error = ksl_product_error(D2->m03, R_3, Do_13a),
-      Do_13a_lo = Do_13a_error + Do_13a_cross1, Do_13b = D2->m13 * R_4,
-      Do_13b_cross1 = D2->m13 * R_4_lo, Do_13b_error = ksl_product_error(D2->m13, R_4, Do_13b),
-      Do_13b_lo = Do_13b_error + Do_13b_cross1, Do_13c = Do_13a + Do_13b,
-      Do_13c_error = ksl_sum_error(Do_13a, Do_13b, Do_13c), Do_13c_lo1 = Do_13c_error + Do_13a_lo,
-      Do_13c_lo = Do_13c_lo1 + Do_13b_lo, Do_13d = D2->m23 * R_5, Do_13d_cross1 = D2->m23 * R_5_lo,
-      Do_13d_error = ksl_product_error(D2->m23, R_5, Do_13d),
-      Do_13d_lo = Do_13d_error + Do_13d_cross1, Do_13e = Do_13c + Do_13d,
-      Do_13e_error = ksl_sum_error(Do_13c, Do_13d, Do_13e), Do_13e_lo1 = Do_13e_error + Do_13c_lo,
-      Do_13e_lo = Do_13e_lo1 + Do_13d_lo, Do_13 = D1->m13 - Do_13e,
-      Do_13_error = ksl_difference_error(D1->m13, Do_13e, Do_13),
-      Do_13_lo = Do_13_error - Do_13e_lo;
-  const double Do_23a = D2->m03 * R_6, Do_23a_cross1 = D2->m03 * R_6_lo,
-      Do_23a_error = ksl_product_error(D2->m03, R_6, Do_23a),
-      Do_23a_lo = Do_23a_error + Do_23a_cross1, Do_23b = D2->m13 * R_7,
-      Do_23b_cross1 = D2->m13 * R_7_lo, Do_23b_error = ksl_product_error(D2->m13, R_7, Do_23b),
-      Do_23b_lo = Do_23b_error + Do_23b_cross1, Do_23c = Do_23a + Do_23b,
-      Do_23c_error = ksl_sum_error(Do_23a, Do_23b, Do_23c), Do_23c_lo1 = Do_23c_error + Do_23a_lo,
-      Do_23c_lo = Do_23c_lo1 + Do_23b_lo, Do_23d = D2->m23 * R_8, Do_23d_cross1 = D2->m23 * R_8_lo,
-      Do_23d_error = ksl_product_error(D2->m23, R_8, Do_23d),
-      Do_23d_lo = Do_23d_error + Do_23d_cross1, Do_23e = Do_23c + Do_23d,
-      Do_23e_error = ksl_sum_error(Do_23c, Do_23d, Do_23e), Do_23e_lo1 = Do_23e_error + Do_23c_lo,
-      Do_23e_lo = Do_23e_lo1 + Do_23d_lo, Do_23 = D1->m23 - Do_23e,
-      Do_23_error = ksl_difference_error(D1->m23, Do_23e, Do_23),
-      Do_23_lo = Do_23_error - Do_23e_lo;
+  const double R_0a = D1->m00 * D2->m00, R_0b = D1->m01 * D2->m01, R_0c = R_0a + R_0b,
+      R_0c_right = R_0c - R_0a, R_0c_left = R_0c - R_0c_right,
+      R_0c_left_rest = ksl_product_rest(D1->m00, D2->m00, R_0a, R_0c_left),
+      R_0c_right_rest = ksl_product_rest(D1->m01, D2->m01, R_0b, R_0c_right),
+      R_0c_lo = R_0c_left_rest + R_0c_right_rest, R_0d = D1->m02 * D2->m02, R_0 = R_0c + R_0d,
+      R_0_right = R_0 - R_0c, R_0_left = R_0 - R_0_right, R_0_left_rest = R_0c - R_0_left,
+      R_0_right_rest = ksl_product_rest(D1->m02, D2->m02, R_0d, R_0_right),
+      R_0_lo1 = R_0_left_rest + R_0_right_rest, R_0_lo = R_0_lo1 + R_0c_lo;
+  const double R_1a = D1->m00 * D2->m10, R_1b = D1->m01 * D2->m11, R_1c = R_1a + R_1b,
+      R_1c_right = R_1c - R_1a, R_1c_left = R_1c - R_1c_right,
+      R_1c_left_rest = ksl_product_rest(D1->m00, D2->m10, R_1a, R_1c_left),
+      R_1c_right_rest = ksl_product_rest(D1->m01, D2->m11, R_1b, R_1c_right),
+      R_1c_lo = R_1c_left_rest + R_1c_right_rest, R_1d = D1->m02 * D2->m12, R_1 = R_1c + R_1d,
+      R_1_right = R_1 - R_1c, R_1_left = R_1 - R_1_right, R_1_left_rest = R_1c - R_1_left,
+      R_1_right_rest = ksl_product_rest(D1->m02, D2->m12, R_1d, R_1_right),
+      R_1_lo1 = R_1_left_rest + R_1_right_rest, R_1_lo = R_1_lo1 + R_1c_lo;
+  const double R_2a = D1->m00 * D2->m20, R_2b = D1->m01 * D2->m21, R_2c = R_2a + R_2b,
+      R_2c_right = R_2c - R_2a, R_2c_left = R_2c - R_2c_right,
+      R_2c_left_rest = ksl_product_rest(D1->m00, D2->m20, R_2a, R_2c_left),
+      R_2c_right_rest = ksl_product_rest(D1->m01, D2->m21, R_2b, R_2c_right),
+      R_2c_lo = R_2c_left_rest + R_2c_right_rest, R_2d = D1->m02 * D2->m22, R_2 = R_2c + R_2d,
+      R_2_right = R_2 - R_2c, R_2_left = R_2 - R_2_right, R_2_left_rest = R_2c - R_2_left,
+      R_2_right_rest = ksl_product_rest(D1->m02, D2->m22, R_2d, R_2_right),
+      R_2_lo1 = R_2_left_rest + R_2_right_rest, R_2_lo = R_2_lo1 + R_2c_lo;
+  const double R_3a = D1->m10 * D2->m00, R_3b = D1->m11 * D2->m01, R_3c = R_3a + R_3b,
+      R_3c_right = R_3c - R_3a, R_3c_left = R_3c - R_3c_right,
+      R_3c_left_rest = ksl_product_rest(D1->m10, D2->m00, R_3a, R_3c_left),
+      R_3c_right_rest = ksl_product_rest(D1->m11, D2->m01, R_3b, R_3c_right),
+      R_3c_lo = R_3c_left_rest + R_3c_right_rest, R_3d = D1->m12 * D2->m02, R_3 = R_3c + R_3d,
+      R_3_right = R_3 - R_3c, R_3_left = R_3 - R_3_right, R_3_left_rest = R_3c - R_3_left,
+      R_3_right_rest = ksl_product_rest(D1->m12, D2->m02, R_3d, R_3_right),
+      R_3_lo1 = R_3_left_rest + R_3_right_rest, R_3_lo = R_3_lo1 + R_3c_lo;
+  const double R_4a = D1->m10 * D2->m10, R_4b = D1->m11 * D2->m11, R_4c = R_4a + R_4b,
+      R_4c_right = R_4c - R_4a, R_4c_left = R_4c - R_4c_right,
+      R_4c_left_rest = ksl_product_rest(D1->m10, D2->m10, R_4a, R_4c_left),
+      R_4c_right_rest = ksl_product_rest(D1->m11, D2->m11, R_4b, R_4c_right),
+      R_4c_lo = R_4c_left_rest + R_4c_right_rest, R_4d = D1->m12 * D2->m12, R_4 = R_4c + R_4d,
+      R_4_right = R_4 - R_4c, R_4_left = R_4 - R_4_right, R_4_left_rest = R_4c - R_4_left,
+      R_4_right_rest = ksl_product_rest(D1->m12, D2->m12, R_4d, R_4_right),
+      R_4_lo1 = R_4_left_rest + R_4_right_rest, R_4_lo = R_4_lo1 + R_4c_lo;
+  const double R_5a = D1->m10 * D2->m20, R_5b = D1->m11 * D2->m21, R_5c = R_5a + R_5b,
+      R_5c_right = R_5c - R_5a, R_5c_left = R_5c - R_5c_right,
+      R_5c_left_rest = ksl_product_rest(D1->m10, D2->m20, R_5a, R_5c_left),
+      R_5c_right_rest = ksl_product_rest(D1->m11, D2->m21, R_5b, R_5c_right),
+      R_5c_lo = R_5c_left_rest + R_5c_right_rest, R_5d = D1->m12 * D2->m22, R_5 = R_5c + R_5d,
+      R_5_right = R_5 - R_5c, R_5_left = R_5 - R_5_right, R_5_left_rest = R_5c - R_5_left,
+      R_5_right_rest = ksl_product_rest(D1->m12, D2->m22, R_5d, R_5_right),
+      R_5_lo1 = R_5_left_rest + R_5_right_rest, R_5_lo = R_5_lo1 + R_5c_lo;
+  const double R_6a = D1->m20 * D2->m00, R_6b = D1->m21 * D2->m01, R_6c = R_6a + R_6b,
+      R_6c_right = R_6c - R_6a, R_6c_left = R_6c - R_6c_right,
+      R_6c_left_rest = ksl_product_rest(D1->m20, D2->m00, R_6a, R_6c_left),
+      R_6c_right_rest = ksl_product_rest(D1->m21, D2->m01, R_6b, R_6c_right),
+      R_6c_lo = R_6c_left_rest + R_6c_right_rest, R_6d = D1->m22 * D2->m02, R_6 = R_6c + R_6d,
+      R_6_right = R_6 - R_6c, R_6_left = R_6 - R_6_right, R_6_left_rest = R_6c - R_6_left,
+      R_6_right_rest = ksl_product_rest(D1->m22, D2->m02, R_6d, R_6_right),
+      R_6_lo1 = R_6_left_rest + R_6_right_rest, R_6_lo = R_6_lo1 + R_6c_lo;
+  const double R_7a = D1->m20 * D2->m10, R_7b = D1->m21 * D2->m11, R_7c = R_7a + R_7b,
+      R_7c_right = R_7c - R_7a, R_7c_left = R_7c - R_7c_right,
+      R_7c_left_rest = ksl_product_rest(D1->m20, D2->m10, R_7a, R_7c_left),
+      R_7c_right_rest = ksl_product_rest(D1->m21, D2->m11, R_7b, R_7c_right),
+      R_7c_lo = R_7c_left_rest + R_7c_right_rest, R_7d = D1->m22 * D2->m12, R_7 = R_7c + R_7d,
+      R_7_right = R_7 - R_7c, R_7_left = R_7 - R_7_right, R_7_left_rest = R_7c - R_7_left,
+      R_7_right_rest = ksl_product_rest(D1->m22, D2->m12, R_7d, R_7_right),
+      R_7_lo1 = R_7_left_rest + R_7_right_rest, R_7_lo = R_7_lo1 + R_7c_lo;
+  const double R_8a = D1->m20 * D2->m20, R_8b = D1->m21 * D2->m21, R_8c = R_8a + R_8b,
+      R_8c_right = R_8c - R_8a, R_8c_left = R_8c - R_8c_right,
+      R_8c_left_rest = ksl_product_rest(D1->m20, D2->m20, R_8a, R_8c_left),
+      R_8c_right_rest = ksl_product_rest(D1->m21, D2->m21, R_8b, R_8c_right),
+      R_8c_lo = R_8c_left_rest + R_8c_right_rest, R_8d = D1->m22 * D2->m22, R_8 = R_8c + R_8d,
+      R_8_right = R_8 - R_8c, R_8_left = R_8 - R_8_right, R_8_left_rest = R_8c - R_8_left,
+      R_8_right_rest = ksl_product_rest(D1->m22, D2->m22, R_8d, R_8_right),
+      R_8_lo1 = R_8_left_rest + R_8_right_rest, R_8_lo = R_8_lo1 + R_8c_lo;
+  const double Do_03a = D2->m03 * R_0, Do_03a_cross2 = D2->m03 * R_0_lo, Do_03b = D2->m13 * R_1,
+      Do_03b_cross2 = D2->m13 * R_1_lo, Do_03c = Do_03a + Do_03b, Do_03c_right = Do_03c - Do_03a,
+      Do_03c_left = Do_03c - Do_03c_right,
+      Do_03c_left_rest = ksl_product_rest(D2->m03, R_0, Do_03a, Do_03c_left),
+      Do_03c_right_rest = ksl_product_rest(D2->m13, R_1, Do_03b, Do_03c_right),
+      Do_03c_cross = Do_03a_cross2 + Do_03b_cross2,
+      Do_03c_lo1 = Do_03c_left_rest + Do_03c_right_rest, Do_03c_lo = Do_03c_lo1 + Do_03c_cross,
+      Do_03d = D2->m23 * R_2, Do_03d_cross2 = D2->m23 * R_2_lo, Do_03e = Do_03c + Do_03d,
+      Do_03e_right = Do_03e - Do_03c, Do_03e_left = Do_03e - Do_03e_right,
+      Do_03e_left_rest = Do_03c - Do_03e_left,
+      Do_03e_right_rest = ksl_product_rest(D2->m23, R_2, Do_03d, Do_03e_right),
+      Do_03e_lo1 = Do_03e_left_rest + Do_03e_right_rest, Do_03e_lo2 = Do_03e_lo1 + Do_03d_cross2,
+      Do_03e_lo = Do_03e_lo2 + Do_03c_lo, Do_03 = D1->m03 - Do_03e, Do_03_right = D1->m03 - Do_03,
+      Do_03_left = Do_03 + Do_03_right, Do_03_left_rest = D1->m03 - Do_03_left,
+      Do_03_right_rest = Do_03e - Do_03_right, Do_03_lo1 = Do_03_left_rest - Do_03_right_rest,
+      Do_03_lo = Do_03_lo1 - Do_03e_lo;
+  const double Do_13a = D2->m03 * R_3, Do_13a_cross2 = D2->m03 * R_3_lo, Do_13b = D2->m13 * R_4,
+      Do_13b_cross2 = D2->m13 * R_4_lo, Do_13c = Do_13a + Do_13b, Do_13c_right = Do_13c - Do_13a,
+      Do_13c_left = Do_13c - Do_13c_right,
+      Do_13c_left_rest = ksl_product_rest(D2->m03, R_3, Do_13a, Do_13c_left),
+      Do_13c_right_rest = ksl_product_rest(D2->m13, R_4, Do_13b, Do_13c_right),
+      Do_13c_cross = Do_13a_cross2 + Do_13b_cross2,
+      Do_13c_lo1 = Do_13c_left_rest + Do_13c_right_rest, Do_13c_lo = Do_13c_lo1 + Do_13c_cross,
+      Do_13d = D2->m23 * R_5, Do_13d_cross2 = D2->m23 * R_5_lo, Do_13e = Do_13c + Do_13d,
+      Do_13e_right = Do_13e - Do_13c, Do_13e_left = Do_13e - Do_13e_right,
+      Do_13e_left_rest = Do_13c - Do_13e_left,
+      Do_13e_right_rest = ksl_product_rest(D2->m23, R_5, Do_13d, Do_13e_right),
+      Do_13e_lo1 = Do_13e_left_rest + Do_13e_right_rest, Do_13e_lo2 = Do_13e_lo1 + Do_13d_cross2,
+      Do_13e_lo = Do_13e_lo2 + Do_13c_lo, Do_13 = D1->m13 - Do_13e, Do_13_right = D1->m13 - Do_13,
+      Do_13_left = Do_13 + Do_13_right, Do_13_left_rest = D1->m13 - Do_13_left,
+      Do_13_right_rest = Do_13e - Do_13_right, Do_13_lo1 = Do_13_left_rest - Do_13_right_rest,
+      Do_13_lo = Do_13_lo1 - Do_13e_lo;
+  const double Do_23a = D2->m03 * R_6, Do_23a_cross2 = D2->m03 * R_6_lo, Do_23b = D2->m13 * R_7,
+      Do_23b_cross2 = D2->m13 * R_7_lo, Do_23c = Do_23a + Do_23b, Do_23c_right = Do_23c - Do_23a,
+      Do_23c_left = Do_23c - Do_23c_right,
+      Do_23c_left_rest = ksl_product_rest(D2->m03, R_6, Do_23a, Do_23c_left),
+      Do_23c_right_rest = ksl_product_rest(D2->m13, R_7, Do_23b, Do_23c_right),
+      Do_23c_cross = Do_23a_cross2 + Do_23b_cross2,
+      Do_23c_lo1 = Do_23c_left_rest + Do_23c_right_rest, Do_23c_lo = Do_23c_lo1 + Do_23c_cross,
+      Do_23d = D2->m23 * R_8, Do_23d_cross2 = D2->m23 * R_8_lo, Do_23e = Do_23c + Do_23d,
+      Do_23e_right = Do_23e - Do_23c, Do_23e_left = Do_23e - Do_23e_right,
+      Do_23e_left_rest = Do_23c - Do_23e_left,
+      Do_23e_right_rest = ksl_product_rest(D2->m23, R_8, Do_23d, Do_23e_right),
+      Do_23e_lo1 = Do_23e_left_rest + Do_23e_right_rest, Do_23e_lo2 = Do_23e_lo1 + Do_23d_cross2,
+      Do_23e_lo = Do_23e_lo2 + Do_23c_lo, Do_23 = D1->m23 - Do_23e, Do_23_right = D1->m23 - Do_23,
+      Do_23_left = Do_23 + Do_23_right, Do_23_left_rest = D1->m23 - Do_23_left,
+      Do_23_right_rest = Do_23e - Do_23_right, Do_23_lo1 = Do_23_left_rest - Do_23_right_rest,
+      Do_23_lo = Do_23_lo1 - Do_23e_lo;
   const double R_0_rounded = R_0 + R_0_lo;
   const double R_1_rounded = R_1 + R_1_lo;
   const double R_2_rounded = R_2 + R_2_lo;
@@ -767,110 +914,140 @@ static inline void ksl_product_ddinv_accurate(const ksl_SE3_t *D1, const ksl_SE3
 
 /* Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)].
    D1, D2, Do: displacement [R | t], R rotation, t in m.
-   45 mul, 96 add, 36 product error, 27 sum error.
-   Error <= u |result| + (R: 10, t: 17) u^2 S, S the sum of the |terms| of the expanded formula;
+   45 mul, 159 add, 36 product rest.
+   Error <= u |result| + (R: 11, t: 18) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_dinvd_accurate(const ksl_SE3_t *D1, const ksl_SE3_t *D2,
     ksl_SE3_t *Do) {
-  const double p_0 = D2->m03 - D1->m03, p_0_lo = ksl_difference_error(D2->m03, D1->m03, p_0);
-  const double p_1 = D2->m13 - D1->m13, p_1_lo = ksl_difference_error(D2->m13, D1->m13, p_1);
-  const double p_2 = D2->m23 - D1->m23, p_2_lo = ksl_difference_error(D2->m23, D1->m23, p_2);
-  const double Do_00a = D1->m00 * D2->m00, Do_00a_lo = ksl_product_error(D1->m00, D2->m00, Do_00a),
-      Do_00b = D1->m10 * D2->m10, Do_00b_lo = ksl_product_error(D1->m10, D2->m10, Do_00b),
-      Do_00c = Do_00a + Do_00b, Do_00c_error = ksl_sum_error(Do_00a, Do_00b, Do_00c),
-      Do_00c_lo1 = Do_00c_error + Do_00a_lo, Do_00c_lo = Do_00c_lo1 + Do_00b_lo,
-      Do_00d = D1->m20 * D2->m20, Do_00d_lo = ksl_product_error(D1->m20, D2->m20, Do_00d),
-      Do_00 = Do_00c + Do_00d, Do_00_error = ksl_sum_error(Do_00c, Do_00d, Do_00),
-      Do_00_lo1 = Do_00_error + Do_00c_lo, Do_00_lo = Do_00_lo1 + Do_00d_lo;
-  const double Do_01a = D1->m00 * D2->m01, Do_01a_lo = ksl_product_error(D1->m00, D2->m01, Do_01a),
-      Do_01b = D1->m10 * D2->m11, Do_01b_lo = ksl_product_error(D1->m10, D2->m11, Do_01b),
-      Do_01c = Do_01a + Do_01b, Do_01c_error = ksl_sum_error(Do_01a, Do_01b, Do_01c),
-      Do_01c_lo1 = Do_01c_error + Do_01a_lo, Do_01c_lo = Do_01c_lo1 + Do_01b_lo,
-      Do_01d = D1->m20 * D2->m21, Do_01d_lo = ksl_product_error(D1->m20, D2->m21, Do_01d),
-      Do_01 = Do_01c + Do_01d, Do_01_error = ksl_sum_error(Do_01c, Do_01d, Do_01),
-      Do_01_lo1 = Do_01_error + Do_01c_lo, Do_01_lo = Do_01_lo1 + Do_01d_lo;
-  const double Do_02a = D1->m00 * D2->m02, Do_02a_lo = ksl_product_error(D1->m00, D2->m02, Do_02a),
-      Do_02b = D1->m10 * D2->m12, Do_02b_lo = ksl_product_error(D1->m10, D2->m12, Do_02b),
-      Do_02c = Do_02a + Do_02b, Do_02c_error = ksl_sum_error(Do_02a, Do_02b, Do_02c),
-      Do_02c_lo1 = Do_02c_error + Do_02a_lo, Do_02c_lo = Do_02c_lo1 + Do_02b_lo,
-      Do_02d = D1->m20 * D2->m22, Do_02d_lo = ksl_product_error(D1->m20, D2->m22, Do_02d),
-      Do_02 = Do_02c + Do_02d, Do_02_error = ksl_sum_error(Do_02c, Do_02d, Do_02),
-      Do_02_lo1 = Do_02_error + Do_02c_lo, Do_02_lo = Do_02_lo1 + Do_02d_lo;
-  const double Do_03a = D1->m00 * p_0, Do_03a_cross1 = D1->m00 * p_0_lo,
-      Do_03a_error = ksl_product_error(D1->m00, p_0, Do_03a),
-      Do_03a_lo = Do_03a_error + Do_03a_cross1, Do_03b = D1->m10 * p_1,
-      Do_03b_cross1 = D1->m10 * p_1_lo, Do_03b_error = ksl_product_error(D1->m10, p_1, Do_03b),
-      Do_03b_lo = Do_03b_error + Do_03b_cross1, Do_03c = Do_03a + Do_03b,
-      Do_03c_error = ksl_sum_error(Do_03a, Do_03b, Do_03c), Do_03c_lo1 = Do_03c_error + Do_03a_lo,
-      Do_03c_lo = Do_03c_lo1 + Do_03b_lo, Do_03d = D1->m20 * p_2, Do_03d_cross1 = D1->m20 * p_2_lo,
-      Do_03d_error = ksl_product_error(D1->m20, p_2, Do_03d),
-      Do_03d_lo = Do_03d_error + Do_03d_cross1, Do_03 = Do_03c + Do_03d,
-      Do_03_error = ksl_sum_error(Do_03c, Do_03d, Do_03), Do_03_lo1 = Do_03_error + Do_03c_lo,
-      Do_03_lo = Do_03_lo1 + Do_03d_lo;
-  const double Do_10a = D1->m01 * D2->m00, Do_10a_lo = ksl_product_error(D1->m01, D2->m00, Do_10a),
-      Do_10b = D1->m11 * D2->m10, Do_10b_lo = ksl_product_error(D1->m11, D2->m10, Do_10b),
-      Do_10c = Do_10a + Do_10b, Do_10c_error = ksl_sum_error(Do_10a, Do_10b, Do_10c),
-      Do_10c_lo1 = Do_10c_error + Do_10a_lo, Do_10c_lo = Do_10c_lo1 + Do_10b_lo,
-      Do_10d = D1->m21 * D2->m20, Do_10d_lo = ksl_product_error(D1->m21, D2->m20, Do_10d),
-      Do_10 = Do_10c + Do_10d, Do_10_error = ksl_sum_error(Do_10c, Do_10d, Do_10),
-      Do_10_lo1 = Do_10_error + Do_10c_lo, Do_10_lo = Do_10_lo1 + Do_10d_lo;
-  const double Do_11a = D1->m01 * D2->m01, Do_11a_lo = ksl_product_error(D1->m01, D2->m01, Do_11a),
-      Do_11b = D1->m11 * D2->m11, Do_11b_lo = ksl_product_error(D1->m11, D2->m11, Do_11b),
-      Do_11c = Do_11a + Do_11b, Do_11c_error = ksl_sum_error(Do_11a, Do_11b, Do_11c),
-      Do_11c_lo1 = Do_11c_error + Do_11a_lo, Do_11c_lo = Do_11c_lo1 + Do_11b_lo,
-      Do_11d = D1->m21 * D2->m21, Do_11d_lo = ksl_product_error(D1->m21, D2->m21, Do_11d),
-      Do_11 = Do_11c + Do_11d, Do_11_error = ksl_sum_error(Do_11c, Do_11d, Do_11),
-      Do_11_lo1 = Do_11_error + Do_11c_lo, Do_11_lo = Do_11_lo1 + Do_11d_lo;
-  const double Do_12a = D1->m01 * D2->m02, Do_12a_lo = ksl_product_error(D1->m01, D2->m02, Do_12a),
-      Do_12b = D1->m11 * D2->m12, Do_12b_lo = ksl_product_error(D1->m11, D2->m12, Do_12b),
-      Do_12c = Do_12a + Do_12b, Do_12c_error = ksl_sum_error(Do_12a, Do_12b, Do_12c),
-      Do_12c_lo1 = Do_12c_error + Do_12a_lo, Do_12c_lo = Do_12c_lo1 + Do_12b_lo,
-      Do_12d = D1->m21 * D2->m22, Do_12d_lo = ksl_product_error(D1->m21, D2->m22, Do_12d),
-      Do_12 = Do_12c + Do_12d, Do_12_error = ksl_sum_error(Do_12c, Do_12d, Do_12),
-      Do_12_lo1 = Do_12_error + Do_12c_lo, Do_12_lo = Do_12_lo1 + Do_12d_lo;
-  const double Do_13a = D1->m01 * p_0, Do_13a_cross1 = D1->m01 * p_0_lo,
-      Do_13a_error = ksl_product_error(D1->m01, p_0, Do_13a),
-      Do_13a_lo = Do_13a_error + Do_13a_cross1, Do_13b = D1->m11 * p_1,
-      Do_13b_cross1 = D1->m11 * p_1_lo, Do_13b_error = ksl_product_error(D1->m11, p_1, Do_13b),
-      Do_13b_lo = Do_13b_error + Do_13b_cross1, Do_13c = Do_13a + Do_13b,
-      Do_13c_error = ksl_sum_error(Do_13a, Do_13b, Do_13c), Do_13c_lo1 = Do_13c_error + Do_13a_lo,
-      Do_13c_lo = Do_13c_lo1 + Do_13b_lo, Do_13d = D1->m21 * p_2, Do_13d_cross1 = D1->m21 * p_2_lo,
-      Do_13d_error = ksl_product_error(D1->m21, p_2, Do_13d),
-      Do_13d_lo = Do_13d_error + Do_13d_cross1, Do_13 = Do_13c + Do_13d,
-      Do_13_error = ksl_sum_error(Do_13c, Do_13d, Do_13), Do_13_lo1 = Do_13_error + Do_13c_lo,
-      Do_13_lo = Do_13_lo1 + Do_13d_lo;
-  const double Do_20a = D1->m02 * D2->m00, Do_20a_lo = ksl_product_error(D1->m02, D2->m00, Do_20a),
-      Do_20b = D1->m12 * D2->m10, Do_20b_lo = ksl_product_error(D1->m12, D2->m10, Do_20b),
-      Do_20c = Do_20a + Do_20b, Do_20c_error = ksl_sum_error(Do_20a, Do_20b, Do_20c),
-      Do_20c_lo1 = Do_20c_error + Do_20a_lo, Do_20c_lo = Do_20c_lo1 + Do_20b_lo,
-      Do_20d = D1->m22 * D2->m20, Do_20d_lo = ksl_product_error(D1->m22, D2->m20, Do_20d),
-      Do_20 = Do_20c + Do_20d, Do_20_error = ksl_sum_error(Do_20c, Do_20d, Do_20),
-      Do_20_lo1 = Do_20_error + Do_20c_lo, Do_20_lo = Do_20_lo1 + Do_20d_lo;
-  const double Do_21a = D1->m02 * D2->m01, Do_21a_lo = ksl_product_error(D1->m02, D2->m01, Do_21a),
-      Do_21b = D1->m12 * D2->m11, Do_21b_lo = ksl_product_error(D1->m12, D2->m11, Do_21b),
-      Do_21c = Do_21a + Do_21b, Do_21c_error = ksl_sum_error(Do_21a, Do_21b, Do_21c),
-      Do_21c_lo1 = Do_21c_error + Do_21a_lo, Do_21c_lo = Do_21c_lo1 + Do_21b_lo,
-      Do_21d = D1->m22 * D2->m21, Do_21d_lo = ksl_product_error(D1->m22, D2->m21, Do_21d),
-      Do_21 = Do_21c + Do_21d, Do_21_error = ksl_sum_error(Do_21c, Do_21d, Do_21),
-      Do_21_lo1 = Do_21_error + Do_21c_lo, Do_21_lo = Do_21_lo1 + Do_21d_lo;
-  const double Do_22a = D1->m02 * D2->m02, Do_22a_lo = ksl_product_error(D1->m02, D2->m02, Do_22a),
-      Do_22b = D1->m12 * D2->m12, Do_22b_lo = ksl_product_error(D1->m12, D2->m12, Do_22b),
-      Do_22c = Do_22a + Do_22b, Do_22c_error = ksl_sum_error(Do_22a, Do_22b, Do_22c),
-      Do_22c_lo1 = Do_22c_error + Do_22a_lo, Do_22c_lo = Do_22c_lo1 + Do_22b_lo,
-      Do_22d = D1->m22 * D2->m22, Do_22d_lo = ksl_product_error(D1->m22, D2->m22, Do_22d),
-      Do_22 = Do_22c + Do_22d, Do_22_error = ksl_sum_error(Do_22c, Do_22d, Do_22),
-      Do_22_lo1 = Do_22_error + Do_22c_lo, Do_22_lo = Do_22_lo1 + Do_22d_lo;
-  const double Do_23a = D1->m02 * p_0, Do_23a_cross1 = D1->m02 * p_0_lo,
-      Do_23a_error = ksl_product_error(D1->m02, p_0, Do_23a),
-      Do_23a_lo = Do_23a_error + Do_23a_cross1, Do_23b = D1->m12 * p_1,
-      Do_23b_cross1 = D1->m12 * p_1_lo, Do_23b_error = ksl_product_error(D1->m12, p_1, Do_23b),
-      Do_23b_lo = Do_23b_error + Do_23b_cross1, Do_23c = Do_23a + Do_23b,
-      Do_23c_error = ksl_sum_error(Do_23a, Do_23b, Do_23c), Do_23c_lo1 = Do_23c_error + Do_23a_lo,
-      Do_23c_lo = Do_23c_lo1 + Do_23b_lo, Do_23d = D1->m22 * p_2, Do_23d_cross1 = D1->m22 * p_2_lo,
-      Do_23d_error = ksl_product_error(D1->m22, p_2, Do_23d),
-      Do_23d_lo = Do_23d_error + Do_23d_cross1, Do_23 = Do_23c + Do_23d,
-      Do_23_error = ksl_sum_error(Do_23c, Do_23d, Do_23), Do_23_lo1 = Do_23_error + Do_23c_lo,
-      Do_23_lo = Do_23_lo1 + Do_23d_lo;
+  const double p_0 = D2->m03 - D1->m03, p_0_right = D2->m03 - p_0, p_0_left = p_0 + p_0_right,
+      p_0_left_rest = D2->m03 - p_0_left, p_0_right_rest = D1->m03 - p_0_right,
+      p_0_lo = p_0_left_rest - p_0_right_rest;
+  const double p_1 = D2->m13 - D1->m13, p_1_right = D2->m13 - p_1, p_1_left = p_1 + p_1_right,
+      p_1_left_rest = D2->m13 - p_1_left, p_1_right_rest = D1->m13 - p_1_right,
+      p_1_lo = p_1_left_rest - p_1_right_rest;
+  const double p_2 = D2->m23 - D1->m23, p_2_right = D2->m23 - p_2, p_2_left = p_2 + p_2_right,
+      p_2_left_rest = D2->m23 - p_2_left, p_2_right_rest = D1->m23 - p_2_right,
+      p_2_lo = p_2_left_rest - p_2_right_rest;
+  const double Do_00a = D1->m00 * D2->m00, Do_00b = D1->m10 * D2->m10, Do_00c = Do_00a + Do_00b,
+      Do_00c_right = Do_00c - Do_00a, Do_00c_left = Do_00c - Do_00c_right,
+      Do_00c_left_rest = ksl_product_rest(D1->m00, D2->m00, Do_00a, Do_00c_left),
+      Do_00c_right_rest = ksl_product_rest(D1->m10, D2->m10, Do_00b, Do_00c_right),
+      Do_00c_lo = Do_00c_left_rest + Do_00c_right_rest, Do_00d = D1->m20 * D2->m20,
+      Do_00 = Do_00c + Do_00d, Do_00_right = Do_00 - Do_00c, Do_00_left = Do_00 - Do_00_right,
+      Do_00_left_rest = Do_00c - Do_00_left,
+      Do_00_right_rest = ksl_product_rest(D1->m20, D2->m20, Do_00d, Do_00_right),
+      Do_00_lo1 = Do_00_left_rest + Do_00_right_rest, Do_00_lo = Do_00_lo1 + Do_00c_lo;
+  const double Do_01a = D1->m00 * D2->m01, Do_01b = D1->m10 * D2->m11, Do_01c = Do_01a + Do_01b,
+      Do_01c_right = Do_01c - Do_01a, Do_01c_left = Do_01c - Do_01c_right,
+      Do_01c_left_rest = ksl_product_rest(D1->m00, D2->m01, Do_01a, Do_01c_left),
+      Do_01c_right_rest = ksl_product_rest(D1->m10, D2->m11, Do_01b, Do_01c_right),
+      Do_01c_lo = Do_01c_left_rest + Do_01c_right_rest, Do_01d = D1->m20 * D2->m21,
+      Do_01 = Do_01c + Do_01d, Do_01_right = Do_01 - Do_01c, Do_01_left = Do_01 - Do_01_right,
+      Do_01_left_rest = Do_01c - Do_01_left,
+      Do_01_right_rest = ksl_product_rest(D1->m20, D2->m21, Do_01d, Do_01_right),
+      Do_01_lo1 = Do_01_left_rest + Do_01_right_rest, Do_01_lo = Do_01_lo1 + Do_01c_lo;
+  const double Do_02a = D1->m00 * D2->m02, Do_02b = D1->m10 * D2->m12, Do_02c = Do_02a + Do_02b,
+      Do_02c_right = Do_02c - Do_02a, Do_02c_left = Do_02c - Do_02c_right,
+      Do_02c_left_rest = ksl_product_rest(D1->m00, D2->m02, Do_02a, Do_02c_left),
+      Do_02c_right_rest = ksl_product_rest(D1->m10, D2->m12, Do_02b, Do_02c_right),
+      Do_02c_lo = Do_02c_left_rest + Do_02c_right_rest, Do_02d = D1->m20 * D2->m22,
+      Do_02 = Do_02c + Do_02d, Do_02_right = Do_02 - Do_02c, Do_02_left = Do_02 - Do_02_right,
+      Do_02_left_rest = Do_02c - Do_02_left,
+      Do_02_right_rest = ksl_product_rest(D1->m20, D2->m22, Do_02d, Do_02_right),
+      Do_02_lo1 = Do_02_left_rest + Do_02_right_rest, Do_02_lo = Do_02_lo1 + Do_02c_lo;
+  const double Do_03a = D1->m00 * p_0, Do_03a_cross2 = D1->m00 * p_0_lo, Do_03b = D1->m10 * p_1,
+      Do_03b_cross2 = D1->m10 * p_1_lo, Do_03c = Do_03a + Do_03b, Do_03c_right = Do_03c - Do_03a,
+      Do_03c_left = Do_03c - Do_03c_right,
+      Do_03c_left_rest = ksl_product_rest(D1->m00, p_0, Do_03a, Do_03c_left),
+      Do_03c_right_rest = ksl_product_rest(D1->m10, p_1, Do_03b, Do_03c_right),
+      Do_03c_cross = Do_03a_cross2 + Do_03b_cross2,
+      Do_03c_lo1 = Do_03c_left_rest + Do_03c_right_rest, Do_03c_lo = Do_03c_lo1 + Do_03c_cross,
+      Do_03d = D1->m20 * p_2, Do_03d_cross2 = D1->m20 * p_2_lo, Do_03 = Do_03c + Do_03d,
+      Do_03_right = Do_03 - Do_03c, Do_03_left = Do_03 - Do_03_right,
+      Do_03_left_rest = Do_03c - Do_03_left,
+      Do_03_right_rest = ksl_product_rest(D1->m20, p_2, Do_03d, Do_03_right),
+      Do_03_lo1 = Do_03_left_rest + Do_03_right_rest, Do_03_lo2 = Do_03_lo1 + Do_03d_cross2,
+      Do_03_lo = Do_03_lo2 + Do_03c_lo;
+  const double Do_10a = D1->m01 * D2->m00, Do_10b = D1->m11 * D2->m10, Do_10c = Do_10a + Do_10b,
+      Do_10c_right = Do_10c - Do_10a, Do_10c_left = Do_10c - Do_10c_right,
+      Do_10c_left_rest = ksl_product_rest(D1->m01, D2->m00, Do_10a, Do_10c_left),
+      Do_10c_right_rest = ksl_product_rest(D1->m11, D2->m10, Do_10b, Do_10c_right),
+      Do_10c_lo = Do_10c_left_rest + Do_10c_right_rest, Do_10d = D1->m21 * D2->m20,
+      Do_10 = Do_10c + Do_10d, Do_10_right = Do_10 - Do_10c, Do_10_left = Do_10 - Do_10_right,
+      Do_10_left_rest = Do_10c - Do_10_left,
+      Do_10_right_rest = ksl_product_rest(D1->m21, D2->m20, Do_10d, Do_10_right),
+      Do_10_lo1 = Do_10_left_rest + Do_10_right_rest, Do_10_lo = Do_10_lo1 + Do_10c_lo;
+  const double Do_11a = D1->m01 * D2->m01, Do_11b = D1->m11 * D2->m11, Do_11c = Do_11a + Do_11b,
+      Do_11c_right = Do_11c - Do_11a, Do_11c_left = Do_11c - Do_11c_right,
+      Do_11c_left_rest = ksl_product_rest(D1->m01, D2->m01, Do_11a, Do_11c_left),
+      Do_11c_right_rest = ksl_product_rest(D1->m11, D2->m11, Do_11b, Do_11c_right),
+      Do_11c_lo = Do_11c_left_rest + Do_11c_right_rest, Do_11d = D1->m21 * D2->m21,
+      Do_11 = Do_11c + Do_11d, Do_11_right = Do_11 - Do_11c, Do_11_left = Do_11 - Do_11_right,
+      Do_11_left_rest = Do_11c - Do_11_left,
+      Do_11_right_rest = ksl_product_rest(D1->m21, D2->m21, Do_11d, Do_11_right),
+      Do_11_lo1 = Do_11_left_rest + Do_11_right_rest, Do_11_lo = Do_11_lo1 + Do_11c_lo;
+  const double Do_12a = D1->m01 * D2->m02, Do_12b = D1->m11 * D2->m12, Do_12c = Do_12a + Do_12b,
+      Do_12c_right = Do_12c - Do_12a, Do_12c_left = Do_12c - Do_12c_right,
+      Do_12c_left_rest = ksl_product_rest(D1->m01, D2->m02, Do_12a, Do_12c_left),
+      Do_12c_right_rest = ksl_product_rest(D1->m11, D2->m12, Do_12b, Do_12c_right),
+      Do_12c_lo = Do_12c_left_rest + Do_12c_right_rest, Do_12d = D1->m21 * D2->m22,
+      Do_12 = Do_12c + Do_12d, Do_12_right = Do_12 - Do_12c, Do_12_left = Do_12 - Do_12_right,
+      Do_12_left_rest = Do_12c - Do_12_left,
+      Do_12_right_rest = ksl_product_rest(D1->m21, D2->m22, Do_12d, Do_12_right),
+      Do_12_lo1 = Do_12_left_rest + Do_12_right_rest, Do_12_lo = Do_12_lo1 + Do_12c_lo;
+  const double Do_13a = D1->m01 * p_0, Do_13a_cross2 = D1->m01 * p_0_lo, Do_13b = D1->m11 * p_1,
+      Do_13b_cross2 = D1->m11 * p_1_lo, Do_13c = Do_13a + Do_13b, Do_13c_right = Do_13c - Do_13a,
+      Do_13c_left = Do_13c - Do_13c_right,
+      Do_13c_left_rest = ksl_product_rest(D1->m01, p_0, Do_13a, Do_13c_left),
+      Do_13c_right_rest = ksl_product_rest(D1->m11, p_1, Do_13b, Do_13c_right),
+      Do_13c_cross = Do_13a_cross2 + Do_13b_cross2,
+      Do_13c_lo1 = Do_13c_left_rest + Do_13c_right_rest, Do_13c_lo = Do_13c_lo1 + Do_13c_cross,
+      Do_13d = D1->m21 * p_2, Do_13d_cross2 = D1->m21 * p_2_lo, Do_13 = Do_13c + Do_13d,
+      Do_13_right = Do_13 - Do_13c, Do_13_left = Do_13 - Do_13_right,
+      Do_13_left_rest = Do_13c - Do_13_left,
+      Do_13_right_rest = ksl_product_rest(D1->m21, p_2, Do_13d, Do_13_right),
+      Do_13_lo1 = Do_13_left_rest + Do_13_right_rest, Do_13_lo2 = Do_13_lo1 + Do_13d_cross2,
+      Do_13_lo = Do_13_lo2 + Do_13c_lo;
+  const double Do_20a = D1->m02 * D2->m00, Do_20b = D1->m12 * D2->m10, Do_20c = Do_20a + Do_20b,
+      Do_20c_right = Do_20c - Do_20a, Do_20c_left = Do_20c - Do_20c_right,
+      Do_20c_left_rest = ksl_product_rest(D1->m02, D2->m00, Do_20a, Do_20c_left),
+      Do_20c_right_rest = ksl_product_rest(D1->m12, D2->m10, Do_20b, Do_20c_right),
+      Do_20c_lo = Do_20c_left_rest + Do_20c_right_rest, Do_20d = D1->m22 * D2->m20,
+      Do_20 = Do_20c + Do_20d, Do_20_right = Do_20 - Do_20c, Do_20_left = Do_20 - Do_20_right,
+      Do_20_left_rest = Do_20c - Do_20_left,
+      Do_20_right_rest = ksl_product_rest(D1->m22, D2->m20, Do_20d, Do_20_right),
+      Do_20_lo1 = Do_20_left_rest + Do_20_right_rest, Do_20_lo = Do_20_lo1 + Do_20c_lo;
+  const double Do_21a = D1->m02 * D2->m01, Do_21b = D1->m12 * D2->m11, Do_21c = Do_21a + Do_21b,
+      Do_21c_right = Do_21c - Do_21a, Do_21c_left = Do_21c - Do_21c_right,
+      Do_21c_left_rest = ksl_product_rest(D1->m02, D2->m01, Do_21a, Do_21c_left),
+      Do_21c_right_rest = ksl_product_rest(D1->m12, D2->m11, Do_21b, Do_21c_right),
+      Do_21c_lo = Do_21c_left_rest + Do_21c_right_rest, Do_21d = D1->m22 * D2->m21,
+      Do_21 = Do_21c + Do_21d, Do_21_right = Do_21 - Do_21c, Do_21_left = Do_21 - Do_21_right,
+      Do_21_left_rest = Do_21c - Do_21_left,
+      Do_21_right_rest = ksl_product_rest(D1->m22, D2->m21, Do_21d, Do_21_right),
+      Do_21_lo1 = Do_21_left_rest + Do_21_right_rest, Do_21_lo = Do_21_lo1 + Do_21c_lo;
+  const double Do_22a = D1->m02 * D2->m02, Do_22b = D1->m12 * D2->m12, Do_22c = Do_22a + Do_22b,
+      Do_22c_right = Do_22c - Do_22a, Do_22c_left = Do_22c - Do_22c_right,
+      Do_22c_left_rest = ksl_product_rest(D1->m02, D2->m02, Do_22a, Do_22c_left),
+      Do_22c_right_rest = ksl_product_rest(D1->m12, D2->m12, Do_22b, Do_22c_right),
+      Do_22c_lo = Do_22c_left_rest + Do_22c_right_rest, Do_22d = D1->m22 * D2->m22,
+      Do_22 = Do_22c + Do_22d, Do_22_right = Do_22 - Do_22c, Do_22_left = Do_22 - Do_22_right,
+      Do_22_left_rest = Do_22c - Do_22_left,
+      Do_22_right_rest = ksl_product_rest(D1->m22, D2->m22, Do_22d, Do_22_right),
+      Do_22_lo1 = Do_22_left_rest + Do_22_right_rest, Do_22_lo = Do_22_lo1 + Do_22c_lo;
+  const double Do_23a = D1->m02 * p_0, Do_23a_cross2 = D1->m02 * p_0_lo, Do_23b = D1->m12 * p_1,
+      Do_23b_cross2 = D1->m12 * p_1_lo, Do_23c = Do_23a + Do_23b, Do_23c_right = Do_23c - Do_23a,
+      Do_23c_left = Do_23c - Do_23c_right,
+      Do_23c_left_rest = ksl_product_rest(D1->m02, p_0, Do_23a, Do_23c_left),
+      Do_23c_right_rest = ksl_product_rest(D1->m12, p_1, Do_23b, Do_23c_right),
+      Do_23c_cross = Do_23a_cross2 + Do_23b_cross2,
+      Do_23c_lo1 = Do_23c_left_rest + Do_23c_right_rest, Do_23c_lo = Do_23c_lo1 + Do_23c_cross,
+      Do_23d = D1->m22 * p_2, Do_23d_cross2 = D1->m22 * p_2_lo, Do_23 = Do_23c + Do_23d,
+      Do_23_right = Do_23 - Do_23c, Do_23_left = Do_23 - Do_23_right,
+      Do_23_left_rest = Do_23c - Do_23_left,
+      Do_23_right_rest = ksl_product_rest(D1->m22, p_2, Do_23d, Do_23_right),
+      Do_23_lo1 = Do_23_left_rest + Do_23_right_rest, Do_23_lo2 = Do_23_lo1 + Do_23d_cross2,
+      Do_23_lo = Do_23_lo2 + Do_23c_lo;
   const double Do_00_rounded = Do_00 + Do_00_lo;
   const double Do_01_rounded = Do_01 + Do_01_lo;
   const double Do_02_rounded = Do_02 + Do_02_lo;
@@ -899,74 +1076,92 @@ static inline void ksl_product_dinvd_accurate(const ksl_SE3_t *D1, const ksl_SE3
 
 /* Do = D [R | 0].
    D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
-   27 mul, 63 add, 27 product error, 18 sum error.
-   Error <= u |result| + (R: 10, t: 0) u^2 S, S the sum of the |terms| of the expanded formula;
+   27 mul, 99 add, 27 product rest.
+   Error <= u |result| + (R: 11, t: 0) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddr_accurate(const ksl_SE3_t *D, const ksl_mat3x3_t *R,
     ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * R->m00, Do_00a_lo = ksl_product_error(D->m00, R->m00, Do_00a),
-      Do_00b = D->m01 * R->m10, Do_00b_lo = ksl_product_error(D->m01, R->m10, Do_00b),
-      Do_00c = Do_00a + Do_00b, Do_00c_error = ksl_sum_error(Do_00a, Do_00b, Do_00c),
-      Do_00c_lo1 = Do_00c_error + Do_00a_lo, Do_00c_lo = Do_00c_lo1 + Do_00b_lo,
-      Do_00d = D->m02 * R->m20, Do_00d_lo = ksl_product_error(D->m02, R->m20, Do_00d),
-      Do_00 = Do_00c + Do_00d, Do_00_error = ksl_sum_error(Do_00c, Do_00d, Do_00),
-      Do_00_lo1 = Do_00_error + Do_00c_lo, Do_00_lo = Do_00_lo1 + Do_00d_lo;
-  const double Do_01a = D->m00 * R->m01, Do_01a_lo = ksl_product_error(D->m00, R->m01, Do_01a),
-      Do_01b = D->m01 * R->m11, Do_01b_lo = ksl_product_error(D->m01, R->m11, Do_01b),
-      Do_01c = Do_01a + Do_01b, Do_01c_error = ksl_sum_error(Do_01a, Do_01b, Do_01c),
-      Do_01c_lo1 = Do_01c_error + Do_01a_lo, Do_01c_lo = Do_01c_lo1 + Do_01b_lo,
-      Do_01d = D->m02 * R->m21, Do_01d_lo = ksl_product_error(D->m02, R->m21, Do_01d),
-      Do_01 = Do_01c + Do_01d, Do_01_error = ksl_sum_error(Do_01c, Do_01d, Do_01),
-      Do_01_lo1 = Do_01_error + Do_01c_lo, Do_01_lo = Do_01_lo1 + Do_01d_lo;
-  const double Do_02a = D->m00 * R->m02, Do_02a_lo = ksl_product_error(D->m00, R->m02, Do_02a),
-      Do_02b = D->m01 * R->m12, Do_02b_lo = ksl_product_error(D->m01, R->m12, Do_02b),
-      Do_02c = Do_02a + Do_02b, Do_02c_error = ksl_sum_error(Do_02a, Do_02b, Do_02c),
-      Do_02c_lo1 = Do_02c_error + Do_02a_lo, Do_02c_lo = Do_02c_lo1 + Do_02b_lo,
-      Do_02d = D->m02 * R->m22, Do_02d_lo = ksl_product_error(D->m02, R->m22, Do_02d),
-      Do_02 = Do_02c + Do_02d, Do_02_error = ksl_sum_error(Do_02c, Do_02d, Do_02),
-      Do_02_lo1 = Do_02_error + Do_02c_lo, Do_02_lo = Do_02_lo1 + Do_02d_lo;
-  const double Do_10a = D->m10 * R->m00, Do_10a_lo = ksl_product_error(D->m10, R->m00, Do_10a),
-      Do_10b = D->m11 * R->m10, Do_10b_lo = ksl_product_error(D->m11, R->m10, Do_10b),
-      Do_10c = Do_10a + Do_10b, Do_10c_error = ksl_sum_error(Do_10a, Do_10b, Do_10c),
-      Do_10c_lo1 = Do_10c_error + Do_10a_lo, Do_10c_lo = Do_10c_lo1 + Do_10b_lo,
-      Do_10d = D->m12 * R->m20, Do_10d_lo = ksl_product_error(D->m12, R->m20, Do_10d),
-      Do_10 = Do_10c + Do_10d, Do_10_error = ksl_sum_error(Do_10c, Do_10d, Do_10),
-      Do_10_lo1 = Do_10_error + Do_10c_lo, Do_10_lo = Do_10_lo1 + Do_10d_lo;
-  const double Do_11a = D->m10 * R->m01, Do_11a_lo = ksl_product_error(D->m10, R->m01, Do_11a),
-      Do_11b = D->m11 * R->m11, Do_11b_lo = ksl_product_error(D->m11, R->m11, Do_11b),
-      Do_11c = Do_11a + Do_11b, Do_11c_error = ksl_sum_error(Do_11a, Do_11b, Do_11c),
-      Do_11c_lo1 = Do_11c_error + Do_11a_lo, Do_11c_lo = Do_11c_lo1 + Do_11b_lo,
-      Do_11d = D->m12 * R->m21, Do_11d_lo = ksl_product_error(D->m12, R->m21, Do_11d),
-      Do_11 = Do_11c + Do_11d, Do_11_error = ksl_sum_error(Do_11c, Do_11d, Do_11),
-      Do_11_lo1 = Do_11_error + Do_11c_lo, Do_11_lo = Do_11_lo1 + Do_11d_lo;
-  const double Do_12a = D->m10 * R->m02, Do_12a_lo = ksl_product_error(D->m10, R->m02, Do_12a),
-      Do_12b = D->m11 * R->m12, Do_12b_lo = ksl_product_error(D->m11, R->m12, Do_12b),
-      Do_12c = Do_12a + Do_12b, Do_12c_error = ksl_sum_error(Do_12a, Do_12b, Do_12c),
-      Do_12c_lo1 = Do_12c_error + Do_12a_lo, Do_12c_lo = Do_12c_lo1 + Do_12b_lo,
-      Do_12d = D->m12 * R->m22, Do_12d_lo = ksl_product_error(D->m12, R->m22, Do_12d),
-      Do_12 = Do_12c + Do_12d, Do_12_error = ksl_sum_error(Do_12c, Do_12d, Do_12),
-      Do_12_lo1 = Do_12_error + Do_12c_lo, Do_12_lo = Do_12_lo1 + Do_12d_lo;
-  const double Do_20a = D->m20 * R->m00, Do_20a_lo = ksl_product_error(D->m20, R->m00, Do_20a),
-      Do_20b = D->m21 * R->m10, Do_20b_lo = ksl_product_error(D->m21, R->m10, Do_20b),
-      Do_20c = Do_20a + Do_20b, Do_20c_error = ksl_sum_error(Do_20a, Do_20b, Do_20c),
-      Do_20c_lo1 = Do_20c_error + Do_20a_lo, Do_20c_lo = Do_20c_lo1 + Do_20b_lo,
-      Do_20d = D->m22 * R->m20, Do_20d_lo = ksl_product_error(D->m22, R->m20, Do_20d),
-      Do_20 = Do_20c + Do_20d, Do_20_error = ksl_sum_error(Do_20c, Do_20d, Do_20),
-      Do_20_lo1 = Do_20_error + Do_20c_lo, Do_20_lo = Do_20_lo1 + Do_20d_lo;
-  const double Do_21a = D->m20 * R->m01, Do_21a_lo = ksl_product_error(D->m20, R->m01, Do_21a),
-      Do_21b = D->m21 * R->m11, Do_21b_lo = ksl_product_error(D->m21, R->m11, Do_21b),
-      Do_21c = Do_21a + Do_21b, Do_21c_error = ksl_sum_error(Do_21a, Do_21b, Do_21c),
-      Do_21c_lo1 = Do_21c_error + Do_21a_lo, Do_21c_lo = Do_21c_lo1 + Do_21b_lo,
-      Do_21d = D->m22 * R->m21, Do_21d_lo = ksl_product_error(D->m22, R->m21, Do_21d),
-      Do_21 = Do_21c + Do_21d, Do_21_error = ksl_sum_error(Do_21c, Do_21d, Do_21),
-      Do_21_lo1 = Do_21_error + Do_21c_lo, Do_21_lo = Do_21_lo1 + Do_21d_lo;
-  const double Do_22a = D->m20 * R->m02, Do_22a_lo = ksl_product_error(D->m20, R->m02, Do_22a),
-      Do_22b = D->m21 * R->m12, Do_22b_lo = ksl_product_error(D->m21, R->m12, Do_22b),
-      Do_22c = Do_22a + Do_22b, Do_22c_error = ksl_sum_error(Do_22a, Do_22b, Do_22c),
-      Do_22c_lo1 = Do_22c_error + Do_22a_lo, Do_22c_lo = Do_22c_lo1 + Do_22b_lo,
-      Do_22d = D->m22 * R->m22, Do_22d_lo = ksl_product_error(D->m22, R->m22, Do_22d),
-      Do_22 = Do_22c + Do_22d, Do_22_error = ksl_sum_error(Do_22c, Do_22d, Do_22),
-      Do_22_lo1 = Do_22_error + Do_22c_lo, Do_22_lo = Do_22_lo1 + Do_22d_lo;
+  const double Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m10, Do_00c = Do_00a + Do_00b,
+      Do_00c_right = Do_00c - Do_00a, Do_00c_left = Do_00c - Do_00c_right,
+      Do_00c_left_rest = ksl_product_rest(D->m00, R->m00, Do_00a, Do_00c_left),
+      Do_00c_right_rest = ksl_product_rest(D->m01, R->m10, Do_00b, Do_00c_right),
+      Do_00c_lo = Do_00c_left_rest + Do_00c_right_rest, Do_00d = D->m02 * R->m20,
+      Do_00 = Do_00c + Do_00d, Do_00_right = Do_00 - Do_00c, Do_00_left = Do_00 - Do_00_right,
+      Do_00_left_rest = Do_00c - Do_00_left,
+      Do_00_right_rest = ksl_product_rest(D->m02, R->m20, Do_00d, Do_00_right),
+      Do_00_lo1 = Do_00_left_rest + Do_00_right_rest, Do_00_lo = Do_00_lo1 + Do_00c_lo;
+  const double Do_01a = D->m00 * R->m01, Do_01b = D->m01 * R->m11, Do_01c = Do_01a + Do_01b,
+      Do_01c_right = Do_01c - Do_01a, Do_01c_left = Do_01c - Do_01c_right,
+      Do_01c_left_rest = ksl_product_rest(D->m00, R->m01, Do_01a, Do_01c_left),
+      Do_01c_right_rest = ksl_product_rest(D->m01, R->m11, Do_01b, Do_01c_right),
+      Do_01c_lo = Do_01c_left_rest + Do_01c_right_rest, Do_01d = D->m02 * R->m21,
+      Do_01 = Do_01c + Do_01d, Do_01_right = Do_01 - Do_01c, Do_01_left = Do_01 - Do_01_right,
+      Do_01_left_rest = Do_01c - Do_01_left,
+      Do_01_right_rest = ksl_product_rest(D->m02, R->m21, Do_01d, Do_01_right),
+      Do_01_lo1 = Do_01_left_rest + Do_01_right_rest, Do_01_lo = Do_01_lo1 + Do_01c_lo;
+  const double Do_02a = D->m00 * R->m02, Do_02b = D->m01 * R->m12, Do_02c = Do_02a + Do_02b,
+      Do_02c_right = Do_02c - Do_02a, Do_02c_left = Do_02c - Do_02c_right,
+      Do_02c_left_rest = ksl_product_rest(D->m00, R->m02, Do_02a, Do_02c_left),
+      Do_02c_right_rest = ksl_product_rest(D->m01, R->m12, Do_02b, Do_02c_right),
+      Do_02c_lo = Do_02c_left_rest + Do_02c_right_rest, Do_02d = D->m02 * R->m22,
+      Do_02 = Do_02c + Do_02d, Do_02_right = Do_02 - Do_02c, Do_02_left = Do_02 - Do_02_right,
+      Do_02_left_rest = Do_02c - Do_02_left,
+      Do_02_right_rest = ksl_product_rest(D->m02, R->m22, Do_02d, Do_02_right),
+      Do_02_lo1 = Do_02_left_rest + Do_02_right_rest, Do_02_lo = Do_02_lo1 + Do_02c_lo;
+  const double Do_10a = D->m10 * R->m00, Do_10b = D->m11 * R->m10, Do_10c = Do_10a + Do_10b,
+      Do_10c_right = Do_10c - Do_10a, Do_10c_left = Do_10c - Do_10c_right,
+      Do_10c_left_rest = ksl_product_rest(D->m10, R->m00, Do_10a, Do_10c_left),
+      Do_10c_right_rest = ksl_product_rest(D->m11, R->m10, Do_10b, Do_10c_right),
+      Do_10c_lo = Do_10c_left_rest + Do_10c_right_rest, Do_10d = D->m12 * R->m20,
+      Do_10 = Do_10c + Do_10d, Do_10_right = Do_10 - Do_10c, Do_10_left = Do_10 - Do_10_right,
+      Do_10_left_rest = Do_10c - Do_10_left,
+      Do_10_right_rest = ksl_product_rest(D->m12, R->m20, Do_10d, Do_10_right),
+      Do_10_lo1 = Do_10_left_rest + Do_10_right_rest, Do_10_lo = Do_10_lo1 + Do_10c_lo;
+  const double Do_11a = D->m10 * R->m01, Do_11b = D->m11 * R->m11, Do_11c = Do_11a + Do_11b,
+      Do_11c_right = Do_11c - Do_11a, Do_11c_left = Do_11c - Do_11c_right,
+      Do_11c_left_rest = ksl_product_rest(D->m10, R->m01, Do_11a, Do_11c_left),
+      Do_11c_right_rest = ksl_product_rest(D->m11, R->m11, Do_11b, Do_11c_right),
+      Do_11c_lo = Do_11c_left_rest + Do_11c_right_rest, Do_11d = D->m12 * R->m21,
+      Do_11 = Do_11c + Do_11d, Do_11_right = Do_11 - Do_11c, Do_11_left = Do_11 - Do_11_right,
+      Do_11_left_rest = Do_11c - Do_11_left,
+      Do_11_right_rest = ksl_product_rest(D->m12, R->m21, Do_11d, Do_11_right),
+      Do_11_lo1 = Do_11_left_rest + Do_11_right_rest, Do_11_lo = Do_11_lo1 + Do_11c_lo;
+  const double Do_12a = D->m10 * R->m02, Do_12b = D->m11 * R->m12, Do_12c = Do_12a + Do_12b,
+      Do_12c_right = Do_12c - Do_12a, Do_12c_left = Do_12c - Do_12c_right,
+      Do_12c_left_rest = ksl_product_rest(D->m10, R->m02, Do_12a, Do_12c_left),
+      Do_12c_right_rest = ksl_product_rest(D->m11, R->m12, Do_12b, Do_12c_right),
+      Do_12c_lo = Do_12c_left_rest + Do_12c_right_rest, Do_12d = D->m12 * R->m22,
+      Do_12 = Do_12c + Do_12d, Do_12_right = Do_12 - Do_12c, Do_12_left = Do_12 - Do_12_right,
+      Do_12_left_rest = Do_12c - Do_12_left,
+      Do_12_right_rest = ksl_product_rest(D->m12, R->m22, Do_12d, Do_12_right),
+      Do_12_lo1 = Do_12_left_rest + Do_12_right_rest, Do_12_lo = Do_12_lo1 + Do_12c_lo;
+  const double Do_20a = D->m20 * R->m00, Do_20b = D->m21 * R->m10, Do_20c = Do_20a + Do_20b,
+      Do_20c_right = Do_20c - Do_20a, Do_20c_left = Do_20c - Do_20c_right,
+      Do_20c_left_rest = ksl_product_rest(D->m20, R->m00, Do_20a, Do_20c_left),
+      Do_20c_right_rest = ksl_product_rest(D->m21, R->m10, Do_20b, Do_20c_right),
+      Do_20c_lo = Do_20c_left_rest + Do_20c_right_rest, Do_20d = D->m22 * R->m20,
+      Do_20 = Do_20c + Do_20d, Do_20_right = Do_20 - Do_20c, Do_20_left = Do_20 - Do_20_right,
+      Do_20_left_rest = Do_20c - Do_20_left,
+      Do_20_right_rest = ksl_product_rest(D->m22, R->m20, Do_20d, Do_20_right),
+      Do_20_lo1 = Do_20_left_rest + Do_20_right_rest, Do_20_lo = Do_20_lo1 + Do_20c_lo;
+  const double Do_21a = D->m20 * R->m01, Do_21b = D->m21 * R->m11, Do_21c = Do_21a + Do_21b,
+      Do_21c_right = Do_21c - Do_21a, Do_21c_left = Do_21c - Do_21c_right,
+      Do_21c_left_rest = ksl_product_rest(D->m20, R->m01, Do_21a, Do_21c_left),
+      Do_21c_right_rest = ksl_product_rest(D->m21, R->m11, Do_21b, Do_21c_right),
+      Do_21c_lo = Do_21c_left_rest + Do_21c_right_rest, Do_21d = D->m22 * R->m21,
+      Do_21 = Do_21c + Do_21d, Do_21_right = Do_21 - Do_21c, Do_21_left = Do_21 - Do_21_right,
+      Do_21_left_rest = Do_21c - Do_21_left,
+      Do_21_right_rest = ksl_product_rest(D->m22, R->m21, Do_21d, Do_21_right),
+      Do_21_lo1 = Do_21_left_rest + Do_21_right_rest, Do_21_lo = Do_21_lo1 + Do_21c_lo;
+  const double Do_22a = D->m20 * R->m02, Do_22b = D->m21 * R->m12, Do_22c = Do_22a + Do_22b,
+      Do_22c_right = Do_22c - Do_22a, Do_22c_left = Do_22c - Do_22c_right,
+      Do_22c_left_rest = ksl_product_rest(D->m20, R->m02, Do_22a, Do_22c_left),
+      Do_22c_right_rest = ksl_product_rest(D->m21, R->m12, Do_22b, Do_22c_right),
+      Do_22c_lo = Do_22c_left_rest + Do_22c_right_rest, Do_22d = D->m22 * R->m22,
+      Do_22 = Do_22c + Do_22d, Do_22_right = Do_22 - Do_22c, Do_22_left = Do_22 - Do_22_right,
+      Do_22_left_rest = Do_22c - Do_22_left,
+      Do_22_right_rest = ksl_product_rest(D->m22, R->m22, Do_22d, Do_22_right),
+      Do_22_lo1 = Do_22_left_rest + Do_22_right_rest, Do_22_lo = Do_22_lo1 + Do_22c_lo;
   const double Do_00_rounded = Do_00 + Do_00_lo;
   const double Do_01_rounded = Do_01 + Do_01_lo;
   const double Do_02_rounded = Do_02 + Do_02_lo;
@@ -995,74 +1190,92 @@ static inline void ksl_product_ddr_accurate(const ksl_SE3_t *D, const ksl_mat3x3
 
 /* Do = D [R^T | 0].
    D, Do: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.
-   27 mul, 63 add, 27 product error, 18 sum error.
-   Error <= u |result| + (R: 10, t: 0) u^2 S, S the sum of the |terms| of the expanded formula;
+   27 mul, 99 add, 27 product rest.
+   Error <= u |result| + (R: 11, t: 0) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrinv_accurate(const ksl_SE3_t *D, const ksl_mat3x3_t *R,
     ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * R->m00, Do_00a_lo = ksl_product_error(D->m00, R->m00, Do_00a),
-      Do_00b = D->m01 * R->m01, Do_00b_lo = ksl_product_error(D->m01, R->m01, Do_00b),
-      Do_00c = Do_00a + Do_00b, Do_00c_error = ksl_sum_error(Do_00a, Do_00b, Do_00c),
-      Do_00c_lo1 = Do_00c_error + Do_00a_lo, Do_00c_lo = Do_00c_lo1 + Do_00b_lo,
-      Do_00d = D->m02 * R->m02, Do_00d_lo = ksl_product_error(D->m02, R->m02, Do_00d),
-      Do_00 = Do_00c + Do_00d, Do_00_error = ksl_sum_error(Do_00c, Do_00d, Do_00),
-      Do_00_lo1 = Do_00_error + Do_00c_lo, Do_00_lo = Do_00_lo1 + Do_00d_lo;
-  const double Do_01a = D->m00 * R->m10, Do_01a_lo = ksl_product_error(D->m00, R->m10, Do_01a),
-      Do_01b = D->m01 * R->m11, Do_01b_lo = ksl_product_error(D->m01, R->m11, Do_01b),
-      Do_01c = Do_01a + Do_01b, Do_01c_error = ksl_sum_error(Do_01a, Do_01b, Do_01c),
-      Do_01c_lo1 = Do_01c_error + Do_01a_lo, Do_01c_lo = Do_01c_lo1 + Do_01b_lo,
-      Do_01d = D->m02 * R->m12, Do_01d_lo = ksl_product_error(D->m02, R->m12, Do_01d),
-      Do_01 = Do_01c + Do_01d, Do_01_error = ksl_sum_error(Do_01c, Do_01d, Do_01),
-      Do_01_lo1 = Do_01_error + Do_01c_lo, Do_01_lo = Do_01_lo1 + Do_01d_lo;
-  const double Do_02a = D->m00 * R->m20, Do_02a_lo = ksl_product_error(D->m00, R->m20, Do_02a),
-      Do_02b = D->m01 * R->m21, Do_02b_lo = ksl_product_error(D->m01, R->m21, Do_02b),
-      Do_02c = Do_02a + Do_02b, Do_02c_error = ksl_sum_error(Do_02a, Do_02b, Do_02c),
-      Do_02c_lo1 = Do_02c_error + Do_02a_lo, Do_02c_lo = Do_02c_lo1 + Do_02b_lo,
-      Do_02d = D->m02 * R->m22, Do_02d_lo = ksl_product_error(D->m02, R->m22, Do_02d),
-      Do_02 = Do_02c + Do_02d, Do_02_error = ksl_sum_error(Do_02c, Do_02d, Do_02),
-      Do_02_lo1 = Do_02_error + Do_02c_lo, Do_02_lo = Do_02_lo1 + Do_02d_lo;
-  const double Do_10a = D->m10 * R->m00, Do_10a_lo = ksl_product_error(D->m10, R->m00, Do_10a),
-      Do_10b = D->m11 * R->m01, Do_10b_lo = ksl_product_error(D->m11, R->m01, Do_10b),
-      Do_10c = Do_10a + Do_10b, Do_10c_error = ksl_sum_error(Do_10a, Do_10b, Do_10c),
-      Do_10c_lo1 = Do_10c_error + Do_10a_lo, Do_10c_lo = Do_10c_lo1 + Do_10b_lo,
-      Do_10d = D->m12 * R->m02, Do_10d_lo = ksl_product_error(D->m12, R->m02, Do_10d),
-      Do_10 = Do_10c + Do_10d, Do_10_error = ksl_sum_error(Do_10c, Do_10d, Do_10),
-      Do_10_lo1 = Do_10_error + Do_10c_lo, Do_10_lo = Do_10_lo1 + Do_10d_lo;
-  const double Do_11a = D->m10 * R->m10, Do_11a_lo = ksl_product_error(D->m10, R->m10, Do_11a),
-      Do_11b = D->m11 * R->m11, Do_11b_lo = ksl_product_error(D->m11, R->m11, Do_11b),
-      Do_11c = Do_11a + Do_11b, Do_11c_error = ksl_sum_error(Do_11a, Do_11b, Do_11c),
-      Do_11c_lo1 = Do_11c_error + Do_11a_lo, Do_11c_lo = Do_11c_lo1 + Do_11b_lo,
-      Do_11d = D->m12 * R->m12, Do_11d_lo = ksl_product_error(D->m12, R->m12, Do_11d),
-      Do_11 = Do_11c + Do_11d, Do_11_error = ksl_sum_error(Do_11c, Do_11d, Do_11),
-      Do_11_lo1 = Do_11_error + Do_11c_lo, Do_11_lo = Do_11_lo1 + Do_11d_lo;
-  const double Do_12a = D->m10 * R->m20, Do_12a_lo = ksl_product_error(D->m10, R->m20, Do_12a),
-      Do_12b = D->m11 * R->m21, Do_12b_lo = ksl_product_error(D->m11, R->m21, Do_12b),
-      Do_12c = Do_12a + Do_12b, Do_12c_error = ksl_sum_error(Do_12a, Do_12b, Do_12c),
-      Do_12c_lo1 = Do_12c_error + Do_12a_lo, Do_12c_lo = Do_12c_lo1 + Do_12b_lo,
-      Do_12d = D->m12 * R->m22, Do_12d_lo = ksl_product_error(D->m12, R->m22, Do_12d),
-      Do_12 = Do_12c + Do_12d, Do_12_error = ksl_sum_error(Do_12c, Do_12d, Do_12),
-      Do_12_lo1 = Do_12_error + Do_12c_lo, Do_12_lo = Do_12_lo1 + Do_12d_lo;
-  const double Do_20a = D->m20 * R->m00, Do_20a_lo = ksl_product_error(D->m20, R->m00, Do_20a),
-      Do_20b = D->m21 * R->m01, Do_20b_lo = ksl_product_error(D->m21, R->m01, Do_20b),
-      Do_20c = Do_20a + Do_20b, Do_20c_error = ksl_sum_error(Do_20a, Do_20b, Do_20c),
-      Do_20c_lo1 = Do_20c_error + Do_20a_lo, Do_20c_lo = Do_20c_lo1 + Do_20b_lo,
-      Do_20d = D->m22 * R->m02, Do_20d_lo = ksl_product_error(D->m22, R->m02, Do_20d),
-      Do_20 = Do_20c + Do_20d, Do_20_error = ksl_sum_error(Do_20c, Do_20d, Do_20),
-      Do_20_lo1 = Do_20_error + Do_20c_lo, Do_20_lo = Do_20_lo1 + Do_20d_lo;
-  const double Do_21a = D->m20 * R->m10, Do_21a_lo = ksl_product_error(D->m20, R->m10, Do_21a),
-      Do_21b = D->m21 * R->m11, Do_21b_lo = ksl_product_error(D->m21, R->m11, Do_21b),
-      Do_21c = Do_21a + Do_21b, Do_21c_error = ksl_sum_error(Do_21a, Do_21b, Do_21c),
-      Do_21c_lo1 = Do_21c_error + Do_21a_lo, Do_21c_lo = Do_21c_lo1 + Do_21b_lo,
-      Do_21d = D->m22 * R->m12, Do_21d_lo = ksl_product_error(D->m22, R->m12, Do_21d),
-      Do_21 = Do_21c + Do_21d, Do_21_error = ksl_sum_error(Do_21c, Do_21d, Do_21),
-      Do_21_lo1 = Do_21_error + Do_21c_lo, Do_21_lo = Do_21_lo1 + Do_21d_lo;
-  const double Do_22a = D->m20 * R->m20, Do_22a_lo = ksl_product_error(D->m20, R->m20, Do_22a),
-      Do_22b = D->m21 * R->m21, Do_22b_lo = ksl_product_error(D->m21, R->m21, Do_22b),
-      Do_22c = Do_22a + Do_22b, Do_22c_error = ksl_sum_error(Do_22a, Do_22b, Do_22c),
-      Do_22c_lo1 = Do_22c_error + Do_22a_lo, Do_22c_lo = Do_22c_lo1 + Do_22b_lo,
-      Do_22d = D->m22 * R->m22, Do_22d_lo = ksl_product_error(D->m22, R->m22, Do_22d),
-      Do_22 = Do_22c + Do_22d, Do_22_error = ksl_sum_error(Do_22c, Do_22d, Do_22),
-      Do_22_lo1 = Do_22_error + Do_22c_lo, Do_22_lo = Do_22_lo1 + Do_22d_lo;
+  const double Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m01, Do_00c = Do_00a + Do_00b,
+      Do_00c_right = Do_00c - Do_00a, Do_00c_left = Do_00c - Do_00c_right,
+      Do_00c_left_rest = ksl_product_rest(D->m00, R->m00, Do_00a, Do_00c_left),
+      Do_00c_right_rest = ksl_product_rest(D->m01, R->m01, Do_00b, Do_00c_right),
+      Do_00c_lo = Do_00c_left_rest + Do_00c_right_rest, Do_00d = D->m02 * R->m02,
+      Do_00 = Do_00c + Do_00d, Do_00_right = Do_00 - Do_00c, Do_00_left = Do_00 - Do_00_right,
+      Do_00_left_rest = Do_00c - Do_00_left,
+      Do_00_right_rest = ksl_product_rest(D->m02, R->m02, Do_00d, Do_00_right),
+      Do_00_lo1 = Do_00_left_rest + Do_00_right_rest, Do_00_lo = Do_00_lo1 + Do_00c_lo;
+  const double Do_01a = D->m00 * R->m10, Do_01b = D->m01 * R->m11, Do_01c = Do_01a + Do_01b,
+      Do_01c_right = Do_01c - Do_01a, Do_01c_left = Do_01c - Do_01c_right,
+      Do_01c_left_rest = ksl_product_rest(D->m00, R->m10, Do_01a, Do_01c_left),
+      Do_01c_right_rest = ksl_product_rest(D->m01, R->m11, Do_01b, Do_01c_right),
+      Do_01c_lo = Do_01c_left_rest + Do_01c_right_rest, Do_01d = D->m02 * R->m12,
+      Do_01 = Do_01c + Do_01d, Do_01_right = Do_01 - Do_01c, Do_01_left = Do_01 - Do_01_right,
+      Do_01_left_rest = Do_01c - Do_01_left,
+      Do_01_right_rest = ksl_product_rest(D->m02, R->m12, Do_01d, Do_01_right),
+      Do_01_lo1 = Do_01_left_rest + Do_01_right_rest, Do_01_lo = Do_01_lo1 + Do_01c_lo;
+  const double Do_02a = D->m00 * R->m20, Do_02b = D->m01 * R->m21, Do_02c = Do_02a + Do_02b,
+      Do_02c_right = Do_02c - Do_02a, Do_02c_left = Do_02c - Do_02c_right,
+      Do_02c_left_rest = ksl_product_rest(D->m00, R->m20, Do_02a, Do_02c_left),
+      Do_02c_right_rest = ksl_product_rest(D->m01, R->m21, Do_02b, Do_02c_right),
+      Do_02c_lo = Do_02c_left_rest + Do_02c_right_rest, Do_02d = D->m02 * R->m22,
+      Do_02 = Do_02c + Do_02d, Do_02_right = Do_02 - Do_02c, Do_02_left = Do_02 - Do_02_right,
+      Do_02_left_rest = Do_02c - Do_02_left,
+      Do_02_right_rest = ksl_product_rest(D->m02, R->m22, Do_02d, Do_02_right),
+      Do_02_lo1 = Do_02_left_rest + Do_02_right_rest, Do_02_lo = Do_02_lo1 + Do_02c_lo;
+  const double Do_10a = D->m10 * R->m00, Do_10b = D->m11 * R->m01, Do_10c = Do_10a + Do_10b,
+      Do_10c_right = Do_10c - Do_10a, Do_10c_left = Do_10c - Do_10c_right,
+      Do_10c_left_rest = ksl_product_rest(D->m10, R->m00, Do_10a, Do_10c_left),
+      Do_10c_right_rest = ksl_product_rest(D->m11, R->m01, Do_10b, Do_10c_right),
+      Do_10c_lo = Do_10c_left_rest + Do_10c_right_rest, Do_10d = D->m12 * R->m02,
+      Do_10 = Do_10c + Do_10d, Do_10_right = Do_10 - Do_10c, Do_10_left = Do_10 - Do_10_right,
+      Do_10_left_rest = Do_10c - Do_10_left,
+      Do_10_right_rest = ksl_product_rest(D->m12, R->m02, Do_10d, Do_10_right),
+      Do_10_lo1 = Do_10_left_rest + Do_10_right_rest, Do_10_lo = Do_10_lo1 + Do_10c_lo;
+  const double Do_11a = D->m10 * R->m10, Do_11b = D->m11 * R->m11, Do_11c = Do_11a + Do_11b,
+      Do_11c_right = Do_11c - Do_11a, Do_11c_left = Do_11c - Do_11c_right,
+      Do_11c_left_rest = ksl_product_rest(D->m10, R->m10, Do_11a, Do_11c_left),
+      Do_11c_right_rest = ksl_product_rest(D->m11, R->m11, Do_11b, Do_11c_right),
+      Do_11c_lo = Do_11c_left_rest + Do_11c_right_rest, Do_11d = D->m12 * R->m12,
+      Do_11 = Do_11c + Do_11d, Do_11_right = Do_11 - Do_11c, Do_11_left = Do_11 - Do_11_right,
+      Do_11_left_rest = Do_11c - Do_11_left,
+      Do_11_right_rest = ksl_product_rest(D->m12, R->m12, Do_11d, Do_11_right),
+      Do_11_lo1 = Do_11_left_rest + Do_11_right_rest, Do_11_lo = Do_11_lo1 + Do_11c_lo;
+  const double Do_12a = D->m10 * R->m20, Do_12b = D->m11 * R->m21, Do_12c = Do_12a + Do_12b,
+      Do_12c_right = Do_12c - Do_12a, Do_12c_left = Do_12c - Do_12c_right,
+      Do_12c_left_rest = ksl_product_rest(D->m10, R->m20, Do_12a, Do_12c_left),
+      Do_12c_right_rest = ksl_product_rest(D->m11, R->m21, Do_12b, Do_12c_right),
+      Do_12c_lo = Do_12c_left_rest + Do_12c_right_rest, Do_12d = D->m12 * R->m22,
+      Do_12 = Do_12c + Do_12d, Do_12_right = Do_12 - Do_12c, Do_12_left = Do_12 - Do_12_right,
+      Do_12_left_rest = Do_12c - Do_12_left,
+      Do_12_right_rest = ksl_product_rest(D->m12, R->m22, Do_12d, Do_12_right),
+      Do_12_lo1 = Do_12_left_rest + Do_12_right_rest, Do_12_lo = Do_12_lo1 + Do_12c_lo;
+  const double Do_20a = D->m20 * R->m00, Do_20b = D->m21 * R->m01, Do_20c = Do_20a + Do_20b,
+      Do_20c_right = Do_20c - Do_20a, Do_20c_left = Do_20c - Do_20c_right,
+      Do_20c_left_rest = ksl_product_rest(D->m20, R->m00, Do_20a, Do_20c_left),
+      Do_20c_right_rest = ksl_product_rest(D->m21, R->m01, Do_20b, Do_20c_right),
+      Do_20c_lo = Do_20c_left_rest + Do_20c_right_rest, Do_20d = D->m22 * R->m02,
+      Do_20 = Do_20c + Do_20d, Do_20_right = Do_20 - Do_20c, Do_20_left = Do_20 - Do_20_right,
+      Do_20_left_rest = Do_20c - Do_20_left,
+      Do_20_right_rest = ksl_product_rest(D->m22, R->m02, Do_20d, Do_20_right),
+      Do_20_lo1 = Do_20_left_rest + Do_20_right_rest, Do_20_lo = Do_20_lo1 + Do_20c_lo;
+  const double Do_21a = D->m20 * R->m10, Do_21b = D->m21 * R->m11, Do_21c = Do_21a + Do_21b,
+      Do_21c_right = Do_21c - Do_21a, Do_21c_left = Do_21c - Do_21c_right,
+      Do_21c_left_rest = ksl_product_rest(D->m20, R->m10, Do_21a, Do_21c_left),
+      Do_21c_right_rest = ksl_product_rest(D->m21, R->m11, Do_21b, Do_21c_right),
+      Do_21c_lo = Do_21c_left_rest + Do_21c_right_rest, Do_21d = D->m22 * R->m12,
+      Do_21 = Do_21c + Do_21d, Do_21_right = Do_21 - Do_21c, Do_21_left = Do_21 - Do_21_right,
+      Do_21_left_rest = Do_21c - Do_21_left,
+      Do_21_right_rest = ksl_product_rest(D->m22, R->m12, Do_21d, Do_21_right),
+      Do_21_lo1 = Do_21_left_rest + Do_21_right_rest, Do_21_lo = Do_21_lo1 + Do_21c_lo;
+  const double Do_22a = D->m20 * R->m20, Do_22b = D->m21 * R->m21, Do_22c = Do_22a + Do_22b,
+      Do_22c_right = Do_22c - Do_22a, Do_22c_left = Do_22c - Do_22c_right,
+      Do_22c_left_rest = ksl_product_rest(D->m20, R->m20, Do_22a, Do_22c_left),
+      Do_22c_right_rest = ksl_product_rest(D->m21, R->m21, Do_22b, Do_22c_right),
+      Do_22c_lo = Do_22c_left_rest + Do_22c_right_rest, Do_22d = D->m22 * R->m22,
+      Do_22 = Do_22c + Do_22d, Do_22_right = Do_22 - Do_22c, Do_22_left = Do_22 - Do_22_right,
+      Do_22_left_rest = Do_22c - Do_22_left,
+      Do_22_right_rest = ksl_product_rest(D->m22, R->m22, Do_22d, Do_22_right),
+      Do_22_lo1 = Do_22_left_rest + Do_22_right_rest, Do_22_lo = Do_22_lo1 + Do_22c_lo;
   const double Do_00_rounded = Do_00 + Do_00_lo;
   const double Do_01_rounded = Do_01 + Do_01_lo;
   const double Do_02_rounded = Do_02 + Do_02_lo;
@@ -1091,38 +1304,47 @@ static inline void ksl_product_ddrinv_accurate(const ksl_SE3_t *D, const ksl_mat
 
 /* Do = D [I | t].
    D, Do: displacement [R | t], R rotation, t in m; t: vector.
-   9 mul, 27 add, 9 product error, 9 sum error.
-   Error <= u |result| + (R: 0, t: 14) u^2 S, S the sum of the |terms| of the expanded formula;
+   9 mul, 54 add, 9 product rest.
+   Error <= u |result| + (R: 0, t: 15) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddt_accurate(const ksl_SE3_t *D, const ksl_vec3_t *t,
     ksl_SE3_t *Do) {
-  const double Do_03a = D->m00 * t->x, Do_03a_lo = ksl_product_error(D->m00, t->x, Do_03a),
-      Do_03b = D->m01 * t->y, Do_03b_lo = ksl_product_error(D->m01, t->y, Do_03b),
-      Do_03c = Do_03a + Do_03b, Do_03c_error = ksl_sum_error(Do_03a, Do_03b, Do_03c),
-      Do_03c_lo1 = Do_03c_error + Do_03a_lo, Do_03c_lo = Do_03c_lo1 + Do_03b_lo,
-      Do_03d = D->m02 * t->z, Do_03d_lo = ksl_product_error(D->m02, t->z, Do_03d),
-      Do_03e = Do_03c + Do_03d, Do_03e_error = ksl_sum_error(Do_03c, Do_03d, Do_03e),
-      Do_03e_lo1 = Do_03e_error + Do_03c_lo, Do_03e_lo = Do_03e_lo1 + Do_03d_lo,
-      Do_03 = Do_03e + D->m03, Do_03_error = ksl_sum_error(Do_03e, D->m03, Do_03),
-      Do_03_lo = Do_03_error + Do_03e_lo;
-  const double Do_13a = D->m10 * t->x, Do_13a_lo = ksl_product_error(D->m10, t->x, Do_13a),
-      Do_13b = D->m11 * t->y, Do_13b_lo = ksl_product_error(D->m11, t->y, Do_13b),
-      Do_13c = Do_13a + Do_13b, Do_13c_error = ksl_sum_error(Do_13a, Do_13b, Do_13c),
-      Do_13c_lo1 = Do_13c_error + Do_13a_lo, Do_13c_lo = Do_13c_lo1 + Do_13b_lo,
-      Do_13d = D->m12 * t->z, Do_13d_lo = ksl_product_error(D->m12, t->z, Do_13d),
-      Do_13e = Do_13c + Do_13d, Do_13e_error = ksl_sum_error(Do_13c, Do_13d, Do_13e),
-      Do_13e_lo1 = Do_13e_error + Do_13c_lo, Do_13e_lo = Do_13e_lo1 + Do_13d_lo,
-      Do_13 = Do_13e + D->m13, Do_13_error = ksl_sum_error(Do_13e, D->m13, Do_13),
-      Do_13_lo = Do_13_error + Do_13e_lo;
-  const double Do_23a = D->m20 * t->x, Do_23a_lo = ksl_product_error(D->m20, t->x, Do_23a),
-      Do_23b = D->m21 * t->y, Do_23b_lo = ksl_product_error(D->m21, t->y, Do_23b),
-      Do_23c = Do_23a + Do_23b, Do_23c_error = ksl_sum_error(Do_23a, Do_23b, Do_23c),
-      Do_23c_lo1 = Do_23c_error + Do_23a_lo, Do_23c_lo = Do_23c_lo1 + Do_23b_lo,
-      Do_23d = D->m22 * t->z, Do_23d_lo = ksl_product_error(D->m22, t->z, Do_23d),
-      Do_23e = Do_23c + Do_23d, Do_23e_error = ksl_sum_error(Do_23c, Do_23d, Do_23e),
-      Do_23e_lo1 = Do_23e_error + Do_23c_lo, Do_23e_lo = Do_23e_lo1 + Do_23d_lo,
-      Do_23 = Do_23e + D->m23, Do_23_error = ksl_sum_error(Do_23e, D->m23, Do_23),
-      Do_23_lo = Do_23_error + Do_23e_lo;
+  const double Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
+      Do_03c_right = Do_03c - Do_03a, Do_03c_left = Do_03c - Do_03c_right,
+      Do_03c_left_rest = ksl_product_rest(D->m00, t->x, Do_03a, Do_03c_left),
+      Do_03c_right_rest = ksl_product_rest(D->m01, t->y, Do_03b, Do_03c_right),
+      Do_03c_lo = Do_03c_left_rest + Do_03c_right_rest, Do_03d = D->m02 * t->z,
+      Do_03e = Do_03c + Do_03d, Do_03e_right = Do_03e - Do_03c, Do_03e_left = Do_03e - Do_03e_right,
+      Do_03e_left_rest = Do_03c - Do_03e_left,
+      Do_03e_right_rest = ksl_product_rest(D->m02, t->z, Do_03d, Do_03e_right),
+      Do_03e_lo1 = Do_03e_left_rest + Do_03e_right_rest, Do_03e_lo = Do_03e_lo1 + Do_03c_lo,
+      Do_03 = Do_03e + D->m03, Do_03_right = Do_03 - Do_03e, Do_03_left = Do_03 - Do_03_right,
+      Do_03_left_rest = Do_03e - Do_03_left, Do_03_right_rest = D->m03 - Do_03_right,
+      Do_03_lo1 = Do_03_left_rest + Do_03_right_rest, Do_03_lo = Do_03_lo1 + Do_03e_lo;
+  const double Do_13a = D->m10 * t->x, Do_13b = D->m11 * t->y, Do_13c = Do_13a + Do_13b,
+      Do_13c_right = Do_13c - Do_13a, Do_13c_left = Do_13c - Do_13c_right,
+      Do_13c_left_rest = ksl_product_rest(D->m10, t->x, Do_13a, Do_13c_left),
+      Do_13c_right_rest = ksl_product_rest(D->m11, t->y, Do_13b, Do_13c_right),
+      Do_13c_lo = Do_13c_left_rest + Do_13c_right_rest, Do_13d = D->m12 * t->z,
+      Do_13e = Do_13c + Do_13d, Do_13e_right = Do_13e - Do_13c, Do_13e_left = Do_13e - Do_13e_right,
+      Do_13e_left_rest = Do_13c - Do_13e_left,
+      Do_13e_right_rest = ksl_product_rest(D->m12, t->z, Do_13d, Do_13e_right),
+      Do_13e_lo1 = Do_13e_left_rest + Do_13e_right_rest, Do_13e_lo = Do_13e_lo1 + Do_13c_lo,
+      Do_13 = Do_13e + D->m13, Do_13_right = Do_13 - Do_13e, Do_13_left = Do_13 - Do_13_right,
+      Do_13_left_rest = Do_13e - Do_13_left, Do_13_right_rest = D->m13 - Do_13_right,
+      Do_13_lo1 = Do_13_left_rest + Do_13_right_rest, Do_13_lo = Do_13_lo1 + Do_13e_lo;
+  const double Do_23a = D->m20 * t->x, Do_23b = D->m21 * t->y, Do_23c = Do_23a + Do_23b,
+      Do_23c_right = Do_23c - Do_23a, Do_23c_left = Do_23c - Do_23c_right,
+      Do_23c_left_rest = ksl_product_rest(D->m20, t->x, Do_23a, Do_23c_left),
+      Do_23c_right_rest = ksl_product_rest(D->m21, t->y, Do_23b, Do_23c_right),
+      Do_23c_lo = Do_23c_left_rest + Do_23c_right_rest, Do_23d = D->m22 * t->z,
+      Do_23e = Do_23c + Do_23d, Do_23e_right = Do_23e - Do_23c, Do_23e_left = Do_23e - Do_23e_right,
+      Do_23e_left_rest = Do_23c - Do_23e_left,
+      Do_23e_right_rest = ksl_product_rest(D->m22, t->z, Do_23d, Do_23e_right),
+      Do_23e_lo1 = Do_23e_left_rest + Do_23e_right_rest, Do_23e_lo = Do_23e_lo1 + Do_23c_lo,
+      Do_23 = Do_23e + D->m23, Do_23_right = Do_23 - Do_23e, Do_23_left = Do_23 - Do_23_right,
+      Do_23_left_rest = Do_23e - Do_23_left, Do_23_right_rest = D->m23 - Do_23_right,
+      Do_23_lo1 = Do_23_left_rest + Do_23_right_rest, Do_23_lo = Do_23_lo1 + Do_23e_lo;
   const double Do_03_rounded = Do_03 + Do_03_lo;
   const double Do_13_rounded = Do_13 + Do_13_lo;
   const double Do_23_rounded = Do_23 + Do_23_lo;
@@ -1151,38 +1373,47 @@ static inline void ksl_product_ddt_accurate(const ksl_SE3_t *D, const ksl_vec3_t
 
 /* Do = D [I | -t].
    D, Do: displacement [R | t], R rotation, t in m; t: vector.
-   9 mul, 27 add, 9 product error, 9 sum error.
-   Error <= u |result| + (R: 0, t: 14) u^2 S, S the sum of the |terms| of the expanded formula;
+   9 mul, 54 add, 9 product rest.
+   Error <= u |result| + (R: 0, t: 15) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtinv_accurate(const ksl_SE3_t *D, const ksl_vec3_t *t,
     ksl_SE3_t *Do) {
-  const double Do_03a = D->m00 * t->x, Do_03a_lo = ksl_product_error(D->m00, t->x, Do_03a),
-      Do_03b = D->m01 * t->y, Do_03b_lo = ksl_product_error(D->m01, t->y, Do_03b),
-      Do_03c = Do_03a + Do_03b, Do_03c_error = ksl_sum_error(Do_03a, Do_03b, Do_03c),
-      Do_03c_lo1 = Do_03c_error + Do_03a_lo, Do_03c_lo = Do_03c_lo1 + Do_03b_lo,
-      Do_03d = D->m02 * t->z, Do_03d_lo = ksl_product_error(D->m02, t->z, Do_03d),
-      Do_03e = Do_03c + Do_03d, Do_03e_error = ksl_sum_error(Do_03c, Do_03d, Do_03e),
-      Do_03e_lo1 = Do_03e_error + Do_03c_lo, Do_03e_lo = Do_03e_lo1 + Do_03d_lo,
-      Do_03 = D->m03 - Do_03e, Do_03_error = ksl_difference_error(D->m03, Do_03e, Do_03),
-      Do_03_lo = Do_03_error - Do_03e_lo;
-  const double Do_13a = D->m10 * t->x, Do_13a_lo = ksl_product_error(D->m10, t->x, Do_13a),
-      Do_13b = D->m11 * t->y, Do_13b_lo = ksl_product_error(D->m11, t->y, Do_13b),
-      Do_13c = Do_13a + Do_13b, Do_13c_error = ksl_sum_error(Do_13a, Do_13b, Do_13c),
-      Do_13c_lo1 = Do_13c_error + Do_13a_lo, Do_13c_lo = Do_13c_lo1 + Do_13b_lo,
-      Do_13d = D->m12 * t->z, Do_13d_lo = ksl_product_error(D->m12, t->z, Do_13d),
-      Do_13e = Do_13c + Do_13d, Do_13e_error = ksl_sum_error(Do_13c, Do_13d, Do_13e),
-      Do_13e_lo1 = Do_13e_error + Do_13c_lo, Do_13e_lo = Do_13e_lo1 + Do_13d_lo,
-      Do_13 = D->m13 - Do_13e, Do_13_error = ksl_difference_error(D->m13, Do_13e, Do_13),
-      Do_13_lo = Do_13_error - Do_13e_lo;
-  const double Do_23a = D->m20 * t->x, Do_23a_lo = ksl_product_error(D->m20, t->x, Do_23a),
-      Do_23b = D->m21 * t->y, Do_23b_lo = ksl_product_error(D->m21, t->y, Do_23b),
-      Do_23c = Do_23a + Do_23b, Do_23c_error = ksl_sum_error(Do_23a, Do_23b, Do_23c),
-      Do_23c_lo1 = Do_23c_error + Do_23a_lo, Do_23c_lo = Do_23c_lo1 + Do_23b_lo,
-      Do_23d = D->m22 * t->z, Do_23d_lo = ksl_product_error(D->m22, t->z, Do_23d),
-      Do_23e = Do_23c + Do_23d, Do_23e_error = ksl_sum_error(Do_23c, Do_23d, Do_23e),
-      Do_23e_lo1 = Do_23e_error + Do_23c_lo, Do_23e_lo = Do_23e_lo1 + Do_23d_lo,
-      Do_23 = D->m23 - Do_23e, Do_23_error = ksl_difference_error(D->m23, Do_23e, Do_23),
-      Do_23_lo = Do_23_error - Do_23e_lo;
+  const double Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
+      Do_03c_right = Do_03c - Do_03a, Do_03c_left = Do_03c - Do_03c_right,
+      Do_03c_left_rest = ksl_product_rest(D->m00, t->x, Do_03a, Do_03c_left),
+      Do_03c_right_rest = ksl_product_rest(D->m01, t->y, Do_03b, Do_03c_right),
+      Do_03c_lo = Do_03c_left_rest + Do_03c_right_rest, Do_03d = D->m02 * t->z,
+      Do_03e = Do_03c + Do_03d, Do_03e_right = Do_03e - Do_03c, Do_03e_left = Do_03e - Do_03e_right,
+      Do_03e_left_rest = Do_03c - Do_03e_left,
+      Do_03e_right_rest = ksl_product_rest(D->m02, t->z, Do_03d, Do_03e_right),
+      Do_03e_lo1 = Do_03e_left_rest + Do_03e_right_rest, Do_03e_lo = Do_03e_lo1 + Do_03c_lo,
+      Do_03 = D->m03 - Do_03e, Do_03_right = D->m03 - Do_03, Do_03_left = Do_03 + Do_03_right,
+      Do_03_left_rest = D->m03 - Do_03_left, Do_03_right_rest = Do_03e - Do_03_right,
+      Do_03_lo1 = Do_03_left_rest - Do_03_right_rest, Do_03_lo = Do_03_lo1 - Do_03e_lo;
+  const double Do_13a = D->m10 * t->x, Do_13b = D->m11 * t->y, Do_13c = Do_13a + Do_13b,
+      Do_13c_right = Do_13c - Do_13a, Do_13c_left = Do_13c - Do_13c_right,
+      Do_13c_left_rest = ksl_product_rest(D->m10, t->x, Do_13a, Do_13c_left),
+      Do_13c_right_rest = ksl_product_rest(D->m11, t->y, Do_13b, Do_13c_right),
+      Do_13c_lo = Do_13c_left_rest + Do_13c_right_rest, Do_13d = D->m12 * t->z,
+      Do_13e = Do_13c + Do_13d, Do_13e_right = Do_13e - Do_13c, Do_13e_left = Do_13e - Do_13e_right,
+      Do_13e_left_rest = Do_13c - Do_13e_left,
+      Do_13e_right_rest = ksl_product_rest(D->m12, t->z, Do_13d, Do_13e_right),
+      Do_13e_lo1 = Do_13e_left_rest + Do_13e_right_rest, Do_13e_lo = Do_13e_lo1 + Do_13c_lo,
+      Do_13 = D->m13 - Do_13e, Do_13_right = D->m13 - Do_13, Do_13_left = Do_13 + Do_13_right,
+      Do_13_left_rest = D->m13 - Do_13_left, Do_13_right_rest = Do_13e - Do_13_right,
+      Do_13_lo1 = Do_13_left_rest - Do_13_right_rest, Do_13_lo = Do_13_lo1 - Do_13e_lo;
+  const double Do_23a = D->m20 * t->x, Do_23b = D->m21 * t->y, Do_23c = Do_23a + Do_23b,
+      Do_23c_right = Do_23c - Do_23a, Do_23c_left = Do_23c - Do_23c_right,
+      Do_23c_left_rest = ksl_product_rest(D->m20, t->x, Do_23a, Do_23c_left),
+      Do_23c_right_rest = ksl_product_rest(D->m21, t->y, Do_23b, Do_23c_right),
+      Do_23c_lo = Do_23c_left_rest + Do_23c_right_rest, Do_23d = D->m22 * t->z,
+      Do_23e = Do_23c + Do_23d, Do_23e_right = Do_23e - Do_23c, Do_23e_left = Do_23e - Do_23e_right,
+      Do_23e_left_rest = Do_23c - Do_23e_left,
+      Do_23e_right_rest = ksl_product_rest(D->m22, t->z, Do_23d, Do_23e_right),
+      Do_23e_lo1 = Do_23e_left_rest + Do_23e_right_rest, Do_23e_lo = Do_23e_lo1 + Do_23c_lo,
+      Do_23 = D->m23 - Do_23e, Do_23_right = D->m23 - Do_23, Do_23_left = Do_23 + Do_23_right,
+      Do_23_left_rest = D->m23 - Do_23_left, Do_23_right_rest = Do_23e - Do_23_right,
+      Do_23_lo1 = Do_23_left_rest - Do_23_right_rest, Do_23_lo = Do_23_lo1 - Do_23e_lo;
   const double Do_03_rounded = Do_03 + Do_03_lo;
   const double Do_13_rounded = Do_13 + Do_13_lo;
   const double Do_23_rounded = Do_23 + Do_23_lo;
@@ -1211,47 +1442,59 @@ static inline void ksl_product_ddtinv_accurate(const ksl_SE3_t *D, const ksl_vec
 
 /* Do = D^-1 [I | t] = [R^T | R^T (t - t_D)].
    D, Do: displacement [R | t], R rotation, t in m; t: vector.
-   18 mul, 33 add, 9 product error, 9 sum error.
-   Error <= u |result| + (R: 0, t: 17) u^2 S, S the sum of the |terms| of the expanded formula;
+   18 mul, 60 add, 9 product rest.
+   Error <= u |result| + (R: 0, t: 18) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_dinvdt_accurate(const ksl_SE3_t *D, const ksl_vec3_t *t,
     ksl_SE3_t *Do) {
-  const double p_0 = t->x - D->m03, p_0_lo = ksl_difference_error(t->x, D->m03, p_0);
-  const double p_1 = t->y - D->m13, p_1_lo = ksl_difference_error(t->y, D->m13, p_1);
-  const double p_2 = t->z - D->m23, p_2_lo = ksl_difference_error(t->z, D->m23, p_2);
-  const double Do_03a = D->m00 * p_0, Do_03a_cross1 = D->m00 * p_0_lo,
-      Do_03a_error = ksl_product_error(D->m00, p_0, Do_03a),
-      Do_03a_lo = Do_03a_error + Do_03a_cross1, Do_03b = D->m10 * p_1,
-      Do_03b_cross1 = D->m10 * p_1_lo, Do_03b_error = ksl_product_error(D->m10, p_1, Do_03b),
-      Do_03b_lo = Do_03b_error + Do_03b_cross1, Do_03c = Do_03a + Do_03b,
-      Do_03c_error = ksl_sum_error(Do_03a, Do_03b, Do_03c), Do_03c_lo1 = Do_03c_error + Do_03a_lo,
-      Do_03c_lo = Do_03c_lo1 + Do_03b_lo, Do_03d = D->m20 * p_2, Do_03d_cross1 = D->m20 * p_2_lo,
-      Do_03d_error = ksl_product_error(D->m20, p_2, Do_03d),
-      Do_03d_lo = Do_03d_error + Do_03d_cross1, Do_03 = Do_03c + Do_03d,
-      Do_03_error = ksl_sum_error(Do_03c, Do_03d, Do_03), Do_03_lo1 = Do_03_error + Do_03c_lo,
-      Do_03_lo = Do_03_lo1 + Do_03d_lo;
-  const double Do_13a = D->m01 * p_0, Do_13a_cross1 = D->m01 * p_0_lo,
-      Do_13a_error = ksl_product_error(D->m01, p_0, Do_13a),
-      Do_13a_lo = Do_13a_error + Do_13a_cross1, Do_13b = D->m11 * p_1,
-      Do_13b_cross1 = D->m11 * p_1_lo, Do_13b_error = ksl_product_error(D->m11, p_1, Do_13b),
-      Do_13b_lo = Do_13b_error + Do_13b_cross1, Do_13c = Do_13a + Do_13b,
-      Do_13c_error = ksl_sum_error(Do_13a, Do_13b, Do_13c), Do_13c_lo1 = Do_13c_error + Do_13a_lo,
-      Do_13c_lo = Do_13c_lo1 + Do_13b_lo, Do_13d = D->m21 * p_2, Do_13d_cross1 = D->m21 * p_2_lo,
-      Do_13d_error = ksl_product_error(D->m21, p_2, Do_13d),
-      Do_13d_lo = Do_13d_error + Do_13d_cross1, Do_13 = Do_13c + Do_13d,
-      Do_13_error = ksl_sum_error(Do_13c, Do_13d, Do_13), Do_13_lo1 = Do_13_error + Do_13c_lo,
-      Do_13_lo = Do_13_lo1 + Do_13d_lo;
-  const double Do_23a = D->m02 * p_0, Do_23a_cross1 = D->m02 * p_0_lo,
-      Do_23a_error = ksl_product_error(D->m02, p_0, Do_23a),
-      Do_23a_lo = Do_23a_error + Do_23a_cross1, Do_23b = D->m12 * p_1,
-      Do_23b_cross1 = D->m12 * p_1_lo, Do_23b_error = ksl_product_error(D->m12, p_1, Do_23b),
-      Do_23b_lo = Do_23b_error + Do_23b_cross1, Do_23c = Do_23a + Do_23b,
-      Do_23c_error = ksl_sum_error(Do_23a, Do_23b, Do_23c), Do_23c_lo1 = Do_23c_error + Do_23a_lo,
-      Do_23c_lo = Do_23c_lo1 + Do_23b_lo, Do_23d = D->m22 * p_2, Do_23d_cross1 = D->m22 * p_2_lo,
-      Do_23d_error = ksl_product_error(D->m22, p_2, Do_23d),
-      Do_23d_lo = Do_23d_error + Do_23d_cross1, Do_23 = Do_23c + Do_23d,
-      Do_23_error = ksl_sum_error(Do_23c, Do_23d, Do_23), Do_23_lo1 = Do_23_error + Do_23c_lo,
-      Do_23_lo = Do_23_lo1 + Do_23d_lo;
+  const double p_0 = t->x - D->m03, p_0_right = t->x - p_0, p_0_left = p_0 + p_0_right,
+      p_0_left_rest = t->x - p_0_left, p_0_right_rest = D->m03 - p_0_right,
+      p_0_lo = p_0_left_rest - p_0_right_rest;
+  const double p_1 = t->y - D->m13, p_1_right = t->y - p_1, p_1_left = p_1 + p_1_right,
+      p_1_left_rest = t->y - p_1_left, p_1_right_rest = D->m13 - p_1_right,
+      p_1_lo = p_1_left_rest - p_1_right_rest;
+  const double p_2 = t->z - D->m23, p_2_right = t->z - p_2, p_2_left = p_2 + p_2_right,
+      p_2_left_rest = t->z - p_2_left, p_2_right_rest = D->m23 - p_2_right,
+      p_2_lo = p_2_left_rest - p_2_right_rest;
+  const double Do_03a = D->m00 * p_0, Do_03a_cross2 = D->m00 * p_0_lo, Do_03b = D->m10 * p_1,
+      Do_03b_cross2 = D->m10 * p_1_lo, Do_03c = Do_03a + Do_03b, Do_03c_right = Do_03c - Do_03a,
+      Do_03c_left = Do_03c - Do_03c_right,
+      Do_03c_left_rest = ksl_product_rest(D->m00, p_0, Do_03a, Do_03c_left),
+      Do_03c_right_rest = ksl_product_rest(D->m10, p_1, Do_03b, Do_03c_right),
+      Do_03c_cross = Do_03a_cross2 + Do_03b_cross2,
+      Do_03c_lo1 = Do_03c_left_rest + Do_03c_right_rest, Do_03c_lo = Do_03c_lo1 + Do_03c_cross,
+      Do_03d = D->m20 * p_2, Do_03d_cross2 = D->m20 * p_2_lo, Do_03 = Do_03c + Do_03d,
+      Do_03_right = Do_03 - Do_03c, Do_03_left = Do_03 - Do_03_right,
+      Do_03_left_rest = Do_03c - Do_03_left,
+      Do_03_right_rest = ksl_product_rest(D->m20, p_2, Do_03d, Do_03_right),
+      Do_03_lo1 = Do_03_left_rest + Do_03_right_rest, Do_03_lo2 = Do_03_lo1 + Do_03d_cross2,
+      Do_03_lo = Do_03_lo2 + Do_03c_lo;
+  const double Do_13a = D->m01 * p_0, Do_13a_cross2 = D->m01 * p_0_lo, Do_13b = D->m11 * p_1,
+      Do_13b_cross2 = D->m11 * p_1_lo, Do_13c = Do_13a + Do_13b, Do_13c_right = Do_13c - Do_13a,
+      Do_13c_left = Do_13c - Do_13c_right,
+      Do_13c_left_rest = ksl_product_rest(D->m01, p_0, Do_13a, Do_13c_left),
+      Do_13c_right_rest = ksl_product_rest(D->m11, p_1, Do_13b, Do_13c_right),
+      Do_13c_cross = Do_13a_cross2 + Do_13b_cross2,
+      Do_13c_lo1 = Do_13c_left_rest + Do_13c_right_rest, Do_13c_lo = Do_13c_lo1 + Do_13c_cross,
+      Do_13d = D->m21 * p_2, Do_13d_cross2 = D->m21 * p_2_lo, Do_13 = Do_13c + Do_13d,
+      Do_13_right = Do_13 - Do_13c, Do_13_left = Do_13 - Do_13_right,
+      Do_13_left_rest = Do_13c - Do_13_left,
+      Do_13_right_rest = ksl_product_rest(D->m21, p_2, Do_13d, Do_13_right),
+      Do_13_lo1 = Do_13_left_rest + Do_13_right_rest, Do_13_lo2 = Do_13_lo1 + Do_13d_cross2,
+      Do_13_lo = Do_13_lo2 + Do_13c_lo;
+  const double Do_23a = D->m02 * p_0, Do_23a_cross2 = D->m02 * p_0_lo, Do_23b = D->m12 * p_1,
+      Do_23b_cross2 = D->m12 * p_1_lo, Do_23c = Do_23a + Do_23b, Do_23c_right = Do_23c - Do_23a,
+      Do_23c_left = Do_23c - Do_23c_right,
+      Do_23c_left_rest = ksl_product_rest(D->m02, p_0, Do_23a, Do_23c_left),
+      Do_23c_right_rest = ksl_product_rest(D->m12, p_1, Do_23b, Do_23c_right),
+      Do_23c_cross = Do_23a_cross2 + Do_23b_cross2,
+      Do_23c_lo1 = Do_23c_left_rest + Do_23c_right_rest, Do_23c_lo = Do_23c_lo1 + Do_23c_cross,
+      Do_23d = D->m22 * p_2, Do_23d_cross2 = D->m22 * p_2_lo, Do_23 = Do_23c + Do_23d,
+      Do_23_right = Do_23 - Do_23c, Do_23_left = Do_23 - Do_23_right,
+      Do_23_left_rest = Do_23c - Do_23_left,
+      Do_23_right_rest = ksl_product_rest(D->m22, p_2, Do_23d, Do_23_right),
+      Do_23_lo1 = Do_23_left_rest + Do_23_right_rest, Do_23_lo2 = Do_23_lo1 + Do_23d_cross2,
+      Do_23_lo = Do_23_lo2 + Do_23c_lo;
   const double Do_03_rounded = Do_03 + Do_03_lo;
   const double Do_13_rounded = Do_13 + Do_13_lo;
   const double Do_23_rounded = Do_23 + Do_23_lo;
@@ -1284,12 +1527,12 @@ static inline void ksl_product_dinvdt_accurate(const ksl_SE3_t *D, const ksl_vec
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtx_accurate(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo) {
-  const double vo_0 = R->m00 * k, vo_0_lo = ksl_product_error(R->m00, k, vo_0);
-  const double vo_1 = R->m10 * k, vo_1_lo = ksl_product_error(R->m10, k, vo_1);
-  const double vo_2 = R->m20 * k, vo_2_lo = ksl_product_error(R->m20, k, vo_2);
-  const double vo_0_rounded = vo_0 + vo_0_lo;
-  const double vo_1_rounded = vo_1 + vo_1_lo;
-  const double vo_2_rounded = vo_2 + vo_2_lo;
+  const double vo_0 = R->m00 * k;
+  const double vo_1 = R->m10 * k;
+  const double vo_2 = R->m20 * k;
+  const double vo_0_lo = ksl_product_error(R->m00, k, vo_0), vo_0_rounded = vo_0 + vo_0_lo;
+  const double vo_1_lo = ksl_product_error(R->m10, k, vo_1), vo_1_rounded = vo_1 + vo_1_lo;
+  const double vo_2_lo = ksl_product_error(R->m20, k, vo_2), vo_2_rounded = vo_2 + vo_2_lo;
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -1297,35 +1540,41 @@ static inline void ksl_product_drvtx_accurate(const ksl_mat3x3_t *R, const doubl
 
 /* Ro = R R_x(θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-   12 mul, 24 add, 12 product error, 6 sum error.
-   Error <= u |result| + 4 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+   12 mul, 30 add, 12 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drdrx_accurate(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_01a = R->m01 * dc[1], Ro_01a_lo = ksl_product_error(R->m01, dc[1], Ro_01a),
-      Ro_01b = R->m02 * dc[0], Ro_01b_lo = ksl_product_error(R->m02, dc[0], Ro_01b),
-      Ro_01 = Ro_01a + Ro_01b, Ro_01_error = ksl_sum_error(Ro_01a, Ro_01b, Ro_01),
-      Ro_01_lo1 = Ro_01_error + Ro_01a_lo, Ro_01_lo = Ro_01_lo1 + Ro_01b_lo;
-  const double Ro_02a = R->m02 * dc[1], Ro_02a_lo = ksl_product_error(R->m02, dc[1], Ro_02a),
-      Ro_02b = R->m01 * dc[0], Ro_02b_lo = ksl_product_error(R->m01, dc[0], Ro_02b),
-      Ro_02 = Ro_02a - Ro_02b, Ro_02_error = ksl_difference_error(Ro_02a, Ro_02b, Ro_02),
-      Ro_02_lo1 = Ro_02_error + Ro_02a_lo, Ro_02_lo = Ro_02_lo1 - Ro_02b_lo;
-  const double Ro_11a = R->m11 * dc[1], Ro_11a_lo = ksl_product_error(R->m11, dc[1], Ro_11a),
-      Ro_11b = R->m12 * dc[0], Ro_11b_lo = ksl_product_error(R->m12, dc[0], Ro_11b),
-      Ro_11 = Ro_11a + Ro_11b, Ro_11_error = ksl_sum_error(Ro_11a, Ro_11b, Ro_11),
-      Ro_11_lo1 = Ro_11_error + Ro_11a_lo, Ro_11_lo = Ro_11_lo1 + Ro_11b_lo;
-  const double Ro_12a = R->m12 * dc[1], Ro_12a_lo = ksl_product_error(R->m12, dc[1], Ro_12a),
-      Ro_12b = R->m11 * dc[0], Ro_12b_lo = ksl_product_error(R->m11, dc[0], Ro_12b),
-      Ro_12 = Ro_12a - Ro_12b, Ro_12_error = ksl_difference_error(Ro_12a, Ro_12b, Ro_12),
-      Ro_12_lo1 = Ro_12_error + Ro_12a_lo, Ro_12_lo = Ro_12_lo1 - Ro_12b_lo;
-  const double Ro_21a = R->m21 * dc[1], Ro_21a_lo = ksl_product_error(R->m21, dc[1], Ro_21a),
-      Ro_21b = R->m22 * dc[0], Ro_21b_lo = ksl_product_error(R->m22, dc[0], Ro_21b),
-      Ro_21 = Ro_21a + Ro_21b, Ro_21_error = ksl_sum_error(Ro_21a, Ro_21b, Ro_21),
-      Ro_21_lo1 = Ro_21_error + Ro_21a_lo, Ro_21_lo = Ro_21_lo1 + Ro_21b_lo;
-  const double Ro_22a = R->m22 * dc[1], Ro_22a_lo = ksl_product_error(R->m22, dc[1], Ro_22a),
-      Ro_22b = R->m21 * dc[0], Ro_22b_lo = ksl_product_error(R->m21, dc[0], Ro_22b),
-      Ro_22 = Ro_22a - Ro_22b, Ro_22_error = ksl_difference_error(Ro_22a, Ro_22b, Ro_22),
-      Ro_22_lo1 = Ro_22_error + Ro_22a_lo, Ro_22_lo = Ro_22_lo1 - Ro_22b_lo;
+  const double Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a + Ro_01b,
+      Ro_01_right = Ro_01 - Ro_01a, Ro_01_left = Ro_01 - Ro_01_right,
+      Ro_01_left_rest = ksl_product_rest(R->m01, dc[1], Ro_01a, Ro_01_left),
+      Ro_01_right_rest = ksl_product_rest(R->m02, dc[0], Ro_01b, Ro_01_right),
+      Ro_01_lo = Ro_01_left_rest + Ro_01_right_rest;
+  const double Ro_02a = R->m02 * dc[1], Ro_02b = R->m01 * dc[0], Ro_02 = Ro_02a - Ro_02b,
+      Ro_02_right = Ro_02a - Ro_02, Ro_02_left = Ro_02 + Ro_02_right,
+      Ro_02_left_rest = ksl_product_rest(R->m02, dc[1], Ro_02a, Ro_02_left),
+      Ro_02_right_rest = ksl_product_rest(R->m01, dc[0], Ro_02b, Ro_02_right),
+      Ro_02_lo = Ro_02_left_rest - Ro_02_right_rest;
+  const double Ro_11a = R->m11 * dc[1], Ro_11b = R->m12 * dc[0], Ro_11 = Ro_11a + Ro_11b,
+      Ro_11_right = Ro_11 - Ro_11a, Ro_11_left = Ro_11 - Ro_11_right,
+      Ro_11_left_rest = ksl_product_rest(R->m11, dc[1], Ro_11a, Ro_11_left),
+      Ro_11_right_rest = ksl_product_rest(R->m12, dc[0], Ro_11b, Ro_11_right),
+      Ro_11_lo = Ro_11_left_rest + Ro_11_right_rest;
+  const double Ro_12a = R->m12 * dc[1], Ro_12b = R->m11 * dc[0], Ro_12 = Ro_12a - Ro_12b,
+      Ro_12_right = Ro_12a - Ro_12, Ro_12_left = Ro_12 + Ro_12_right,
+      Ro_12_left_rest = ksl_product_rest(R->m12, dc[1], Ro_12a, Ro_12_left),
+      Ro_12_right_rest = ksl_product_rest(R->m11, dc[0], Ro_12b, Ro_12_right),
+      Ro_12_lo = Ro_12_left_rest - Ro_12_right_rest;
+  const double Ro_21a = R->m21 * dc[1], Ro_21b = R->m22 * dc[0], Ro_21 = Ro_21a + Ro_21b,
+      Ro_21_right = Ro_21 - Ro_21a, Ro_21_left = Ro_21 - Ro_21_right,
+      Ro_21_left_rest = ksl_product_rest(R->m21, dc[1], Ro_21a, Ro_21_left),
+      Ro_21_right_rest = ksl_product_rest(R->m22, dc[0], Ro_21b, Ro_21_right),
+      Ro_21_lo = Ro_21_left_rest + Ro_21_right_rest;
+  const double Ro_22a = R->m22 * dc[1], Ro_22b = R->m21 * dc[0], Ro_22 = Ro_22a - Ro_22b,
+      Ro_22_right = Ro_22a - Ro_22, Ro_22_left = Ro_22 + Ro_22_right,
+      Ro_22_left_rest = ksl_product_rest(R->m22, dc[1], Ro_22a, Ro_22_left),
+      Ro_22_right_rest = ksl_product_rest(R->m21, dc[0], Ro_22b, Ro_22_right),
+      Ro_22_lo = Ro_22_left_rest - Ro_22_right_rest;
   const double Ro_01_rounded = Ro_01 + Ro_01_lo;
   const double Ro_02_rounded = Ro_02 + Ro_02_lo;
   const double Ro_11_rounded = Ro_11 + Ro_11_lo;
@@ -1348,35 +1597,41 @@ static inline void ksl_product_drdrx_accurate(const ksl_mat3x3_t *R, const doubl
 
 /* Do = D [R_x(θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-   12 mul, 24 add, 12 product error, 6 sum error.
-   Error <= u |result| + (R: 4, t: 0) u^2 S, S the sum of the |terms| of the expanded formula;
+   12 mul, 30 add, 12 product rest.
+   Error <= u |result| + (R: 6, t: 0) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrx_accurate(const ksl_SE3_t *D, const double dc[2],
     ksl_SE3_t *Do) {
-  const double Do_01a = D->m01 * dc[1], Do_01a_lo = ksl_product_error(D->m01, dc[1], Do_01a),
-      Do_01b = D->m02 * dc[0], Do_01b_lo = ksl_product_error(D->m02, dc[0], Do_01b),
-      Do_01 = Do_01a + Do_01b, Do_01_error = ksl_sum_error(Do_01a, Do_01b, Do_01),
-      Do_01_lo1 = Do_01_error + Do_01a_lo, Do_01_lo = Do_01_lo1 + Do_01b_lo;
-  const double Do_02a = D->m02 * dc[1], Do_02a_lo = ksl_product_error(D->m02, dc[1], Do_02a),
-      Do_02b = D->m01 * dc[0], Do_02b_lo = ksl_product_error(D->m01, dc[0], Do_02b),
-      Do_02 = Do_02a - Do_02b, Do_02_error = ksl_difference_error(Do_02a, Do_02b, Do_02),
-      Do_02_lo1 = Do_02_error + Do_02a_lo, Do_02_lo = Do_02_lo1 - Do_02b_lo;
-  const double Do_11a = D->m11 * dc[1], Do_11a_lo = ksl_product_error(D->m11, dc[1], Do_11a),
-      Do_11b = D->m12 * dc[0], Do_11b_lo = ksl_product_error(D->m12, dc[0], Do_11b),
-      Do_11 = Do_11a + Do_11b, Do_11_error = ksl_sum_error(Do_11a, Do_11b, Do_11),
-      Do_11_lo1 = Do_11_error + Do_11a_lo, Do_11_lo = Do_11_lo1 + Do_11b_lo;
-  const double Do_12a = D->m12 * dc[1], Do_12a_lo = ksl_product_error(D->m12, dc[1], Do_12a),
-      Do_12b = D->m11 * dc[0], Do_12b_lo = ksl_product_error(D->m11, dc[0], Do_12b),
-      Do_12 = Do_12a - Do_12b, Do_12_error = ksl_difference_error(Do_12a, Do_12b, Do_12),
-      Do_12_lo1 = Do_12_error + Do_12a_lo, Do_12_lo = Do_12_lo1 - Do_12b_lo;
-  const double Do_21a = D->m21 * dc[1], Do_21a_lo = ksl_product_error(D->m21, dc[1], Do_21a),
-      Do_21b = D->m22 * dc[0], Do_21b_lo = ksl_product_error(D->m22, dc[0], Do_21b),
-      Do_21 = Do_21a + Do_21b, Do_21_error = ksl_sum_error(Do_21a, Do_21b, Do_21),
-      Do_21_lo1 = Do_21_error + Do_21a_lo, Do_21_lo = Do_21_lo1 + Do_21b_lo;
-  const double Do_22a = D->m22 * dc[1], Do_22a_lo = ksl_product_error(D->m22, dc[1], Do_22a),
-      Do_22b = D->m21 * dc[0], Do_22b_lo = ksl_product_error(D->m21, dc[0], Do_22b),
-      Do_22 = Do_22a - Do_22b, Do_22_error = ksl_difference_error(Do_22a, Do_22b, Do_22),
-      Do_22_lo1 = Do_22_error + Do_22a_lo, Do_22_lo = Do_22_lo1 - Do_22b_lo;
+  const double Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a + Do_01b,
+      Do_01_right = Do_01 - Do_01a, Do_01_left = Do_01 - Do_01_right,
+      Do_01_left_rest = ksl_product_rest(D->m01, dc[1], Do_01a, Do_01_left),
+      Do_01_right_rest = ksl_product_rest(D->m02, dc[0], Do_01b, Do_01_right),
+      Do_01_lo = Do_01_left_rest + Do_01_right_rest;
+  const double Do_02a = D->m02 * dc[1], Do_02b = D->m01 * dc[0], Do_02 = Do_02a - Do_02b,
+      Do_02_right = Do_02a - Do_02, Do_02_left = Do_02 + Do_02_right,
+      Do_02_left_rest = ksl_product_rest(D->m02, dc[1], Do_02a, Do_02_left),
+      Do_02_right_rest = ksl_product_rest(D->m01, dc[0], Do_02b, Do_02_right),
+      Do_02_lo = Do_02_left_rest - Do_02_right_rest;
+  const double Do_11a = D->m11 * dc[1], Do_11b = D->m12 * dc[0], Do_11 = Do_11a + Do_11b,
+      Do_11_right = Do_11 - Do_11a, Do_11_left = Do_11 - Do_11_right,
+      Do_11_left_rest = ksl_product_rest(D->m11, dc[1], Do_11a, Do_11_left),
+      Do_11_right_rest = ksl_product_rest(D->m12, dc[0], Do_11b, Do_11_right),
+      Do_11_lo = Do_11_left_rest + Do_11_right_rest;
+  const double Do_12a = D->m12 * dc[1], Do_12b = D->m11 * dc[0], Do_12 = Do_12a - Do_12b,
+      Do_12_right = Do_12a - Do_12, Do_12_left = Do_12 + Do_12_right,
+      Do_12_left_rest = ksl_product_rest(D->m12, dc[1], Do_12a, Do_12_left),
+      Do_12_right_rest = ksl_product_rest(D->m11, dc[0], Do_12b, Do_12_right),
+      Do_12_lo = Do_12_left_rest - Do_12_right_rest;
+  const double Do_21a = D->m21 * dc[1], Do_21b = D->m22 * dc[0], Do_21 = Do_21a + Do_21b,
+      Do_21_right = Do_21 - Do_21a, Do_21_left = Do_21 - Do_21_right,
+      Do_21_left_rest = ksl_product_rest(D->m21, dc[1], Do_21a, Do_21_left),
+      Do_21_right_rest = ksl_product_rest(D->m22, dc[0], Do_21b, Do_21_right),
+      Do_21_lo = Do_21_left_rest + Do_21_right_rest;
+  const double Do_22a = D->m22 * dc[1], Do_22b = D->m21 * dc[0], Do_22 = Do_22a - Do_22b,
+      Do_22_right = Do_22a - Do_22, Do_22_left = Do_22 + Do_22_right,
+      Do_22_left_rest = ksl_product_rest(D->m22, dc[1], Do_22a, Do_22_left),
+      Do_22_right_rest = ksl_product_rest(D->m21, dc[0], Do_22b, Do_22_right),
+      Do_22_lo = Do_22_left_rest - Do_22_right_rest;
   const double Do_01_rounded = Do_01 + Do_01_lo;
   const double Do_02_rounded = Do_02 + Do_02_lo;
   const double Do_11_rounded = Do_11 + Do_11_lo;
@@ -1405,19 +1660,22 @@ static inline void ksl_product_ddrx_accurate(const ksl_SE3_t *D, const double dc
 
 /* Do = D [I | k e_x].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
-   3 mul, 9 add, 3 product error, 3 sum error.
-   Error <= u |result| + (R: 0, t: 2) u^2 S, S the sum of the |terms| of the expanded formula;
+   3 mul, 18 add, 3 product rest.
+   Error <= u |result| + (R: 0, t: 3) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtx_accurate(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = D->m00 * k, Do_03a_lo = ksl_product_error(D->m00, k, Do_03a),
-      Do_03 = Do_03a + D->m03, Do_03_error = ksl_sum_error(Do_03a, D->m03, Do_03),
-      Do_03_lo = Do_03_error + Do_03a_lo;
-  const double Do_13a = D->m10 * k, Do_13a_lo = ksl_product_error(D->m10, k, Do_13a),
-      Do_13 = Do_13a + D->m13, Do_13_error = ksl_sum_error(Do_13a, D->m13, Do_13),
-      Do_13_lo = Do_13_error + Do_13a_lo;
-  const double Do_23a = D->m20 * k, Do_23a_lo = ksl_product_error(D->m20, k, Do_23a),
-      Do_23 = Do_23a + D->m23, Do_23_error = ksl_sum_error(Do_23a, D->m23, Do_23),
-      Do_23_lo = Do_23_error + Do_23a_lo;
+  const double Do_03a = D->m00 * k, Do_03 = Do_03a + D->m03, Do_03_right = Do_03 - Do_03a,
+      Do_03_left = Do_03 - Do_03_right,
+      Do_03_left_rest = ksl_product_rest(D->m00, k, Do_03a, Do_03_left),
+      Do_03_right_rest = D->m03 - Do_03_right, Do_03_lo = Do_03_left_rest + Do_03_right_rest;
+  const double Do_13a = D->m10 * k, Do_13 = Do_13a + D->m13, Do_13_right = Do_13 - Do_13a,
+      Do_13_left = Do_13 - Do_13_right,
+      Do_13_left_rest = ksl_product_rest(D->m10, k, Do_13a, Do_13_left),
+      Do_13_right_rest = D->m13 - Do_13_right, Do_13_lo = Do_13_left_rest + Do_13_right_rest;
+  const double Do_23a = D->m20 * k, Do_23 = Do_23a + D->m23, Do_23_right = Do_23 - Do_23a,
+      Do_23_left = Do_23 - Do_23_right,
+      Do_23_left_rest = ksl_product_rest(D->m20, k, Do_23a, Do_23_left),
+      Do_23_right_rest = D->m23 - Do_23_right, Do_23_lo = Do_23_left_rest + Do_23_right_rest;
   const double Do_03_rounded = Do_03 + Do_03_lo;
   const double Do_13_rounded = Do_13 + Do_13_lo;
   const double Do_23_rounded = Do_23 + Do_23_lo;
@@ -1466,35 +1724,41 @@ static inline void ksl_product_drvtxinv_accurate(const ksl_mat3x3_t *R, const do
 
 /* Ro = R R_x(-θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-   12 mul, 24 add, 12 product error, 6 sum error.
-   Error <= u |result| + 4 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+   12 mul, 30 add, 12 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drdrxinv_accurate(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_01a = R->m01 * dc[1], Ro_01a_lo = ksl_product_error(R->m01, dc[1], Ro_01a),
-      Ro_01b = R->m02 * dc[0], Ro_01b_lo = ksl_product_error(R->m02, dc[0], Ro_01b),
-      Ro_01 = Ro_01a - Ro_01b, Ro_01_error = ksl_difference_error(Ro_01a, Ro_01b, Ro_01),
-      Ro_01_lo1 = Ro_01_error + Ro_01a_lo, Ro_01_lo = Ro_01_lo1 - Ro_01b_lo;
-  const double Ro_02a = R->m01 * dc[0], Ro_02a_lo = ksl_product_error(R->m01, dc[0], Ro_02a),
-      Ro_02b = R->m02 * dc[1], Ro_02b_lo = ksl_product_error(R->m02, dc[1], Ro_02b),
-      Ro_02 = Ro_02a + Ro_02b, Ro_02_error = ksl_sum_error(Ro_02a, Ro_02b, Ro_02),
-      Ro_02_lo1 = Ro_02_error + Ro_02a_lo, Ro_02_lo = Ro_02_lo1 + Ro_02b_lo;
-  const double Ro_11a = R->m11 * dc[1], Ro_11a_lo = ksl_product_error(R->m11, dc[1], Ro_11a),
-      Ro_11b = R->m12 * dc[0], Ro_11b_lo = ksl_product_error(R->m12, dc[0], Ro_11b),
-      Ro_11 = Ro_11a - Ro_11b, Ro_11_error = ksl_difference_error(Ro_11a, Ro_11b, Ro_11),
-      Ro_11_lo1 = Ro_11_error + Ro_11a_lo, Ro_11_lo = Ro_11_lo1 - Ro_11b_lo;
-  const double Ro_12a = R->m11 * dc[0], Ro_12a_lo = ksl_product_error(R->m11, dc[0], Ro_12a),
-      Ro_12b = R->m12 * dc[1], Ro_12b_lo = ksl_product_error(R->m12, dc[1], Ro_12b),
-      Ro_12 = Ro_12a + Ro_12b, Ro_12_error = ksl_sum_error(Ro_12a, Ro_12b, Ro_12),
-      Ro_12_lo1 = Ro_12_error + Ro_12a_lo, Ro_12_lo = Ro_12_lo1 + Ro_12b_lo;
-  const double Ro_21a = R->m21 * dc[1], Ro_21a_lo = ksl_product_error(R->m21, dc[1], Ro_21a),
-      Ro_21b = R->m22 * dc[0], Ro_21b_lo = ksl_product_error(R->m22, dc[0], Ro_21b),
-      Ro_21 = Ro_21a - Ro_21b, Ro_21_error = ksl_difference_error(Ro_21a, Ro_21b, Ro_21),
-      Ro_21_lo1 = Ro_21_error + Ro_21a_lo, Ro_21_lo = Ro_21_lo1 - Ro_21b_lo;
-  const double Ro_22a = R->m21 * dc[0], Ro_22a_lo = ksl_product_error(R->m21, dc[0], Ro_22a),
-      Ro_22b = R->m22 * dc[1], Ro_22b_lo = ksl_product_error(R->m22, dc[1], Ro_22b),
-      Ro_22 = Ro_22a + Ro_22b, Ro_22_error = ksl_sum_error(Ro_22a, Ro_22b, Ro_22),
-      Ro_22_lo1 = Ro_22_error + Ro_22a_lo, Ro_22_lo = Ro_22_lo1 + Ro_22b_lo;
+  const double Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a - Ro_01b,
+      Ro_01_right = Ro_01a - Ro_01, Ro_01_left = Ro_01 + Ro_01_right,
+      Ro_01_left_rest = ksl_product_rest(R->m01, dc[1], Ro_01a, Ro_01_left),
+      Ro_01_right_rest = ksl_product_rest(R->m02, dc[0], Ro_01b, Ro_01_right),
+      Ro_01_lo = Ro_01_left_rest - Ro_01_right_rest;
+  const double Ro_02a = R->m01 * dc[0], Ro_02b = R->m02 * dc[1], Ro_02 = Ro_02a + Ro_02b,
+      Ro_02_right = Ro_02 - Ro_02a, Ro_02_left = Ro_02 - Ro_02_right,
+      Ro_02_left_rest = ksl_product_rest(R->m01, dc[0], Ro_02a, Ro_02_left),
+      Ro_02_right_rest = ksl_product_rest(R->m02, dc[1], Ro_02b, Ro_02_right),
+      Ro_02_lo = Ro_02_left_rest + Ro_02_right_rest;
+  const double Ro_11a = R->m11 * dc[1], Ro_11b = R->m12 * dc[0], Ro_11 = Ro_11a - Ro_11b,
+      Ro_11_right = Ro_11a - Ro_11, Ro_11_left = Ro_11 + Ro_11_right,
+      Ro_11_left_rest = ksl_product_rest(R->m11, dc[1], Ro_11a, Ro_11_left),
+      Ro_11_right_rest = ksl_product_rest(R->m12, dc[0], Ro_11b, Ro_11_right),
+      Ro_11_lo = Ro_11_left_rest - Ro_11_right_rest;
+  const double Ro_12a = R->m11 * dc[0], Ro_12b = R->m12 * dc[1], Ro_12 = Ro_12a + Ro_12b,
+      Ro_12_right = Ro_12 - Ro_12a, Ro_12_left = Ro_12 - Ro_12_right,
+      Ro_12_left_rest = ksl_product_rest(R->m11, dc[0], Ro_12a, Ro_12_left),
+      Ro_12_right_rest = ksl_product_rest(R->m12, dc[1], Ro_12b, Ro_12_right),
+      Ro_12_lo = Ro_12_left_rest + Ro_12_right_rest;
+  const double Ro_21a = R->m21 * dc[1], Ro_21b = R->m22 * dc[0], Ro_21 = Ro_21a - Ro_21b,
+      Ro_21_right = Ro_21a - Ro_21, Ro_21_left = Ro_21 + Ro_21_right,
+      Ro_21_left_rest = ksl_product_rest(R->m21, dc[1], Ro_21a, Ro_21_left),
+      Ro_21_right_rest = ksl_product_rest(R->m22, dc[0], Ro_21b, Ro_21_right),
+      Ro_21_lo = Ro_21_left_rest - Ro_21_right_rest;
+  const double Ro_22a = R->m21 * dc[0], Ro_22b = R->m22 * dc[1], Ro_22 = Ro_22a + Ro_22b,
+      Ro_22_right = Ro_22 - Ro_22a, Ro_22_left = Ro_22 - Ro_22_right,
+      Ro_22_left_rest = ksl_product_rest(R->m21, dc[0], Ro_22a, Ro_22_left),
+      Ro_22_right_rest = ksl_product_rest(R->m22, dc[1], Ro_22b, Ro_22_right),
+      Ro_22_lo = Ro_22_left_rest + Ro_22_right_rest;
   const double Ro_01_rounded = Ro_01 + Ro_01_lo;
   const double Ro_02_rounded = Ro_02 + Ro_02_lo;
   const double Ro_11_rounded = Ro_11 + Ro_11_lo;
@@ -1517,35 +1781,41 @@ static inline void ksl_product_drdrxinv_accurate(const ksl_mat3x3_t *R, const do
 
 /* Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-   12 mul, 24 add, 12 product error, 6 sum error.
-   Error <= u |result| + (R: 4, t: 0) u^2 S, S the sum of the |terms| of the expanded formula;
+   12 mul, 30 add, 12 product rest.
+   Error <= u |result| + (R: 6, t: 0) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrxinv_accurate(const ksl_SE3_t *D, const double dc[2],
     ksl_SE3_t *Do) {
-  const double Do_01a = D->m01 * dc[1], Do_01a_lo = ksl_product_error(D->m01, dc[1], Do_01a),
-      Do_01b = D->m02 * dc[0], Do_01b_lo = ksl_product_error(D->m02, dc[0], Do_01b),
-      Do_01 = Do_01a - Do_01b, Do_01_error = ksl_difference_error(Do_01a, Do_01b, Do_01),
-      Do_01_lo1 = Do_01_error + Do_01a_lo, Do_01_lo = Do_01_lo1 - Do_01b_lo;
-  const double Do_02a = D->m01 * dc[0], Do_02a_lo = ksl_product_error(D->m01, dc[0], Do_02a),
-      Do_02b = D->m02 * dc[1], Do_02b_lo = ksl_product_error(D->m02, dc[1], Do_02b),
-      Do_02 = Do_02a + Do_02b, Do_02_error = ksl_sum_error(Do_02a, Do_02b, Do_02),
-      Do_02_lo1 = Do_02_error + Do_02a_lo, Do_02_lo = Do_02_lo1 + Do_02b_lo;
-  const double Do_11a = D->m11 * dc[1], Do_11a_lo = ksl_product_error(D->m11, dc[1], Do_11a),
-      Do_11b = D->m12 * dc[0], Do_11b_lo = ksl_product_error(D->m12, dc[0], Do_11b),
-      Do_11 = Do_11a - Do_11b, Do_11_error = ksl_difference_error(Do_11a, Do_11b, Do_11),
-      Do_11_lo1 = Do_11_error + Do_11a_lo, Do_11_lo = Do_11_lo1 - Do_11b_lo;
-  const double Do_12a = D->m11 * dc[0], Do_12a_lo = ksl_product_error(D->m11, dc[0], Do_12a),
-      Do_12b = D->m12 * dc[1], Do_12b_lo = ksl_product_error(D->m12, dc[1], Do_12b),
-      Do_12 = Do_12a + Do_12b, Do_12_error = ksl_sum_error(Do_12a, Do_12b, Do_12),
-      Do_12_lo1 = Do_12_error + Do_12a_lo, Do_12_lo = Do_12_lo1 + Do_12b_lo;
-  const double Do_21a = D->m21 * dc[1], Do_21a_lo = ksl_product_error(D->m21, dc[1], Do_21a),
-      Do_21b = D->m22 * dc[0], Do_21b_lo = ksl_product_error(D->m22, dc[0], Do_21b),
-      Do_21 = Do_21a - Do_21b, Do_21_error = ksl_difference_error(Do_21a, Do_21b, Do_21),
-      Do_21_lo1 = Do_21_error + Do_21a_lo, Do_21_lo = Do_21_lo1 - Do_21b_lo;
-  const double Do_22a = D->m21 * dc[0], Do_22a_lo = ksl_product_error(D->m21, dc[0], Do_22a),
-      Do_22b = D->m22 * dc[1], Do_22b_lo = ksl_product_error(D->m22, dc[1], Do_22b),
-      Do_22 = Do_22a + Do_22b, Do_22_error = ksl_sum_error(Do_22a, Do_22b, Do_22),
-      Do_22_lo1 = Do_22_error + Do_22a_lo, Do_22_lo = Do_22_lo1 + Do_22b_lo;
+  const double Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a - Do_01b,
+      Do_01_right = Do_01a - Do_01, Do_01_left = Do_01 + Do_01_right,
+      Do_01_left_rest = ksl_product_rest(D->m01, dc[1], Do_01a, Do_01_left),
+      Do_01_right_rest = ksl_product_rest(D->m02, dc[0], Do_01b, Do_01_right),
+      Do_01_lo = Do_01_left_rest - Do_01_right_rest;
+  const double Do_02a = D->m01 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b,
+      Do_02_right = Do_02 - Do_02a, Do_02_left = Do_02 - Do_02_right,
+      Do_02_left_rest = ksl_product_rest(D->m01, dc[0], Do_02a, Do_02_left),
+      Do_02_right_rest = ksl_product_rest(D->m02, dc[1], Do_02b, Do_02_right),
+      Do_02_lo = Do_02_left_rest + Do_02_right_rest;
+  const double Do_11a = D->m11 * dc[1], Do_11b = D->m12 * dc[0], Do_11 = Do_11a - Do_11b,
+      Do_11_right = Do_11a - Do_11, Do_11_left = Do_11 + Do_11_right,
+      Do_11_left_rest = ksl_product_rest(D->m11, dc[1], Do_11a, Do_11_left),
+      Do_11_right_rest = ksl_product_rest(D->m12, dc[0], Do_11b, Do_11_right),
+      Do_11_lo = Do_11_left_rest - Do_11_right_rest;
+  const double Do_12a = D->m11 * dc[0], Do_12b = D->m12 * dc[1], Do_12 = Do_12a + Do_12b,
+      Do_12_right = Do_12 - Do_12a, Do_12_left = Do_12 - Do_12_right,
+      Do_12_left_rest = ksl_product_rest(D->m11, dc[0], Do_12a, Do_12_left),
+      Do_12_right_rest = ksl_product_rest(D->m12, dc[1], Do_12b, Do_12_right),
+      Do_12_lo = Do_12_left_rest + Do_12_right_rest;
+  const double Do_21a = D->m21 * dc[1], Do_21b = D->m22 * dc[0], Do_21 = Do_21a - Do_21b,
+      Do_21_right = Do_21a - Do_21, Do_21_left = Do_21 + Do_21_right,
+      Do_21_left_rest = ksl_product_rest(D->m21, dc[1], Do_21a, Do_21_left),
+      Do_21_right_rest = ksl_product_rest(D->m22, dc[0], Do_21b, Do_21_right),
+      Do_21_lo = Do_21_left_rest - Do_21_right_rest;
+  const double Do_22a = D->m21 * dc[0], Do_22b = D->m22 * dc[1], Do_22 = Do_22a + Do_22b,
+      Do_22_right = Do_22 - Do_22a, Do_22_left = Do_22 - Do_22_right,
+      Do_22_left_rest = ksl_product_rest(D->m21, dc[0], Do_22a, Do_22_left),
+      Do_22_right_rest = ksl_product_rest(D->m22, dc[1], Do_22b, Do_22_right),
+      Do_22_lo = Do_22_left_rest + Do_22_right_rest;
   const double Do_01_rounded = Do_01 + Do_01_lo;
   const double Do_02_rounded = Do_02 + Do_02_lo;
   const double Do_11_rounded = Do_11 + Do_11_lo;
@@ -1574,19 +1844,22 @@ static inline void ksl_product_ddrxinv_accurate(const ksl_SE3_t *D, const double
 
 /* Do = D [I | -k e_x].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
-   3 mul, 9 add, 3 product error, 3 sum error.
-   Error <= u |result| + (R: 0, t: 2) u^2 S, S the sum of the |terms| of the expanded formula;
+   3 mul, 18 add, 3 product rest.
+   Error <= u |result| + (R: 0, t: 5) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtxinv_accurate(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = D->m00 * k, Do_03a_lo = ksl_product_error(D->m00, k, Do_03a),
-      Do_03 = D->m03 - Do_03a, Do_03_error = ksl_difference_error(D->m03, Do_03a, Do_03),
-      Do_03_lo = Do_03_error - Do_03a_lo;
-  const double Do_13a = D->m10 * k, Do_13a_lo = ksl_product_error(D->m10, k, Do_13a),
-      Do_13 = D->m13 - Do_13a, Do_13_error = ksl_difference_error(D->m13, Do_13a, Do_13),
-      Do_13_lo = Do_13_error - Do_13a_lo;
-  const double Do_23a = D->m20 * k, Do_23a_lo = ksl_product_error(D->m20, k, Do_23a),
-      Do_23 = D->m23 - Do_23a, Do_23_error = ksl_difference_error(D->m23, Do_23a, Do_23),
-      Do_23_lo = Do_23_error - Do_23a_lo;
+  const double Do_03a = D->m00 * k, Do_03 = D->m03 - Do_03a, Do_03_right = D->m03 - Do_03,
+      Do_03_left = Do_03 + Do_03_right, Do_03_left_rest = D->m03 - Do_03_left,
+      Do_03_right_rest = ksl_product_rest(D->m00, k, Do_03a, Do_03_right),
+      Do_03_lo = Do_03_left_rest - Do_03_right_rest;
+  const double Do_13a = D->m10 * k, Do_13 = D->m13 - Do_13a, Do_13_right = D->m13 - Do_13,
+      Do_13_left = Do_13 + Do_13_right, Do_13_left_rest = D->m13 - Do_13_left,
+      Do_13_right_rest = ksl_product_rest(D->m10, k, Do_13a, Do_13_right),
+      Do_13_lo = Do_13_left_rest - Do_13_right_rest;
+  const double Do_23a = D->m20 * k, Do_23 = D->m23 - Do_23a, Do_23_right = D->m23 - Do_23,
+      Do_23_left = Do_23 + Do_23_right, Do_23_left_rest = D->m23 - Do_23_left,
+      Do_23_right_rest = ksl_product_rest(D->m20, k, Do_23a, Do_23_right),
+      Do_23_lo = Do_23_left_rest - Do_23_right_rest;
   const double Do_03_rounded = Do_03 + Do_03_lo;
   const double Do_13_rounded = Do_13 + Do_13_lo;
   const double Do_23_rounded = Do_23 + Do_23_lo;
@@ -1619,12 +1892,12 @@ static inline void ksl_product_ddtxinv_accurate(const ksl_SE3_t *D, const double
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvty_accurate(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo) {
-  const double vo_0 = R->m01 * k, vo_0_lo = ksl_product_error(R->m01, k, vo_0);
-  const double vo_1 = R->m11 * k, vo_1_lo = ksl_product_error(R->m11, k, vo_1);
-  const double vo_2 = R->m21 * k, vo_2_lo = ksl_product_error(R->m21, k, vo_2);
-  const double vo_0_rounded = vo_0 + vo_0_lo;
-  const double vo_1_rounded = vo_1 + vo_1_lo;
-  const double vo_2_rounded = vo_2 + vo_2_lo;
+  const double vo_0 = R->m01 * k;
+  const double vo_1 = R->m11 * k;
+  const double vo_2 = R->m21 * k;
+  const double vo_0_lo = ksl_product_error(R->m01, k, vo_0), vo_0_rounded = vo_0 + vo_0_lo;
+  const double vo_1_lo = ksl_product_error(R->m11, k, vo_1), vo_1_rounded = vo_1 + vo_1_lo;
+  const double vo_2_lo = ksl_product_error(R->m21, k, vo_2), vo_2_rounded = vo_2 + vo_2_lo;
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -1632,35 +1905,41 @@ static inline void ksl_product_drvty_accurate(const ksl_mat3x3_t *R, const doubl
 
 /* Ro = R R_y(θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-   12 mul, 24 add, 12 product error, 6 sum error.
-   Error <= u |result| + 4 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+   12 mul, 30 add, 12 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drdry_accurate(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00a_lo = ksl_product_error(R->m00, dc[1], Ro_00a),
-      Ro_00b = R->m02 * dc[0], Ro_00b_lo = ksl_product_error(R->m02, dc[0], Ro_00b),
-      Ro_00 = Ro_00a - Ro_00b, Ro_00_error = ksl_difference_error(Ro_00a, Ro_00b, Ro_00),
-      Ro_00_lo1 = Ro_00_error + Ro_00a_lo, Ro_00_lo = Ro_00_lo1 - Ro_00b_lo;
-  const double Ro_02a = R->m00 * dc[0], Ro_02a_lo = ksl_product_error(R->m00, dc[0], Ro_02a),
-      Ro_02b = R->m02 * dc[1], Ro_02b_lo = ksl_product_error(R->m02, dc[1], Ro_02b),
-      Ro_02 = Ro_02a + Ro_02b, Ro_02_error = ksl_sum_error(Ro_02a, Ro_02b, Ro_02),
-      Ro_02_lo1 = Ro_02_error + Ro_02a_lo, Ro_02_lo = Ro_02_lo1 + Ro_02b_lo;
-  const double Ro_10a = R->m10 * dc[1], Ro_10a_lo = ksl_product_error(R->m10, dc[1], Ro_10a),
-      Ro_10b = R->m12 * dc[0], Ro_10b_lo = ksl_product_error(R->m12, dc[0], Ro_10b),
-      Ro_10 = Ro_10a - Ro_10b, Ro_10_error = ksl_difference_error(Ro_10a, Ro_10b, Ro_10),
-      Ro_10_lo1 = Ro_10_error + Ro_10a_lo, Ro_10_lo = Ro_10_lo1 - Ro_10b_lo;
-  const double Ro_12a = R->m10 * dc[0], Ro_12a_lo = ksl_product_error(R->m10, dc[0], Ro_12a),
-      Ro_12b = R->m12 * dc[1], Ro_12b_lo = ksl_product_error(R->m12, dc[1], Ro_12b),
-      Ro_12 = Ro_12a + Ro_12b, Ro_12_error = ksl_sum_error(Ro_12a, Ro_12b, Ro_12),
-      Ro_12_lo1 = Ro_12_error + Ro_12a_lo, Ro_12_lo = Ro_12_lo1 + Ro_12b_lo;
-  const double Ro_20a = R->m20 * dc[1], Ro_20a_lo = ksl_product_error(R->m20, dc[1], Ro_20a),
-      Ro_20b = R->m22 * dc[0], Ro_20b_lo = ksl_product_error(R->m22, dc[0], Ro_20b),
-      Ro_20 = Ro_20a - Ro_20b, Ro_20_error = ksl_difference_error(Ro_20a, Ro_20b, Ro_20),
-      Ro_20_lo1 = Ro_20_error + Ro_20a_lo, Ro_20_lo = Ro_20_lo1 - Ro_20b_lo;
-  const double Ro_22a = R->m20 * dc[0], Ro_22a_lo = ksl_product_error(R->m20, dc[0], Ro_22a),
-      Ro_22b = R->m22 * dc[1], Ro_22b_lo = ksl_product_error(R->m22, dc[1], Ro_22b),
-      Ro_22 = Ro_22a + Ro_22b, Ro_22_error = ksl_sum_error(Ro_22a, Ro_22b, Ro_22),
-      Ro_22_lo1 = Ro_22_error + Ro_22a_lo, Ro_22_lo = Ro_22_lo1 + Ro_22b_lo;
+  const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a - Ro_00b,
+      Ro_00_right = Ro_00a - Ro_00, Ro_00_left = Ro_00 + Ro_00_right,
+      Ro_00_left_rest = ksl_product_rest(R->m00, dc[1], Ro_00a, Ro_00_left),
+      Ro_00_right_rest = ksl_product_rest(R->m02, dc[0], Ro_00b, Ro_00_right),
+      Ro_00_lo = Ro_00_left_rest - Ro_00_right_rest;
+  const double Ro_02a = R->m00 * dc[0], Ro_02b = R->m02 * dc[1], Ro_02 = Ro_02a + Ro_02b,
+      Ro_02_right = Ro_02 - Ro_02a, Ro_02_left = Ro_02 - Ro_02_right,
+      Ro_02_left_rest = ksl_product_rest(R->m00, dc[0], Ro_02a, Ro_02_left),
+      Ro_02_right_rest = ksl_product_rest(R->m02, dc[1], Ro_02b, Ro_02_right),
+      Ro_02_lo = Ro_02_left_rest + Ro_02_right_rest;
+  const double Ro_10a = R->m10 * dc[1], Ro_10b = R->m12 * dc[0], Ro_10 = Ro_10a - Ro_10b,
+      Ro_10_right = Ro_10a - Ro_10, Ro_10_left = Ro_10 + Ro_10_right,
+      Ro_10_left_rest = ksl_product_rest(R->m10, dc[1], Ro_10a, Ro_10_left),
+      Ro_10_right_rest = ksl_product_rest(R->m12, dc[0], Ro_10b, Ro_10_right),
+      Ro_10_lo = Ro_10_left_rest - Ro_10_right_rest;
+  const double Ro_12a = R->m10 * dc[0], Ro_12b = R->m12 * dc[1], Ro_12 = Ro_12a + Ro_12b,
+      Ro_12_right = Ro_12 - Ro_12a, Ro_12_left = Ro_12 - Ro_12_right,
+      Ro_12_left_rest = ksl_product_rest(R->m10, dc[0], Ro_12a, Ro_12_left),
+      Ro_12_right_rest = ksl_product_rest(R->m12, dc[1], Ro_12b, Ro_12_right),
+      Ro_12_lo = Ro_12_left_rest + Ro_12_right_rest;
+  const double Ro_20a = R->m20 * dc[1], Ro_20b = R->m22 * dc[0], Ro_20 = Ro_20a - Ro_20b,
+      Ro_20_right = Ro_20a - Ro_20, Ro_20_left = Ro_20 + Ro_20_right,
+      Ro_20_left_rest = ksl_product_rest(R->m20, dc[1], Ro_20a, Ro_20_left),
+      Ro_20_right_rest = ksl_product_rest(R->m22, dc[0], Ro_20b, Ro_20_right),
+      Ro_20_lo = Ro_20_left_rest - Ro_20_right_rest;
+  const double Ro_22a = R->m20 * dc[0], Ro_22b = R->m22 * dc[1], Ro_22 = Ro_22a + Ro_22b,
+      Ro_22_right = Ro_22 - Ro_22a, Ro_22_left = Ro_22 - Ro_22_right,
+      Ro_22_left_rest = ksl_product_rest(R->m20, dc[0], Ro_22a, Ro_22_left),
+      Ro_22_right_rest = ksl_product_rest(R->m22, dc[1], Ro_22b, Ro_22_right),
+      Ro_22_lo = Ro_22_left_rest + Ro_22_right_rest;
   const double Ro_00_rounded = Ro_00 + Ro_00_lo;
   const double Ro_02_rounded = Ro_02 + Ro_02_lo;
   const double Ro_10_rounded = Ro_10 + Ro_10_lo;
@@ -1683,35 +1962,41 @@ static inline void ksl_product_drdry_accurate(const ksl_mat3x3_t *R, const doubl
 
 /* Do = D [R_y(θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-   12 mul, 24 add, 12 product error, 6 sum error.
-   Error <= u |result| + (R: 4, t: 0) u^2 S, S the sum of the |terms| of the expanded formula;
+   12 mul, 30 add, 12 product rest.
+   Error <= u |result| + (R: 6, t: 0) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddry_accurate(const ksl_SE3_t *D, const double dc[2],
     ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * dc[1], Do_00a_lo = ksl_product_error(D->m00, dc[1], Do_00a),
-      Do_00b = D->m02 * dc[0], Do_00b_lo = ksl_product_error(D->m02, dc[0], Do_00b),
-      Do_00 = Do_00a - Do_00b, Do_00_error = ksl_difference_error(Do_00a, Do_00b, Do_00),
-      Do_00_lo1 = Do_00_error + Do_00a_lo, Do_00_lo = Do_00_lo1 - Do_00b_lo;
-  const double Do_02a = D->m00 * dc[0], Do_02a_lo = ksl_product_error(D->m00, dc[0], Do_02a),
-      Do_02b = D->m02 * dc[1], Do_02b_lo = ksl_product_error(D->m02, dc[1], Do_02b),
-      Do_02 = Do_02a + Do_02b, Do_02_error = ksl_sum_error(Do_02a, Do_02b, Do_02),
-      Do_02_lo1 = Do_02_error + Do_02a_lo, Do_02_lo = Do_02_lo1 + Do_02b_lo;
-  const double Do_10a = D->m10 * dc[1], Do_10a_lo = ksl_product_error(D->m10, dc[1], Do_10a),
-      Do_10b = D->m12 * dc[0], Do_10b_lo = ksl_product_error(D->m12, dc[0], Do_10b),
-      Do_10 = Do_10a - Do_10b, Do_10_error = ksl_difference_error(Do_10a, Do_10b, Do_10),
-      Do_10_lo1 = Do_10_error + Do_10a_lo, Do_10_lo = Do_10_lo1 - Do_10b_lo;
-  const double Do_12a = D->m10 * dc[0], Do_12a_lo = ksl_product_error(D->m10, dc[0], Do_12a),
-      Do_12b = D->m12 * dc[1], Do_12b_lo = ksl_product_error(D->m12, dc[1], Do_12b),
-      Do_12 = Do_12a + Do_12b, Do_12_error = ksl_sum_error(Do_12a, Do_12b, Do_12),
-      Do_12_lo1 = Do_12_error + Do_12a_lo, Do_12_lo = Do_12_lo1 + Do_12b_lo;
-  const double Do_20a = D->m20 * dc[1], Do_20a_lo = ksl_product_error(D->m20, dc[1], Do_20a),
-      Do_20b = D->m22 * dc[0], Do_20b_lo = ksl_product_error(D->m22, dc[0], Do_20b),
-      Do_20 = Do_20a - Do_20b, Do_20_error = ksl_difference_error(Do_20a, Do_20b, Do_20),
-      Do_20_lo1 = Do_20_error + Do_20a_lo, Do_20_lo = Do_20_lo1 - Do_20b_lo;
-  const double Do_22a = D->m20 * dc[0], Do_22a_lo = ksl_product_error(D->m20, dc[0], Do_22a),
-      Do_22b = D->m22 * dc[1], Do_22b_lo = ksl_product_error(D->m22, dc[1], Do_22b),
-      Do_22 = Do_22a + Do_22b, Do_22_error = ksl_sum_error(Do_22a, Do_22b, Do_22),
-      Do_22_lo1 = Do_22_error + Do_22a_lo, Do_22_lo = Do_22_lo1 + Do_22b_lo;
+  const double Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a - Do_00b,
+      Do_00_right = Do_00a - Do_00, Do_00_left = Do_00 + Do_00_right,
+      Do_00_left_rest = ksl_product_rest(D->m00, dc[1], Do_00a, Do_00_left),
+      Do_00_right_rest = ksl_product_rest(D->m02, dc[0], Do_00b, Do_00_right),
+      Do_00_lo = Do_00_left_rest - Do_00_right_rest;
+  const double Do_02a = D->m00 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b,
+      Do_02_right = Do_02 - Do_02a, Do_02_left = Do_02 - Do_02_right,
+      Do_02_left_rest = ksl_product_rest(D->m00, dc[0], Do_02a, Do_02_left),
+      Do_02_right_rest = ksl_product_rest(D->m02, dc[1], Do_02b, Do_02_right),
+      Do_02_lo = Do_02_left_rest + Do_02_right_rest;
+  const double Do_10a = D->m10 * dc[1], Do_10b = D->m12 * dc[0], Do_10 = Do_10a - Do_10b,
+      Do_10_right = Do_10a - Do_10, Do_10_left = Do_10 + Do_10_right,
+      Do_10_left_rest = ksl_product_rest(D->m10, dc[1], Do_10a, Do_10_left),
+      Do_10_right_rest = ksl_product_rest(D->m12, dc[0], Do_10b, Do_10_right),
+      Do_10_lo = Do_10_left_rest - Do_10_right_rest;
+  const double Do_12a = D->m10 * dc[0], Do_12b = D->m12 * dc[1], Do_12 = Do_12a + Do_12b,
+      Do_12_right = Do_12 - Do_12a, Do_12_left = Do_12 - Do_12_right,
+      Do_12_left_rest = ksl_product_rest(D->m10, dc[0], Do_12a, Do_12_left),
+      Do_12_right_rest = ksl_product_rest(D->m12, dc[1], Do_12b, Do_12_right),
+      Do_12_lo = Do_12_left_rest + Do_12_right_rest;
+  const double Do_20a = D->m20 * dc[1], Do_20b = D->m22 * dc[0], Do_20 = Do_20a - Do_20b,
+      Do_20_right = Do_20a - Do_20, Do_20_left = Do_20 + Do_20_right,
+      Do_20_left_rest = ksl_product_rest(D->m20, dc[1], Do_20a, Do_20_left),
+      Do_20_right_rest = ksl_product_rest(D->m22, dc[0], Do_20b, Do_20_right),
+      Do_20_lo = Do_20_left_rest - Do_20_right_rest;
+  const double Do_22a = D->m20 * dc[0], Do_22b = D->m22 * dc[1], Do_22 = Do_22a + Do_22b,
+      Do_22_right = Do_22 - Do_22a, Do_22_left = Do_22 - Do_22_right,
+      Do_22_left_rest = ksl_product_rest(D->m20, dc[0], Do_22a, Do_22_left),
+      Do_22_right_rest = ksl_product_rest(D->m22, dc[1], Do_22b, Do_22_right),
+      Do_22_lo = Do_22_left_rest + Do_22_right_rest;
   const double Do_00_rounded = Do_00 + Do_00_lo;
   const double Do_02_rounded = Do_02 + Do_02_lo;
   const double Do_10_rounded = Do_10 + Do_10_lo;
@@ -1740,19 +2025,22 @@ static inline void ksl_product_ddry_accurate(const ksl_SE3_t *D, const double dc
 
 /* Do = D [I | k e_y].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
-   3 mul, 9 add, 3 product error, 3 sum error.
-   Error <= u |result| + (R: 0, t: 2) u^2 S, S the sum of the |terms| of the expanded formula;
+   3 mul, 18 add, 3 product rest.
+   Error <= u |result| + (R: 0, t: 3) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddty_accurate(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = D->m01 * k, Do_03a_lo = ksl_product_error(D->m01, k, Do_03a),
-      Do_03 = Do_03a + D->m03, Do_03_error = ksl_sum_error(Do_03a, D->m03, Do_03),
-      Do_03_lo = Do_03_error + Do_03a_lo;
-  const double Do_13a = D->m11 * k, Do_13a_lo = ksl_product_error(D->m11, k, Do_13a),
-      Do_13 = Do_13a + D->m13, Do_13_error = ksl_sum_error(Do_13a, D->m13, Do_13),
-      Do_13_lo = Do_13_error + Do_13a_lo;
-  const double Do_23a = D->m21 * k, Do_23a_lo = ksl_product_error(D->m21, k, Do_23a),
-      Do_23 = Do_23a + D->m23, Do_23_error = ksl_sum_error(Do_23a, D->m23, Do_23),
-      Do_23_lo = Do_23_error + Do_23a_lo;
+  const double Do_03a = D->m01 * k, Do_03 = Do_03a + D->m03, Do_03_right = Do_03 - Do_03a,
+      Do_03_left = Do_03 - Do_03_right,
+      Do_03_left_rest = ksl_product_rest(D->m01, k, Do_03a, Do_03_left),
+      Do_03_right_rest = D->m03 - Do_03_right, Do_03_lo = Do_03_left_rest + Do_03_right_rest;
+  const double Do_13a = D->m11 * k, Do_13 = Do_13a + D->m13, Do_13_right = Do_13 - Do_13a,
+      Do_13_left = Do_13 - Do_13_right,
+      Do_13_left_rest = ksl_product_rest(D->m11, k, Do_13a, Do_13_left),
+      Do_13_right_rest = D->m13 - Do_13_right, Do_13_lo = Do_13_left_rest + Do_13_right_rest;
+  const double Do_23a = D->m21 * k, Do_23 = Do_23a + D->m23, Do_23_right = Do_23 - Do_23a,
+      Do_23_left = Do_23 - Do_23_right,
+      Do_23_left_rest = ksl_product_rest(D->m21, k, Do_23a, Do_23_left),
+      Do_23_right_rest = D->m23 - Do_23_right, Do_23_lo = Do_23_left_rest + Do_23_right_rest;
   const double Do_03_rounded = Do_03 + Do_03_lo;
   const double Do_13_rounded = Do_13 + Do_13_lo;
   const double Do_23_rounded = Do_23 + Do_23_lo;
@@ -1801,35 +2089,41 @@ static inline void ksl_product_drvtyinv_accurate(const ksl_mat3x3_t *R, const do
 
 /* Ro = R R_y(-θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-   12 mul, 24 add, 12 product error, 6 sum error.
-   Error <= u |result| + 4 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+   12 mul, 30 add, 12 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drdryinv_accurate(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00a_lo = ksl_product_error(R->m00, dc[1], Ro_00a),
-      Ro_00b = R->m02 * dc[0], Ro_00b_lo = ksl_product_error(R->m02, dc[0], Ro_00b),
-      Ro_00 = Ro_00a + Ro_00b, Ro_00_error = ksl_sum_error(Ro_00a, Ro_00b, Ro_00),
-      Ro_00_lo1 = Ro_00_error + Ro_00a_lo, Ro_00_lo = Ro_00_lo1 + Ro_00b_lo;
-  const double Ro_02a = R->m02 * dc[1], Ro_02a_lo = ksl_product_error(R->m02, dc[1], Ro_02a),
-      Ro_02b = R->m00 * dc[0], Ro_02b_lo = ksl_product_error(R->m00, dc[0], Ro_02b),
-      Ro_02 = Ro_02a - Ro_02b, Ro_02_error = ksl_difference_error(Ro_02a, Ro_02b, Ro_02),
-      Ro_02_lo1 = Ro_02_error + Ro_02a_lo, Ro_02_lo = Ro_02_lo1 - Ro_02b_lo;
-  const double Ro_10a = R->m10 * dc[1], Ro_10a_lo = ksl_product_error(R->m10, dc[1], Ro_10a),
-      Ro_10b = R->m12 * dc[0], Ro_10b_lo = ksl_product_error(R->m12, dc[0], Ro_10b),
-      Ro_10 = Ro_10a + Ro_10b, Ro_10_error = ksl_sum_error(Ro_10a, Ro_10b, Ro_10),
-      Ro_10_lo1 = Ro_10_error + Ro_10a_lo, Ro_10_lo = Ro_10_lo1 + Ro_10b_lo;
-  const double Ro_12a = R->m12 * dc[1], Ro_12a_lo = ksl_product_error(R->m12, dc[1], Ro_12a),
-      Ro_12b = R->m10 * dc[0], Ro_12b_lo = ksl_product_error(R->m10, dc[0], Ro_12b),
-      Ro_12 = Ro_12a - Ro_12b, Ro_12_error = ksl_difference_error(Ro_12a, Ro_12b, Ro_12),
-      Ro_12_lo1 = Ro_12_error + Ro_12a_lo, Ro_12_lo = Ro_12_lo1 - Ro_12b_lo;
-  const double Ro_20a = R->m20 * dc[1], Ro_20a_lo = ksl_product_error(R->m20, dc[1], Ro_20a),
-      Ro_20b = R->m22 * dc[0], Ro_20b_lo = ksl_product_error(R->m22, dc[0], Ro_20b),
-      Ro_20 = Ro_20a + Ro_20b, Ro_20_error = ksl_sum_error(Ro_20a, Ro_20b, Ro_20),
-      Ro_20_lo1 = Ro_20_error + Ro_20a_lo, Ro_20_lo = Ro_20_lo1 + Ro_20b_lo;
-  const double Ro_22a = R->m22 * dc[1], Ro_22a_lo = ksl_product_error(R->m22, dc[1], Ro_22a),
-      Ro_22b = R->m20 * dc[0], Ro_22b_lo = ksl_product_error(R->m20, dc[0], Ro_22b),
-      Ro_22 = Ro_22a - Ro_22b, Ro_22_error = ksl_difference_error(Ro_22a, Ro_22b, Ro_22),
-      Ro_22_lo1 = Ro_22_error + Ro_22a_lo, Ro_22_lo = Ro_22_lo1 - Ro_22b_lo;
+  const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a + Ro_00b,
+      Ro_00_right = Ro_00 - Ro_00a, Ro_00_left = Ro_00 - Ro_00_right,
+      Ro_00_left_rest = ksl_product_rest(R->m00, dc[1], Ro_00a, Ro_00_left),
+      Ro_00_right_rest = ksl_product_rest(R->m02, dc[0], Ro_00b, Ro_00_right),
+      Ro_00_lo = Ro_00_left_rest + Ro_00_right_rest;
+  const double Ro_02a = R->m02 * dc[1], Ro_02b = R->m00 * dc[0], Ro_02 = Ro_02a - Ro_02b,
+      Ro_02_right = Ro_02a - Ro_02, Ro_02_left = Ro_02 + Ro_02_right,
+      Ro_02_left_rest = ksl_product_rest(R->m02, dc[1], Ro_02a, Ro_02_left),
+      Ro_02_right_rest = ksl_product_rest(R->m00, dc[0], Ro_02b, Ro_02_right),
+      Ro_02_lo = Ro_02_left_rest - Ro_02_right_rest;
+  const double Ro_10a = R->m10 * dc[1], Ro_10b = R->m12 * dc[0], Ro_10 = Ro_10a + Ro_10b,
+      Ro_10_right = Ro_10 - Ro_10a, Ro_10_left = Ro_10 - Ro_10_right,
+      Ro_10_left_rest = ksl_product_rest(R->m10, dc[1], Ro_10a, Ro_10_left),
+      Ro_10_right_rest = ksl_product_rest(R->m12, dc[0], Ro_10b, Ro_10_right),
+      Ro_10_lo = Ro_10_left_rest + Ro_10_right_rest;
+  const double Ro_12a = R->m12 * dc[1], Ro_12b = R->m10 * dc[0], Ro_12 = Ro_12a - Ro_12b,
+      Ro_12_right = Ro_12a - Ro_12, Ro_12_left = Ro_12 + Ro_12_right,
+      Ro_12_left_rest = ksl_product_rest(R->m12, dc[1], Ro_12a, Ro_12_left),
+      Ro_12_right_rest = ksl_product_rest(R->m10, dc[0], Ro_12b, Ro_12_right),
+      Ro_12_lo = Ro_12_left_rest - Ro_12_right_rest;
+  const double Ro_20a = R->m20 * dc[1], Ro_20b = R->m22 * dc[0], Ro_20 = Ro_20a + Ro_20b,
+      Ro_20_right = Ro_20 - Ro_20a, Ro_20_left = Ro_20 - Ro_20_right,
+      Ro_20_left_rest = ksl_product_rest(R->m20, dc[1], Ro_20a, Ro_20_left),
+      Ro_20_right_rest = ksl_product_rest(R->m22, dc[0], Ro_20b, Ro_20_right),
+      Ro_20_lo = Ro_20_left_rest + Ro_20_right_rest;
+  const double Ro_22a = R->m22 * dc[1], Ro_22b = R->m20 * dc[0], Ro_22 = Ro_22a - Ro_22b,
+      Ro_22_right = Ro_22a - Ro_22, Ro_22_left = Ro_22 + Ro_22_right,
+      Ro_22_left_rest = ksl_product_rest(R->m22, dc[1], Ro_22a, Ro_22_left),
+      Ro_22_right_rest = ksl_product_rest(R->m20, dc[0], Ro_22b, Ro_22_right),
+      Ro_22_lo = Ro_22_left_rest - Ro_22_right_rest;
   const double Ro_00_rounded = Ro_00 + Ro_00_lo;
   const double Ro_02_rounded = Ro_02 + Ro_02_lo;
   const double Ro_10_rounded = Ro_10 + Ro_10_lo;
@@ -1852,35 +2146,41 @@ static inline void ksl_product_drdryinv_accurate(const ksl_mat3x3_t *R, const do
 
 /* Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-   12 mul, 24 add, 12 product error, 6 sum error.
-   Error <= u |result| + (R: 4, t: 0) u^2 S, S the sum of the |terms| of the expanded formula;
+   12 mul, 30 add, 12 product rest.
+   Error <= u |result| + (R: 6, t: 0) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddryinv_accurate(const ksl_SE3_t *D, const double dc[2],
     ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * dc[1], Do_00a_lo = ksl_product_error(D->m00, dc[1], Do_00a),
-      Do_00b = D->m02 * dc[0], Do_00b_lo = ksl_product_error(D->m02, dc[0], Do_00b),
-      Do_00 = Do_00a + Do_00b, Do_00_error = ksl_sum_error(Do_00a, Do_00b, Do_00),
-      Do_00_lo1 = Do_00_error + Do_00a_lo, Do_00_lo = Do_00_lo1 + Do_00b_lo;
-  const double Do_02a = D->m02 * dc[1], Do_02a_lo = ksl_product_error(D->m02, dc[1], Do_02a),
-      Do_02b = D->m00 * dc[0], Do_02b_lo = ksl_product_error(D->m00, dc[0], Do_02b),
-      Do_02 = Do_02a - Do_02b, Do_02_error = ksl_difference_error(Do_02a, Do_02b, Do_02),
-      Do_02_lo1 = Do_02_error + Do_02a_lo, Do_02_lo = Do_02_lo1 - Do_02b_lo;
-  const double Do_10a = D->m10 * dc[1], Do_10a_lo = ksl_product_error(D->m10, dc[1], Do_10a),
-      Do_10b = D->m12 * dc[0], Do_10b_lo = ksl_product_error(D->m12, dc[0], Do_10b),
-      Do_10 = Do_10a + Do_10b, Do_10_error = ksl_sum_error(Do_10a, Do_10b, Do_10),
-      Do_10_lo1 = Do_10_error + Do_10a_lo, Do_10_lo = Do_10_lo1 + Do_10b_lo;
-  const double Do_12a = D->m12 * dc[1], Do_12a_lo = ksl_product_error(D->m12, dc[1], Do_12a),
-      Do_12b = D->m10 * dc[0], Do_12b_lo = ksl_product_error(D->m10, dc[0], Do_12b),
-      Do_12 = Do_12a - Do_12b, Do_12_error = ksl_difference_error(Do_12a, Do_12b, Do_12),
-      Do_12_lo1 = Do_12_error + Do_12a_lo, Do_12_lo = Do_12_lo1 - Do_12b_lo;
-  const double Do_20a = D->m20 * dc[1], Do_20a_lo = ksl_product_error(D->m20, dc[1], Do_20a),
-      Do_20b = D->m22 * dc[0], Do_20b_lo = ksl_product_error(D->m22, dc[0], Do_20b),
-      Do_20 = Do_20a + Do_20b, Do_20_error = ksl_sum_error(Do_20a, Do_20b, Do_20),
-      Do_20_lo1 = Do_20_error + Do_20a_lo, Do_20_lo = Do_20_lo1 + Do_20b_lo;
-  const double Do_22a = D->m22 * dc[1], Do_22a_lo = ksl_product_error(D->m22, dc[1], Do_22a),
-      Do_22b = D->m20 * dc[0], Do_22b_lo = ksl_product_error(D->m20, dc[0], Do_22b),
-      Do_22 = Do_22a - Do_22b, Do_22_error = ksl_difference_error(Do_22a, Do_22b, Do_22),
-      Do_22_lo1 = Do_22_error + Do_22a_lo, Do_22_lo = Do_22_lo1 - Do_22b_lo;
+  const double Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a + Do_00b,
+      Do_00_right = Do_00 - Do_00a, Do_00_left = Do_00 - Do_00_right,
+      Do_00_left_rest = ksl_product_rest(D->m00, dc[1], Do_00a, Do_00_left),
+      Do_00_right_rest = ksl_product_rest(D->m02, dc[0], Do_00b, Do_00_right),
+      Do_00_lo = Do_00_left_rest + Do_00_right_rest;
+  const double Do_02a = D->m02 * dc[1], Do_02b = D->m00 * dc[0], Do_02 = Do_02a - Do_02b,
+      Do_02_right = Do_02a - Do_02, Do_02_left = Do_02 + Do_02_right,
+      Do_02_left_rest = ksl_product_rest(D->m02, dc[1], Do_02a, Do_02_left),
+      Do_02_right_rest = ksl_product_rest(D->m00, dc[0], Do_02b, Do_02_right),
+      Do_02_lo = Do_02_left_rest - Do_02_right_rest;
+  const double Do_10a = D->m10 * dc[1], Do_10b = D->m12 * dc[0], Do_10 = Do_10a + Do_10b,
+      Do_10_right = Do_10 - Do_10a, Do_10_left = Do_10 - Do_10_right,
+      Do_10_left_rest = ksl_product_rest(D->m10, dc[1], Do_10a, Do_10_left),
+      Do_10_right_rest = ksl_product_rest(D->m12, dc[0], Do_10b, Do_10_right),
+      Do_10_lo = Do_10_left_rest + Do_10_right_rest;
+  const double Do_12a = D->m12 * dc[1], Do_12b = D->m10 * dc[0], Do_12 = Do_12a - Do_12b,
+      Do_12_right = Do_12a - Do_12, Do_12_left = Do_12 + Do_12_right,
+      Do_12_left_rest = ksl_product_rest(D->m12, dc[1], Do_12a, Do_12_left),
+      Do_12_right_rest = ksl_product_rest(D->m10, dc[0], Do_12b, Do_12_right),
+      Do_12_lo = Do_12_left_rest - Do_12_right_rest;
+  const double Do_20a = D->m20 * dc[1], Do_20b = D->m22 * dc[0], Do_20 = Do_20a + Do_20b,
+      Do_20_right = Do_20 - Do_20a, Do_20_left = Do_20 - Do_20_right,
+      Do_20_left_rest = ksl_product_rest(D->m20, dc[1], Do_20a, Do_20_left),
+      Do_20_right_rest = ksl_product_rest(D->m22, dc[0], Do_20b, Do_20_right),
+      Do_20_lo = Do_20_left_rest + Do_20_right_rest;
+  const double Do_22a = D->m22 * dc[1], Do_22b = D->m20 * dc[0], Do_22 = Do_22a - Do_22b,
+      Do_22_right = Do_22a - Do_22, Do_22_left = Do_22 + Do_22_right,
+      Do_22_left_rest = ksl_product_rest(D->m22, dc[1], Do_22a, Do_22_left),
+      Do_22_right_rest = ksl_product_rest(D->m20, dc[0], Do_22b, Do_22_right),
+      Do_22_lo = Do_22_left_rest - Do_22_right_rest;
   const double Do_00_rounded = Do_00 + Do_00_lo;
   const double Do_02_rounded = Do_02 + Do_02_lo;
   const double Do_10_rounded = Do_10 + Do_10_lo;
@@ -1909,19 +2209,22 @@ static inline void ksl_product_ddryinv_accurate(const ksl_SE3_t *D, const double
 
 /* Do = D [I | -k e_y].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
-   3 mul, 9 add, 3 product error, 3 sum error.
-   Error <= u |result| + (R: 0, t: 2) u^2 S, S the sum of the |terms| of the expanded formula;
+   3 mul, 18 add, 3 product rest.
+   Error <= u |result| + (R: 0, t: 5) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtyinv_accurate(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = D->m01 * k, Do_03a_lo = ksl_product_error(D->m01, k, Do_03a),
-      Do_03 = D->m03 - Do_03a, Do_03_error = ksl_difference_error(D->m03, Do_03a, Do_03),
-      Do_03_lo = Do_03_error - Do_03a_lo;
-  const double Do_13a = D->m11 * k, Do_13a_lo = ksl_product_error(D->m11, k, Do_13a),
-      Do_13 = D->m13 - Do_13a, Do_13_error = ksl_difference_error(D->m13, Do_13a, Do_13),
-      Do_13_lo = Do_13_error - Do_13a_lo;
-  const double Do_23a = D->m21 * k, Do_23a_lo = ksl_product_error(D->m21, k, Do_23a),
-      Do_23 = D->m23 - Do_23a, Do_23_error = ksl_difference_error(D->m23, Do_23a, Do_23),
-      Do_23_lo = Do_23_error - Do_23a_lo;
+  const double Do_03a = D->m01 * k, Do_03 = D->m03 - Do_03a, Do_03_right = D->m03 - Do_03,
+      Do_03_left = Do_03 + Do_03_right, Do_03_left_rest = D->m03 - Do_03_left,
+      Do_03_right_rest = ksl_product_rest(D->m01, k, Do_03a, Do_03_right),
+      Do_03_lo = Do_03_left_rest - Do_03_right_rest;
+  const double Do_13a = D->m11 * k, Do_13 = D->m13 - Do_13a, Do_13_right = D->m13 - Do_13,
+      Do_13_left = Do_13 + Do_13_right, Do_13_left_rest = D->m13 - Do_13_left,
+      Do_13_right_rest = ksl_product_rest(D->m11, k, Do_13a, Do_13_right),
+      Do_13_lo = Do_13_left_rest - Do_13_right_rest;
+  const double Do_23a = D->m21 * k, Do_23 = D->m23 - Do_23a, Do_23_right = D->m23 - Do_23,
+      Do_23_left = Do_23 + Do_23_right, Do_23_left_rest = D->m23 - Do_23_left,
+      Do_23_right_rest = ksl_product_rest(D->m21, k, Do_23a, Do_23_right),
+      Do_23_lo = Do_23_left_rest - Do_23_right_rest;
   const double Do_03_rounded = Do_03 + Do_03_lo;
   const double Do_13_rounded = Do_13 + Do_13_lo;
   const double Do_23_rounded = Do_23 + Do_23_lo;
@@ -1954,12 +2257,12 @@ static inline void ksl_product_ddtyinv_accurate(const ksl_SE3_t *D, const double
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtz_accurate(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo) {
-  const double vo_0 = R->m02 * k, vo_0_lo = ksl_product_error(R->m02, k, vo_0);
-  const double vo_1 = R->m12 * k, vo_1_lo = ksl_product_error(R->m12, k, vo_1);
-  const double vo_2 = R->m22 * k, vo_2_lo = ksl_product_error(R->m22, k, vo_2);
-  const double vo_0_rounded = vo_0 + vo_0_lo;
-  const double vo_1_rounded = vo_1 + vo_1_lo;
-  const double vo_2_rounded = vo_2 + vo_2_lo;
+  const double vo_0 = R->m02 * k;
+  const double vo_1 = R->m12 * k;
+  const double vo_2 = R->m22 * k;
+  const double vo_0_lo = ksl_product_error(R->m02, k, vo_0), vo_0_rounded = vo_0 + vo_0_lo;
+  const double vo_1_lo = ksl_product_error(R->m12, k, vo_1), vo_1_rounded = vo_1 + vo_1_lo;
+  const double vo_2_lo = ksl_product_error(R->m22, k, vo_2), vo_2_rounded = vo_2 + vo_2_lo;
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -1967,35 +2270,41 @@ static inline void ksl_product_drvtz_accurate(const ksl_mat3x3_t *R, const doubl
 
 /* Ro = R R_z(θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-   12 mul, 24 add, 12 product error, 6 sum error.
-   Error <= u |result| + 4 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+   12 mul, 30 add, 12 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drdrz_accurate(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00a_lo = ksl_product_error(R->m00, dc[1], Ro_00a),
-      Ro_00b = R->m01 * dc[0], Ro_00b_lo = ksl_product_error(R->m01, dc[0], Ro_00b),
-      Ro_00 = Ro_00a + Ro_00b, Ro_00_error = ksl_sum_error(Ro_00a, Ro_00b, Ro_00),
-      Ro_00_lo1 = Ro_00_error + Ro_00a_lo, Ro_00_lo = Ro_00_lo1 + Ro_00b_lo;
-  const double Ro_01a = R->m01 * dc[1], Ro_01a_lo = ksl_product_error(R->m01, dc[1], Ro_01a),
-      Ro_01b = R->m00 * dc[0], Ro_01b_lo = ksl_product_error(R->m00, dc[0], Ro_01b),
-      Ro_01 = Ro_01a - Ro_01b, Ro_01_error = ksl_difference_error(Ro_01a, Ro_01b, Ro_01),
-      Ro_01_lo1 = Ro_01_error + Ro_01a_lo, Ro_01_lo = Ro_01_lo1 - Ro_01b_lo;
-  const double Ro_10a = R->m10 * dc[1], Ro_10a_lo = ksl_product_error(R->m10, dc[1], Ro_10a),
-      Ro_10b = R->m11 * dc[0], Ro_10b_lo = ksl_product_error(R->m11, dc[0], Ro_10b),
-      Ro_10 = Ro_10a + Ro_10b, Ro_10_error = ksl_sum_error(Ro_10a, Ro_10b, Ro_10),
-      Ro_10_lo1 = Ro_10_error + Ro_10a_lo, Ro_10_lo = Ro_10_lo1 + Ro_10b_lo;
-  const double Ro_11a = R->m11 * dc[1], Ro_11a_lo = ksl_product_error(R->m11, dc[1], Ro_11a),
-      Ro_11b = R->m10 * dc[0], Ro_11b_lo = ksl_product_error(R->m10, dc[0], Ro_11b),
-      Ro_11 = Ro_11a - Ro_11b, Ro_11_error = ksl_difference_error(Ro_11a, Ro_11b, Ro_11),
-      Ro_11_lo1 = Ro_11_error + Ro_11a_lo, Ro_11_lo = Ro_11_lo1 - Ro_11b_lo;
-  const double Ro_20a = R->m20 * dc[1], Ro_20a_lo = ksl_product_error(R->m20, dc[1], Ro_20a),
-      Ro_20b = R->m21 * dc[0], Ro_20b_lo = ksl_product_error(R->m21, dc[0], Ro_20b),
-      Ro_20 = Ro_20a + Ro_20b, Ro_20_error = ksl_sum_error(Ro_20a, Ro_20b, Ro_20),
-      Ro_20_lo1 = Ro_20_error + Ro_20a_lo, Ro_20_lo = Ro_20_lo1 + Ro_20b_lo;
-  const double Ro_21a = R->m21 * dc[1], Ro_21a_lo = ksl_product_error(R->m21, dc[1], Ro_21a),
-      Ro_21b = R->m20 * dc[0], Ro_21b_lo = ksl_product_error(R->m20, dc[0], Ro_21b),
-      Ro_21 = Ro_21a - Ro_21b, Ro_21_error = ksl_difference_error(Ro_21a, Ro_21b, Ro_21),
-      Ro_21_lo1 = Ro_21_error + Ro_21a_lo, Ro_21_lo = Ro_21_lo1 - Ro_21b_lo;
+  const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a + Ro_00b,
+      Ro_00_right = Ro_00 - Ro_00a, Ro_00_left = Ro_00 - Ro_00_right,
+      Ro_00_left_rest = ksl_product_rest(R->m00, dc[1], Ro_00a, Ro_00_left),
+      Ro_00_right_rest = ksl_product_rest(R->m01, dc[0], Ro_00b, Ro_00_right),
+      Ro_00_lo = Ro_00_left_rest + Ro_00_right_rest;
+  const double Ro_01a = R->m01 * dc[1], Ro_01b = R->m00 * dc[0], Ro_01 = Ro_01a - Ro_01b,
+      Ro_01_right = Ro_01a - Ro_01, Ro_01_left = Ro_01 + Ro_01_right,
+      Ro_01_left_rest = ksl_product_rest(R->m01, dc[1], Ro_01a, Ro_01_left),
+      Ro_01_right_rest = ksl_product_rest(R->m00, dc[0], Ro_01b, Ro_01_right),
+      Ro_01_lo = Ro_01_left_rest - Ro_01_right_rest;
+  const double Ro_10a = R->m10 * dc[1], Ro_10b = R->m11 * dc[0], Ro_10 = Ro_10a + Ro_10b,
+      Ro_10_right = Ro_10 - Ro_10a, Ro_10_left = Ro_10 - Ro_10_right,
+      Ro_10_left_rest = ksl_product_rest(R->m10, dc[1], Ro_10a, Ro_10_left),
+      Ro_10_right_rest = ksl_product_rest(R->m11, dc[0], Ro_10b, Ro_10_right),
+      Ro_10_lo = Ro_10_left_rest + Ro_10_right_rest;
+  const double Ro_11a = R->m11 * dc[1], Ro_11b = R->m10 * dc[0], Ro_11 = Ro_11a - Ro_11b,
+      Ro_11_right = Ro_11a - Ro_11, Ro_11_left = Ro_11 + Ro_11_right,
+      Ro_11_left_rest = ksl_product_rest(R->m11, dc[1], Ro_11a, Ro_11_left),
+      Ro_11_right_rest = ksl_product_rest(R->m10, dc[0], Ro_11b, Ro_11_right),
+      Ro_11_lo = Ro_11_left_rest - Ro_11_right_rest;
+  const double Ro_20a = R->m20 * dc[1], Ro_20b = R->m21 * dc[0], Ro_20 = Ro_20a + Ro_20b,
+      Ro_20_right = Ro_20 - Ro_20a, Ro_20_left = Ro_20 - Ro_20_right,
+      Ro_20_left_rest = ksl_product_rest(R->m20, dc[1], Ro_20a, Ro_20_left),
+      Ro_20_right_rest = ksl_product_rest(R->m21, dc[0], Ro_20b, Ro_20_right),
+      Ro_20_lo = Ro_20_left_rest + Ro_20_right_rest;
+  const double Ro_21a = R->m21 * dc[1], Ro_21b = R->m20 * dc[0], Ro_21 = Ro_21a - Ro_21b,
+      Ro_21_right = Ro_21a - Ro_21, Ro_21_left = Ro_21 + Ro_21_right,
+      Ro_21_left_rest = ksl_product_rest(R->m21, dc[1], Ro_21a, Ro_21_left),
+      Ro_21_right_rest = ksl_product_rest(R->m20, dc[0], Ro_21b, Ro_21_right),
+      Ro_21_lo = Ro_21_left_rest - Ro_21_right_rest;
   const double Ro_00_rounded = Ro_00 + Ro_00_lo;
   const double Ro_01_rounded = Ro_01 + Ro_01_lo;
   const double Ro_10_rounded = Ro_10 + Ro_10_lo;
@@ -2018,35 +2327,41 @@ static inline void ksl_product_drdrz_accurate(const ksl_mat3x3_t *R, const doubl
 
 /* Do = D [R_z(θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-   12 mul, 24 add, 12 product error, 6 sum error.
-   Error <= u |result| + (R: 4, t: 0) u^2 S, S the sum of the |terms| of the expanded formula;
+   12 mul, 30 add, 12 product rest.
+   Error <= u |result| + (R: 6, t: 0) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrz_accurate(const ksl_SE3_t *D, const double dc[2],
     ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * dc[1], Do_00a_lo = ksl_product_error(D->m00, dc[1], Do_00a),
-      Do_00b = D->m01 * dc[0], Do_00b_lo = ksl_product_error(D->m01, dc[0], Do_00b),
-      Do_00 = Do_00a + Do_00b, Do_00_error = ksl_sum_error(Do_00a, Do_00b, Do_00),
-      Do_00_lo1 = Do_00_error + Do_00a_lo, Do_00_lo = Do_00_lo1 + Do_00b_lo;
-  const double Do_01a = D->m01 * dc[1], Do_01a_lo = ksl_product_error(D->m01, dc[1], Do_01a),
-      Do_01b = D->m00 * dc[0], Do_01b_lo = ksl_product_error(D->m00, dc[0], Do_01b),
-      Do_01 = Do_01a - Do_01b, Do_01_error = ksl_difference_error(Do_01a, Do_01b, Do_01),
-      Do_01_lo1 = Do_01_error + Do_01a_lo, Do_01_lo = Do_01_lo1 - Do_01b_lo;
-  const double Do_10a = D->m10 * dc[1], Do_10a_lo = ksl_product_error(D->m10, dc[1], Do_10a),
-      Do_10b = D->m11 * dc[0], Do_10b_lo = ksl_product_error(D->m11, dc[0], Do_10b),
-      Do_10 = Do_10a + Do_10b, Do_10_error = ksl_sum_error(Do_10a, Do_10b, Do_10),
-      Do_10_lo1 = Do_10_error + Do_10a_lo, Do_10_lo = Do_10_lo1 + Do_10b_lo;
-  const double Do_11a = D->m11 * dc[1], Do_11a_lo = ksl_product_error(D->m11, dc[1], Do_11a),
-      Do_11b = D->m10 * dc[0], Do_11b_lo = ksl_product_error(D->m10, dc[0], Do_11b),
-      Do_11 = Do_11a - Do_11b, Do_11_error = ksl_difference_error(Do_11a, Do_11b, Do_11),
-      Do_11_lo1 = Do_11_error + Do_11a_lo, Do_11_lo = Do_11_lo1 - Do_11b_lo;
-  const double Do_20a = D->m20 * dc[1], Do_20a_lo = ksl_product_error(D->m20, dc[1], Do_20a),
-      Do_20b = D->m21 * dc[0], Do_20b_lo = ksl_product_error(D->m21, dc[0], Do_20b),
-      Do_20 = Do_20a + Do_20b, Do_20_error = ksl_sum_error(Do_20a, Do_20b, Do_20),
-      Do_20_lo1 = Do_20_error + Do_20a_lo, Do_20_lo = Do_20_lo1 + Do_20b_lo;
-  const double Do_21a = D->m21 * dc[1], Do_21a_lo = ksl_product_error(D->m21, dc[1], Do_21a),
-      Do_21b = D->m20 * dc[0], Do_21b_lo = ksl_product_error(D->m20, dc[0], Do_21b),
-      Do_21 = Do_21a - Do_21b, Do_21_error = ksl_difference_error(Do_21a, Do_21b, Do_21),
-      Do_21_lo1 = Do_21_error + Do_21a_lo, Do_21_lo = Do_21_lo1 - Do_21b_lo;
+  const double Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a + Do_00b,
+      Do_00_right = Do_00 - Do_00a, Do_00_left = Do_00 - Do_00_right,
+      Do_00_left_rest = ksl_product_rest(D->m00, dc[1], Do_00a, Do_00_left),
+      Do_00_right_rest = ksl_product_rest(D->m01, dc[0], Do_00b, Do_00_right),
+      Do_00_lo = Do_00_left_rest + Do_00_right_rest;
+  const double Do_01a = D->m01 * dc[1], Do_01b = D->m00 * dc[0], Do_01 = Do_01a - Do_01b,
+      Do_01_right = Do_01a - Do_01, Do_01_left = Do_01 + Do_01_right,
+      Do_01_left_rest = ksl_product_rest(D->m01, dc[1], Do_01a, Do_01_left),
+      Do_01_right_rest = ksl_product_rest(D->m00, dc[0], Do_01b, Do_01_right),
+      Do_01_lo = Do_01_left_rest - Do_01_right_rest;
+  const double Do_10a = D->m10 * dc[1], Do_10b = D->m11 * dc[0], Do_10 = Do_10a + Do_10b,
+      Do_10_right = Do_10 - Do_10a, Do_10_left = Do_10 - Do_10_right,
+      Do_10_left_rest = ksl_product_rest(D->m10, dc[1], Do_10a, Do_10_left),
+      Do_10_right_rest = ksl_product_rest(D->m11, dc[0], Do_10b, Do_10_right),
+      Do_10_lo = Do_10_left_rest + Do_10_right_rest;
+  const double Do_11a = D->m11 * dc[1], Do_11b = D->m10 * dc[0], Do_11 = Do_11a - Do_11b,
+      Do_11_right = Do_11a - Do_11, Do_11_left = Do_11 + Do_11_right,
+      Do_11_left_rest = ksl_product_rest(D->m11, dc[1], Do_11a, Do_11_left),
+      Do_11_right_rest = ksl_product_rest(D->m10, dc[0], Do_11b, Do_11_right),
+      Do_11_lo = Do_11_left_rest - Do_11_right_rest;
+  const double Do_20a = D->m20 * dc[1], Do_20b = D->m21 * dc[0], Do_20 = Do_20a + Do_20b,
+      Do_20_right = Do_20 - Do_20a, Do_20_left = Do_20 - Do_20_right,
+      Do_20_left_rest = ksl_product_rest(D->m20, dc[1], Do_20a, Do_20_left),
+      Do_20_right_rest = ksl_product_rest(D->m21, dc[0], Do_20b, Do_20_right),
+      Do_20_lo = Do_20_left_rest + Do_20_right_rest;
+  const double Do_21a = D->m21 * dc[1], Do_21b = D->m20 * dc[0], Do_21 = Do_21a - Do_21b,
+      Do_21_right = Do_21a - Do_21, Do_21_left = Do_21 + Do_21_right,
+      Do_21_left_rest = ksl_product_rest(D->m21, dc[1], Do_21a, Do_21_left),
+      Do_21_right_rest = ksl_product_rest(D->m20, dc[0], Do_21b, Do_21_right),
+      Do_21_lo = Do_21_left_rest - Do_21_right_rest;
   const double Do_00_rounded = Do_00 + Do_00_lo;
   const double Do_01_rounded = Do_01 + Do_01_lo;
   const double Do_10_rounded = Do_10 + Do_10_lo;
@@ -2075,19 +2390,22 @@ static inline void ksl_product_ddrz_accurate(const ksl_SE3_t *D, const double dc
 
 /* Do = D [I | k e_z].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
-   3 mul, 9 add, 3 product error, 3 sum error.
-   Error <= u |result| + (R: 0, t: 2) u^2 S, S the sum of the |terms| of the expanded formula;
+   3 mul, 18 add, 3 product rest.
+   Error <= u |result| + (R: 0, t: 3) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtz_accurate(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = D->m02 * k, Do_03a_lo = ksl_product_error(D->m02, k, Do_03a),
-      Do_03 = Do_03a + D->m03, Do_03_error = ksl_sum_error(Do_03a, D->m03, Do_03),
-      Do_03_lo = Do_03_error + Do_03a_lo;
-  const double Do_13a = D->m12 * k, Do_13a_lo = ksl_product_error(D->m12, k, Do_13a),
-      Do_13 = Do_13a + D->m13, Do_13_error = ksl_sum_error(Do_13a, D->m13, Do_13),
-      Do_13_lo = Do_13_error + Do_13a_lo;
-  const double Do_23a = D->m22 * k, Do_23a_lo = ksl_product_error(D->m22, k, Do_23a),
-      Do_23 = Do_23a + D->m23, Do_23_error = ksl_sum_error(Do_23a, D->m23, Do_23),
-      Do_23_lo = Do_23_error + Do_23a_lo;
+  const double Do_03a = D->m02 * k, Do_03 = Do_03a + D->m03, Do_03_right = Do_03 - Do_03a,
+      Do_03_left = Do_03 - Do_03_right,
+      Do_03_left_rest = ksl_product_rest(D->m02, k, Do_03a, Do_03_left),
+      Do_03_right_rest = D->m03 - Do_03_right, Do_03_lo = Do_03_left_rest + Do_03_right_rest;
+  const double Do_13a = D->m12 * k, Do_13 = Do_13a + D->m13, Do_13_right = Do_13 - Do_13a,
+      Do_13_left = Do_13 - Do_13_right,
+      Do_13_left_rest = ksl_product_rest(D->m12, k, Do_13a, Do_13_left),
+      Do_13_right_rest = D->m13 - Do_13_right, Do_13_lo = Do_13_left_rest + Do_13_right_rest;
+  const double Do_23a = D->m22 * k, Do_23 = Do_23a + D->m23, Do_23_right = Do_23 - Do_23a,
+      Do_23_left = Do_23 - Do_23_right,
+      Do_23_left_rest = ksl_product_rest(D->m22, k, Do_23a, Do_23_left),
+      Do_23_right_rest = D->m23 - Do_23_right, Do_23_lo = Do_23_left_rest + Do_23_right_rest;
   const double Do_03_rounded = Do_03 + Do_03_lo;
   const double Do_13_rounded = Do_13 + Do_13_lo;
   const double Do_23_rounded = Do_23 + Do_23_lo;
@@ -2136,35 +2454,41 @@ static inline void ksl_product_drvtzinv_accurate(const ksl_mat3x3_t *R, const do
 
 /* Ro = R R_z(-θ), dc = (sin θ, cos θ).
    R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-   12 mul, 24 add, 12 product error, 6 sum error.
-   Error <= u |result| + 4 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+   12 mul, 30 add, 12 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drdrzinv_accurate(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00a_lo = ksl_product_error(R->m00, dc[1], Ro_00a),
-      Ro_00b = R->m01 * dc[0], Ro_00b_lo = ksl_product_error(R->m01, dc[0], Ro_00b),
-      Ro_00 = Ro_00a - Ro_00b, Ro_00_error = ksl_difference_error(Ro_00a, Ro_00b, Ro_00),
-      Ro_00_lo1 = Ro_00_error + Ro_00a_lo, Ro_00_lo = Ro_00_lo1 - Ro_00b_lo;
-  const double Ro_01a = R->m00 * dc[0], Ro_01a_lo = ksl_product_error(R->m00, dc[0], Ro_01a),
-      Ro_01b = R->m01 * dc[1], Ro_01b_lo = ksl_product_error(R->m01, dc[1], Ro_01b),
-      Ro_01 = Ro_01a + Ro_01b, Ro_01_error = ksl_sum_error(Ro_01a, Ro_01b, Ro_01),
-      Ro_01_lo1 = Ro_01_error + Ro_01a_lo, Ro_01_lo = Ro_01_lo1 + Ro_01b_lo;
-  const double Ro_10a = R->m10 * dc[1], Ro_10a_lo = ksl_product_error(R->m10, dc[1], Ro_10a),
-      Ro_10b = R->m11 * dc[0], Ro_10b_lo = ksl_product_error(R->m11, dc[0], Ro_10b),
-      Ro_10 = Ro_10a - Ro_10b, Ro_10_error = ksl_difference_error(Ro_10a, Ro_10b, Ro_10),
-      Ro_10_lo1 = Ro_10_error + Ro_10a_lo, Ro_10_lo = Ro_10_lo1 - Ro_10b_lo;
-  const double Ro_11a = R->m10 * dc[0], Ro_11a_lo = ksl_product_error(R->m10, dc[0], Ro_11a),
-      Ro_11b = R->m11 * dc[1], Ro_11b_lo = ksl_product_error(R->m11, dc[1], Ro_11b),
-      Ro_11 = Ro_11a + Ro_11b, Ro_11_error = ksl_sum_error(Ro_11a, Ro_11b, Ro_11),
-      Ro_11_lo1 = Ro_11_error + Ro_11a_lo, Ro_11_lo = Ro_11_lo1 + Ro_11b_lo;
-  const double Ro_20a = R->m20 * dc[1], Ro_20a_lo = ksl_product_error(R->m20, dc[1], Ro_20a),
-      Ro_20b = R->m21 * dc[0], Ro_20b_lo = ksl_product_error(R->m21, dc[0], Ro_20b),
-      Ro_20 = Ro_20a - Ro_20b, Ro_20_error = ksl_difference_error(Ro_20a, Ro_20b, Ro_20),
-      Ro_20_lo1 = Ro_20_error + Ro_20a_lo, Ro_20_lo = Ro_20_lo1 - Ro_20b_lo;
-  const double Ro_21a = R->m20 * dc[0], Ro_21a_lo = ksl_product_error(R->m20, dc[0], Ro_21a),
-      Ro_21b = R->m21 * dc[1], Ro_21b_lo = ksl_product_error(R->m21, dc[1], Ro_21b),
-      Ro_21 = Ro_21a + Ro_21b, Ro_21_error = ksl_sum_error(Ro_21a, Ro_21b, Ro_21),
-      Ro_21_lo1 = Ro_21_error + Ro_21a_lo, Ro_21_lo = Ro_21_lo1 + Ro_21b_lo;
+  const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a - Ro_00b,
+      Ro_00_right = Ro_00a - Ro_00, Ro_00_left = Ro_00 + Ro_00_right,
+      Ro_00_left_rest = ksl_product_rest(R->m00, dc[1], Ro_00a, Ro_00_left),
+      Ro_00_right_rest = ksl_product_rest(R->m01, dc[0], Ro_00b, Ro_00_right),
+      Ro_00_lo = Ro_00_left_rest - Ro_00_right_rest;
+  const double Ro_01a = R->m00 * dc[0], Ro_01b = R->m01 * dc[1], Ro_01 = Ro_01a + Ro_01b,
+      Ro_01_right = Ro_01 - Ro_01a, Ro_01_left = Ro_01 - Ro_01_right,
+      Ro_01_left_rest = ksl_product_rest(R->m00, dc[0], Ro_01a, Ro_01_left),
+      Ro_01_right_rest = ksl_product_rest(R->m01, dc[1], Ro_01b, Ro_01_right),
+      Ro_01_lo = Ro_01_left_rest + Ro_01_right_rest;
+  const double Ro_10a = R->m10 * dc[1], Ro_10b = R->m11 * dc[0], Ro_10 = Ro_10a - Ro_10b,
+      Ro_10_right = Ro_10a - Ro_10, Ro_10_left = Ro_10 + Ro_10_right,
+      Ro_10_left_rest = ksl_product_rest(R->m10, dc[1], Ro_10a, Ro_10_left),
+      Ro_10_right_rest = ksl_product_rest(R->m11, dc[0], Ro_10b, Ro_10_right),
+      Ro_10_lo = Ro_10_left_rest - Ro_10_right_rest;
+  const double Ro_11a = R->m10 * dc[0], Ro_11b = R->m11 * dc[1], Ro_11 = Ro_11a + Ro_11b,
+      Ro_11_right = Ro_11 - Ro_11a, Ro_11_left = Ro_11 - Ro_11_right,
+      Ro_11_left_rest = ksl_product_rest(R->m10, dc[0], Ro_11a, Ro_11_left),
+      Ro_11_right_rest = ksl_product_rest(R->m11, dc[1], Ro_11b, Ro_11_right),
+      Ro_11_lo = Ro_11_left_rest + Ro_11_right_rest;
+  const double Ro_20a = R->m20 * dc[1], Ro_20b = R->m21 * dc[0], Ro_20 = Ro_20a - Ro_20b,
+      Ro_20_right = Ro_20a - Ro_20, Ro_20_left = Ro_20 + Ro_20_right,
+      Ro_20_left_rest = ksl_product_rest(R->m20, dc[1], Ro_20a, Ro_20_left),
+      Ro_20_right_rest = ksl_product_rest(R->m21, dc[0], Ro_20b, Ro_20_right),
+      Ro_20_lo = Ro_20_left_rest - Ro_20_right_rest;
+  const double Ro_21a = R->m20 * dc[0], Ro_21b = R->m21 * dc[1], Ro_21 = Ro_21a + Ro_21b,
+      Ro_21_right = Ro_21 - Ro_21a, Ro_21_left = Ro_21 - Ro_21_right,
+      Ro_21_left_rest = ksl_product_rest(R->m20, dc[0], Ro_21a, Ro_21_left),
+      Ro_21_right_rest = ksl_product_rest(R->m21, dc[1], Ro_21b, Ro_21_right),
+      Ro_21_lo = Ro_21_left_rest + Ro_21_right_rest;
   const double Ro_00_rounded = Ro_00 + Ro_00_lo;
   const double Ro_01_rounded = Ro_01 + Ro_01_lo;
   const double Ro_10_rounded = Ro_10 + Ro_10_lo;
@@ -2187,35 +2511,41 @@ static inline void ksl_product_drdrzinv_accurate(const ksl_mat3x3_t *R, const do
 
 /* Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ).
    D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-   12 mul, 24 add, 12 product error, 6 sum error.
-   Error <= u |result| + (R: 4, t: 0) u^2 S, S the sum of the |terms| of the expanded formula;
+   12 mul, 30 add, 12 product rest.
+   Error <= u |result| + (R: 6, t: 0) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrzinv_accurate(const ksl_SE3_t *D, const double dc[2],
     ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * dc[1], Do_00a_lo = ksl_product_error(D->m00, dc[1], Do_00a),
-      Do_00b = D->m01 * dc[0], Do_00b_lo = ksl_product_error(D->m01, dc[0], Do_00b),
-      Do_00 = Do_00a - Do_00b, Do_00_error = ksl_difference_error(Do_00a, Do_00b, Do_00),
-      Do_00_lo1 = Do_00_error + Do_00a_lo, Do_00_lo = Do_00_lo1 - Do_00b_lo;
-  const double Do_01a = D->m00 * dc[0], Do_01a_lo = ksl_product_error(D->m00, dc[0], Do_01a),
-      Do_01b = D->m01 * dc[1], Do_01b_lo = ksl_product_error(D->m01, dc[1], Do_01b),
-      Do_01 = Do_01a + Do_01b, Do_01_error = ksl_sum_error(Do_01a, Do_01b, Do_01),
-      Do_01_lo1 = Do_01_error + Do_01a_lo, Do_01_lo = Do_01_lo1 + Do_01b_lo;
-  const double Do_10a = D->m10 * dc[1], Do_10a_lo = ksl_product_error(D->m10, dc[1], Do_10a),
-      Do_10b = D->m11 * dc[0], Do_10b_lo = ksl_product_error(D->m11, dc[0], Do_10b),
-      Do_10 = Do_10a - Do_10b, Do_10_error = ksl_difference_error(Do_10a, Do_10b, Do_10),
-      Do_10_lo1 = Do_10_error + Do_10a_lo, Do_10_lo = Do_10_lo1 - Do_10b_lo;
-  const double Do_11a = D->m10 * dc[0], Do_11a_lo = ksl_product_error(D->m10, dc[0], Do_11a),
-      Do_11b = D->m11 * dc[1], Do_11b_lo = ksl_product_error(D->m11, dc[1], Do_11b),
-      Do_11 = Do_11a + Do_11b, Do_11_error = ksl_sum_error(Do_11a, Do_11b, Do_11),
-      Do_11_lo1 = Do_11_error + Do_11a_lo, Do_11_lo = Do_11_lo1 + Do_11b_lo;
-  const double Do_20a = D->m20 * dc[1], Do_20a_lo = ksl_product_error(D->m20, dc[1], Do_20a),
-      Do_20b = D->m21 * dc[0], Do_20b_lo = ksl_product_error(D->m21, dc[0], Do_20b),
-      Do_20 = Do_20a - Do_20b, Do_20_error = ksl_difference_error(Do_20a, Do_20b, Do_20),
-      Do_20_lo1 = Do_20_error + Do_20a_lo, Do_20_lo = Do_20_lo1 - Do_20b_lo;
-  const double Do_21a = D->m20 * dc[0], Do_21a_lo = ksl_product_error(D->m20, dc[0], Do_21a),
-      Do_21b = D->m21 * dc[1], Do_21b_lo = ksl_product_error(D->m21, dc[1], Do_21b),
-      Do_21 = Do_21a + Do_21b, Do_21_error = ksl_sum_error(Do_21a, Do_21b, Do_21),
-      Do_21_lo1 = Do_21_error + Do_21a_lo, Do_21_lo = Do_21_lo1 + Do_21b_lo;
+  const double Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a - Do_00b,
+      Do_00_right = Do_00a - Do_00, Do_00_left = Do_00 + Do_00_right,
+      Do_00_left_rest = ksl_product_rest(D->m00, dc[1], Do_00a, Do_00_left),
+      Do_00_right_rest = ksl_product_rest(D->m01, dc[0], Do_00b, Do_00_right),
+      Do_00_lo = Do_00_left_rest - Do_00_right_rest;
+  const double Do_01a = D->m00 * dc[0], Do_01b = D->m01 * dc[1], Do_01 = Do_01a + Do_01b,
+      Do_01_right = Do_01 - Do_01a, Do_01_left = Do_01 - Do_01_right,
+      Do_01_left_rest = ksl_product_rest(D->m00, dc[0], Do_01a, Do_01_left),
+      Do_01_right_rest = ksl_product_rest(D->m01, dc[1], Do_01b, Do_01_right),
+      Do_01_lo = Do_01_left_rest + Do_01_right_rest;
+  const double Do_10a = D->m10 * dc[1], Do_10b = D->m11 * dc[0], Do_10 = Do_10a - Do_10b,
+      Do_10_right = Do_10a - Do_10, Do_10_left = Do_10 + Do_10_right,
+      Do_10_left_rest = ksl_product_rest(D->m10, dc[1], Do_10a, Do_10_left),
+      Do_10_right_rest = ksl_product_rest(D->m11, dc[0], Do_10b, Do_10_right),
+      Do_10_lo = Do_10_left_rest - Do_10_right_rest;
+  const double Do_11a = D->m10 * dc[0], Do_11b = D->m11 * dc[1], Do_11 = Do_11a + Do_11b,
+      Do_11_right = Do_11 - Do_11a, Do_11_left = Do_11 - Do_11_right,
+      Do_11_left_rest = ksl_product_rest(D->m10, dc[0], Do_11a, Do_11_left),
+      Do_11_right_rest = ksl_product_rest(D->m11, dc[1], Do_11b, Do_11_right),
+      Do_11_lo = Do_11_left_rest + Do_11_right_rest;
+  const double Do_20a = D->m20 * dc[1], Do_20b = D->m21 * dc[0], Do_20 = Do_20a - Do_20b,
+      Do_20_right = Do_20a - Do_20, Do_20_left = Do_20 + Do_20_right,
+      Do_20_left_rest = ksl_product_rest(D->m20, dc[1], Do_20a, Do_20_left),
+      Do_20_right_rest = ksl_product_rest(D->m21, dc[0], Do_20b, Do_20_right),
+      Do_20_lo = Do_20_left_rest - Do_20_right_rest;
+  const double Do_21a = D->m20 * dc[0], Do_21b = D->m21 * dc[1], Do_21 = Do_21a + Do_21b,
+      Do_21_right = Do_21 - Do_21a, Do_21_left = Do_21 - Do_21_right,
+      Do_21_left_rest = ksl_product_rest(D->m20, dc[0], Do_21a, Do_21_left),
+      Do_21_right_rest = ksl_product_rest(D->m21, dc[1], Do_21b, Do_21_right),
+      Do_21_lo = Do_21_left_rest + Do_21_right_rest;
   const double Do_00_rounded = Do_00 + Do_00_lo;
   const double Do_01_rounded = Do_01 + Do_01_lo;
   const double Do_10_rounded = Do_10 + Do_10_lo;
@@ -2244,19 +2574,22 @@ static inline void ksl_product_ddrzinv_accurate(const ksl_SE3_t *D, const double
 
 /* Do = D [I | -k e_z].
    D, Do: displacement [R | t], R rotation, t in m; k: number.
-   3 mul, 9 add, 3 product error, 3 sum error.
-   Error <= u |result| + (R: 0, t: 2) u^2 S, S the sum of the |terms| of the expanded formula;
+   3 mul, 18 add, 3 product rest.
+   Error <= u |result| + (R: 0, t: 5) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtzinv_accurate(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = D->m02 * k, Do_03a_lo = ksl_product_error(D->m02, k, Do_03a),
-      Do_03 = D->m03 - Do_03a, Do_03_error = ksl_difference_error(D->m03, Do_03a, Do_03),
-      Do_03_lo = Do_03_error - Do_03a_lo;
-  const double Do_13a = D->m12 * k, Do_13a_lo = ksl_product_error(D->m12, k, Do_13a),
-      Do_13 = D->m13 - Do_13a, Do_13_error = ksl_difference_error(D->m13, Do_13a, Do_13),
-      Do_13_lo = Do_13_error - Do_13a_lo;
-  const double Do_23a = D->m22 * k, Do_23a_lo = ksl_product_error(D->m22, k, Do_23a),
-      Do_23 = D->m23 - Do_23a, Do_23_error = ksl_difference_error(D->m23, Do_23a, Do_23),
-      Do_23_lo = Do_23_error - Do_23a_lo;
+  const double Do_03a = D->m02 * k, Do_03 = D->m03 - Do_03a, Do_03_right = D->m03 - Do_03,
+      Do_03_left = Do_03 + Do_03_right, Do_03_left_rest = D->m03 - Do_03_left,
+      Do_03_right_rest = ksl_product_rest(D->m02, k, Do_03a, Do_03_right),
+      Do_03_lo = Do_03_left_rest - Do_03_right_rest;
+  const double Do_13a = D->m12 * k, Do_13 = D->m13 - Do_13a, Do_13_right = D->m13 - Do_13,
+      Do_13_left = Do_13 + Do_13_right, Do_13_left_rest = D->m13 - Do_13_left,
+      Do_13_right_rest = ksl_product_rest(D->m12, k, Do_13a, Do_13_right),
+      Do_13_lo = Do_13_left_rest - Do_13_right_rest;
+  const double Do_23a = D->m22 * k, Do_23 = D->m23 - Do_23a, Do_23_right = D->m23 - Do_23,
+      Do_23_left = Do_23 + Do_23_right, Do_23_left_rest = D->m23 - Do_23_left,
+      Do_23_right_rest = ksl_product_rest(D->m22, k, Do_23a, Do_23_right),
+      Do_23_lo = Do_23_left_rest - Do_23_right_rest;
   const double Do_03_rounded = Do_03 + Do_03_lo;
   const double Do_13_rounded = Do_13 + Do_13_lo;
   const double Do_23_rounded = Do_23 + Do_23_lo;

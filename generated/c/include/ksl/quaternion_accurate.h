@@ -11,14 +11,18 @@
    4 mul, 4 add, 4 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_quaternion_scale_accurate(ksl_quaternion_t *self, const double a) {
-  const double self_0_new = self->w * a, self_0_new_lo = ksl_product_error(self->w, a, self_0_new);
-  const double self_1_new = self->x * a, self_1_new_lo = ksl_product_error(self->x, a, self_1_new);
-  const double self_2_new = self->y * a, self_2_new_lo = ksl_product_error(self->y, a, self_2_new);
-  const double self_3_new = self->z * a, self_3_new_lo = ksl_product_error(self->z, a, self_3_new);
-  const double self_0_new_rounded = self_0_new + self_0_new_lo;
-  const double self_1_new_rounded = self_1_new + self_1_new_lo;
-  const double self_2_new_rounded = self_2_new + self_2_new_lo;
-  const double self_3_new_rounded = self_3_new + self_3_new_lo;
+  const double self_0_new = self->w * a;
+  const double self_1_new = self->x * a;
+  const double self_2_new = self->y * a;
+  const double self_3_new = self->z * a;
+  const double self_0_new_lo = ksl_product_error(self->w, a, self_0_new),
+      self_0_new_rounded = self_0_new + self_0_new_lo;
+  const double self_1_new_lo = ksl_product_error(self->x, a, self_1_new),
+      self_1_new_rounded = self_1_new + self_1_new_lo;
+  const double self_2_new_lo = ksl_product_error(self->y, a, self_2_new),
+      self_2_new_rounded = self_2_new + self_2_new_lo;
+  const double self_3_new_lo = ksl_product_error(self->z, a, self_3_new),
+      self_3_new_rounded = self_3_new + self_3_new_lo;
   self->w = self_0_new_rounded;
   self->x = self_1_new_rounded;
   self->y = self_2_new_rounded;
@@ -27,7 +31,7 @@ static inline void ksl_quaternion_scale_accurate(ksl_quaternion_t *self, const d
 
 /* |q| = sqrt(w^2 + v·v).
    q: quaternion (w; x, y, z), the scalar first.
-   12 mul, 18 add, 5 product error, 5 sum error, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
+   12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
      select. */
 static inline double ksl_quaternion_norm_accurate(const ksl_quaternion_t *q) {
   const double s_size_0 = fabs(q->w);
@@ -43,32 +47,39 @@ static inline double ksl_quaternion_norm_accurate(const ksl_quaternion_t *q) {
   const double y_1 = q->x * s;
   const double y_2 = q->y * s;
   const double y_3 = q->z * s;
-  const double n_a = y_0 * y_0, n_a_lo = ksl_product_error(y_0, y_0, n_a), n_b = y_1 * y_1,
-      n_b_lo = ksl_product_error(y_1, y_1, n_b), n_c = n_a + n_b,
-      n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
-      n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
-      n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
-      n_e_lo = n_e_lo1 + n_d_lo, n_f = y_3 * y_3, n_f_lo = ksl_product_error(y_3, y_3, n_f),
-      n_g = n_e + n_f, n_g_error = ksl_sum_error(n_e, n_f, n_g), n_g_lo1 = n_g_error + n_e_lo,
-      n_g_lo = n_g_lo1 + n_f_lo, n_of_n_g = n_g + n_g_lo,
-      n_of_n_g_lo = ksl_sum_error(n_g, n_g_lo, n_of_n_g), n = sqrt(n_of_n_g), n_product = n * n,
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
+      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+      n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
+      n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
+      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = y_3 * y_3,
+      n_g = n_e + n_f, n_g_right = n_g - n_e, n_g_left = n_g - n_g_right,
+      n_g_left_rest = n_e - n_g_left, n_g_right_rest = ksl_product_rest(y_3, y_3, n_f, n_g_right),
+      n_g_lo1 = n_g_left_rest + n_g_right_rest, n_g_lo = n_g_lo1 + n_e_lo, n_of_n_g = n_g + n_g_lo,
+      n_of_n_g_right = n_of_n_g - n_g, n_of_n_g_left = n_of_n_g - n_of_n_g_right,
+      n_of_n_g_left_rest = n_g - n_of_n_g_left, n_of_n_g_right_rest = n_g_lo - n_of_n_g_right,
+      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g), n_product = n * n,
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r = 1.0 < s ? 2.409919865102884e-181 : r_b;
-  const double norm_of_n = n + n_lo, norm_of_n_lo = ksl_sum_error(n, n_lo, norm_of_n),
-      norm = norm_of_n * r, norm_inverse = 1.0 / r, norm_back = norm * norm_inverse,
-      norm_lost = norm_of_n - norm_back, norm_rest = norm_lost + norm_of_n_lo,
-      norm_small = norm_rest * r, norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
-  const double norm_total = norm + norm_lo,
-      norm_rounded = norm_total == norm_total ? norm_total : norm;
-  return norm_rounded;
+  const double norm_of_n = n + n_lo, norm_of_n_right = norm_of_n - n,
+      norm_of_n_left = norm_of_n - norm_of_n_right, norm_of_n_left_rest = n - norm_of_n_left,
+      norm_of_n_right_rest = n_lo - norm_of_n_right,
+      norm_of_n_lo = norm_of_n_left_rest + norm_of_n_right_rest, norm = norm_of_n * r,
+      norm_inverse = 1.0 / r, norm_back = norm * norm_inverse, norm_lost = norm_of_n - norm_back,
+      norm_rest = norm_lost + norm_of_n_lo, norm_small = norm_rest * r,
+      norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
+  const double norm_rounded = norm + norm_lo,
+      norm_final = norm_rounded == norm_rounded ? norm_rounded : norm;
+  return norm_final;
 }
 
 /* self = self / |self|; zero stays zero.
    self: quaternion (w; x, y, z), the scalar first.
-   33 mul, 43 add, 9 product error, 9 sum error, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+   33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
      select. */
 static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
   const double s_size_0 = fabs(self->w);
@@ -84,15 +95,19 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
   const double y_1 = self->x * s;
   const double y_2 = self->y * s;
   const double y_3 = self->z * s;
-  const double n_a = y_0 * y_0, n_a_lo = ksl_product_error(y_0, y_0, n_a), n_b = y_1 * y_1,
-      n_b_lo = ksl_product_error(y_1, y_1, n_b), n_c = n_a + n_b,
-      n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
-      n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
-      n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
-      n_e_lo = n_e_lo1 + n_d_lo, n_f = y_3 * y_3, n_f_lo = ksl_product_error(y_3, y_3, n_f),
-      n_g = n_e + n_f, n_g_error = ksl_sum_error(n_e, n_f, n_g), n_g_lo1 = n_g_error + n_e_lo,
-      n_g_lo = n_g_lo1 + n_f_lo, n_of_n_g = n_g + n_g_lo,
-      n_of_n_g_lo = ksl_sum_error(n_g, n_g_lo, n_of_n_g), n = sqrt(n_of_n_g), n_product = n * n,
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
+      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+      n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
+      n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
+      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = y_3 * y_3,
+      n_g = n_e + n_f, n_g_right = n_g - n_e, n_g_left = n_g - n_g_right,
+      n_g_left_rest = n_e - n_g_left, n_g_right_rest = ksl_product_rest(y_3, y_3, n_f, n_g_right),
+      n_g_lo1 = n_g_left_rest + n_g_right_rest, n_g_lo = n_g_lo1 + n_e_lo, n_of_n_g = n_g + n_g_lo,
+      n_of_n_g_right = n_of_n_g - n_g, n_of_n_g_left = n_of_n_g - n_of_n_g_right,
+      n_of_n_g_left_rest = n_g - n_of_n_g_left, n_of_n_g_right_rest = n_g_lo - n_of_n_g_right,
+      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g), n_product = n * n,
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
@@ -104,41 +119,49 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
   const double enlarged_2 = self->y * up;
   const double enlarged_3 = self->z * up;
   const double quotient_0_of_divisor = divisor + divisor_lo,
-      quotient_0_of_divisor_lo = ksl_sum_error(divisor, divisor_lo, quotient_0_of_divisor),
+      quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
+      quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
+      quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
+      quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
+      quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = enlarged_0 / quotient_0_of_divisor,
-      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
       quotient_0_product = quotient_0 * quotient_0_of_divisor,
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
+      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
-      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
       quotient_1_product = quotient_1 * quotient_0_of_divisor,
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
+      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
-      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
       quotient_2_product = quotient_2 * quotient_0_of_divisor,
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
+      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
-      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
       quotient_3_product = quotient_3 * quotient_0_of_divisor,
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
       quotient_3_rest = enlarged_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
+      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
   const double self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo,
-      self_0_new_of_quotient_0_lo = ksl_sum_error(quotient_0, quotient_0_lo, self_0_new_of_quotient_0),
+      self_0_new_of_quotient_0_right = self_0_new_of_quotient_0 - quotient_0,
+      self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right,
+      self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left,
+      self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right,
+      self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest,
       self_0_new = self_0_new_of_quotient_0 * down, self_0_new_inverse = 1.0 / down,
       self_0_new_back = self_0_new * self_0_new_inverse,
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
@@ -146,7 +169,11 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       self_0_new_small = self_0_new_rest * down,
       self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
   const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
-      self_1_new_of_quotient_1_lo = ksl_sum_error(quotient_1, quotient_1_lo, self_1_new_of_quotient_1),
+      self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1,
+      self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right,
+      self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left,
+      self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right,
+      self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest,
       self_1_new = self_1_new_of_quotient_1 * down,
       self_1_new_back = self_1_new * self_0_new_inverse,
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
@@ -154,7 +181,11 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       self_1_new_small = self_1_new_rest * down,
       self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
   const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
-      self_2_new_of_quotient_2_lo = ksl_sum_error(quotient_2, quotient_2_lo, self_2_new_of_quotient_2),
+      self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2,
+      self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right,
+      self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left,
+      self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right,
+      self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest,
       self_2_new = self_2_new_of_quotient_2 * down,
       self_2_new_back = self_2_new * self_0_new_inverse,
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
@@ -162,30 +193,34 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       self_2_new_small = self_2_new_rest * down,
       self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
   const double self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo,
-      self_3_new_of_quotient_3_lo = ksl_sum_error(quotient_3, quotient_3_lo, self_3_new_of_quotient_3),
+      self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3,
+      self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right,
+      self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left,
+      self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right,
+      self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest,
       self_3_new = self_3_new_of_quotient_3 * down,
       self_3_new_back = self_3_new * self_0_new_inverse,
       self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
       self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo,
       self_3_new_small = self_3_new_rest * down,
       self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
-  const double self_0_new_total = self_0_new + self_0_new_lo,
-      self_0_new_rounded = self_0_new_total == self_0_new_total ? self_0_new_total : self_0_new;
-  const double self_1_new_total = self_1_new + self_1_new_lo,
-      self_1_new_rounded = self_1_new_total == self_1_new_total ? self_1_new_total : self_1_new;
-  const double self_2_new_total = self_2_new + self_2_new_lo,
-      self_2_new_rounded = self_2_new_total == self_2_new_total ? self_2_new_total : self_2_new;
-  const double self_3_new_total = self_3_new + self_3_new_lo,
-      self_3_new_rounded = self_3_new_total == self_3_new_total ? self_3_new_total : self_3_new;
-  self->w = self_0_new_rounded;
-  self->x = self_1_new_rounded;
-  self->y = self_2_new_rounded;
-  self->z = self_3_new_rounded;
+  const double self_0_new_rounded = self_0_new + self_0_new_lo,
+      self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded : self_0_new;
+  const double self_1_new_rounded = self_1_new + self_1_new_lo,
+      self_1_new_final = self_1_new_rounded == self_1_new_rounded ? self_1_new_rounded : self_1_new;
+  const double self_2_new_rounded = self_2_new + self_2_new_lo,
+      self_2_new_final = self_2_new_rounded == self_2_new_rounded ? self_2_new_rounded : self_2_new;
+  const double self_3_new_rounded = self_3_new + self_3_new_lo,
+      self_3_new_final = self_3_new_rounded == self_3_new_rounded ? self_3_new_rounded : self_3_new;
+  self->w = self_0_new_final;
+  self->x = self_1_new_final;
+  self->y = self_2_new_final;
+  self->z = self_3_new_final;
 }
 
 /* qo = q / |q|; zero stays zero.
    q, qo: quaternion (w; x, y, z), the scalar first.
-   33 mul, 43 add, 9 product error, 9 sum error, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+   33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
      select. */
 static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
     ksl_quaternion_t *qo) {
@@ -202,15 +237,19 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
   const double y_1 = q->x * s;
   const double y_2 = q->y * s;
   const double y_3 = q->z * s;
-  const double n_a = y_0 * y_0, n_a_lo = ksl_product_error(y_0, y_0, n_a), n_b = y_1 * y_1,
-      n_b_lo = ksl_product_error(y_1, y_1, n_b), n_c = n_a + n_b,
-      n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
-      n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
-      n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
-      n_e_lo = n_e_lo1 + n_d_lo, n_f = y_3 * y_3, n_f_lo = ksl_product_error(y_3, y_3, n_f),
-      n_g = n_e + n_f, n_g_error = ksl_sum_error(n_e, n_f, n_g), n_g_lo1 = n_g_error + n_e_lo,
-      n_g_lo = n_g_lo1 + n_f_lo, n_of_n_g = n_g + n_g_lo,
-      n_of_n_g_lo = ksl_sum_error(n_g, n_g_lo, n_of_n_g), n = sqrt(n_of_n_g), n_product = n * n,
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
+      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+      n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
+      n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
+      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = y_3 * y_3,
+      n_g = n_e + n_f, n_g_right = n_g - n_e, n_g_left = n_g - n_g_right,
+      n_g_left_rest = n_e - n_g_left, n_g_right_rest = ksl_product_rest(y_3, y_3, n_f, n_g_right),
+      n_g_lo1 = n_g_left_rest + n_g_right_rest, n_g_lo = n_g_lo1 + n_e_lo, n_of_n_g = n_g + n_g_lo,
+      n_of_n_g_right = n_of_n_g - n_g, n_of_n_g_left = n_of_n_g - n_of_n_g_right,
+      n_of_n_g_left_rest = n_g - n_of_n_g_left, n_of_n_g_right_rest = n_g_lo - n_of_n_g_right,
+      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g), n_product = n * n,
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
@@ -222,120 +261,149 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
   const double enlarged_2 = q->y * up;
   const double enlarged_3 = q->z * up;
   const double quotient_0_of_divisor = divisor + divisor_lo,
-      quotient_0_of_divisor_lo = ksl_sum_error(divisor, divisor_lo, quotient_0_of_divisor),
+      quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
+      quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
+      quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
+      quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
+      quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = enlarged_0 / quotient_0_of_divisor,
-      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
       quotient_0_product = quotient_0 * quotient_0_of_divisor,
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
+      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
-      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
       quotient_1_product = quotient_1 * quotient_0_of_divisor,
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
+      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
-      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
       quotient_2_product = quotient_2 * quotient_0_of_divisor,
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
+      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
-      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
       quotient_3_product = quotient_3 * quotient_0_of_divisor,
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
       quotient_3_rest = enlarged_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
+      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
   const double qo_0_of_quotient_0 = quotient_0 + quotient_0_lo,
-      qo_0_of_quotient_0_lo = ksl_sum_error(quotient_0, quotient_0_lo, qo_0_of_quotient_0),
+      qo_0_of_quotient_0_right = qo_0_of_quotient_0 - quotient_0,
+      qo_0_of_quotient_0_left = qo_0_of_quotient_0 - qo_0_of_quotient_0_right,
+      qo_0_of_quotient_0_left_rest = quotient_0 - qo_0_of_quotient_0_left,
+      qo_0_of_quotient_0_right_rest = quotient_0_lo - qo_0_of_quotient_0_right,
+      qo_0_of_quotient_0_lo = qo_0_of_quotient_0_left_rest + qo_0_of_quotient_0_right_rest,
       qo_0 = qo_0_of_quotient_0 * down, qo_0_inverse = 1.0 / down, qo_0_back = qo_0 * qo_0_inverse,
       qo_0_lost = qo_0_of_quotient_0 - qo_0_back, qo_0_rest = qo_0_lost + qo_0_of_quotient_0_lo,
       qo_0_small = qo_0_rest * down, qo_0_lo = qo_0_lost == 0.0 ? 0.0 : qo_0_small;
   const double qo_1_of_quotient_1 = quotient_1 + quotient_1_lo,
-      qo_1_of_quotient_1_lo = ksl_sum_error(quotient_1, quotient_1_lo, qo_1_of_quotient_1),
+      qo_1_of_quotient_1_right = qo_1_of_quotient_1 - quotient_1,
+      qo_1_of_quotient_1_left = qo_1_of_quotient_1 - qo_1_of_quotient_1_right,
+      qo_1_of_quotient_1_left_rest = quotient_1 - qo_1_of_quotient_1_left,
+      qo_1_of_quotient_1_right_rest = quotient_1_lo - qo_1_of_quotient_1_right,
+      qo_1_of_quotient_1_lo = qo_1_of_quotient_1_left_rest + qo_1_of_quotient_1_right_rest,
       qo_1 = qo_1_of_quotient_1 * down, qo_1_back = qo_1 * qo_0_inverse,
       qo_1_lost = qo_1_of_quotient_1 - qo_1_back, qo_1_rest = qo_1_lost + qo_1_of_quotient_1_lo,
       qo_1_small = qo_1_rest * down, qo_1_lo = qo_1_lost == 0.0 ? 0.0 : qo_1_small;
   const double qo_2_of_quotient_2 = quotient_2 + quotient_2_lo,
-      qo_2_of_quotient_2_lo = ksl_sum_error(quotient_2, quotient_2_lo, qo_2_of_quotient_2),
+      qo_2_of_quotient_2_right = qo_2_of_quotient_2 - quotient_2,
+      qo_2_of_quotient_2_left = qo_2_of_quotient_2 - qo_2_of_quotient_2_right,
+      qo_2_of_quotient_2_left_rest = quotient_2 - qo_2_of_quotient_2_left,
+      qo_2_of_quotient_2_right_rest = quotient_2_lo - qo_2_of_quotient_2_right,
+      qo_2_of_quotient_2_lo = qo_2_of_quotient_2_left_rest + qo_2_of_quotient_2_right_rest,
       qo_2 = qo_2_of_quotient_2 * down, qo_2_back = qo_2 * qo_0_inverse,
       qo_2_lost = qo_2_of_quotient_2 - qo_2_back, qo_2_rest = qo_2_lost + qo_2_of_quotient_2_lo,
       qo_2_small = qo_2_rest * down, qo_2_lo = qo_2_lost == 0.0 ? 0.0 : qo_2_small;
   const double qo_3_of_quotient_3 = quotient_3 + quotient_3_lo,
-      qo_3_of_quotient_3_lo = ksl_sum_error(quotient_3, quotient_3_lo, qo_3_of_quotient_3),
+      qo_3_of_quotient_3_right = qo_3_of_quotient_3 - quotient_3,
+      qo_3_of_quotient_3_left = qo_3_of_quotient_3 - qo_3_of_quotient_3_right,
+      qo_3_of_quotient_3_left_rest = quotient_3 - qo_3_of_quotient_3_left,
+      qo_3_of_quotient_3_right_rest = quotient_3_lo - qo_3_of_quotient_3_right,
+      qo_3_of_quotient_3_lo = qo_3_of_quotient_3_left_rest + qo_3_of_quotient_3_right_rest,
       qo_3 = qo_3_of_quotient_3 * down, qo_3_back = qo_3 * qo_0_inverse,
       qo_3_lost = qo_3_of_quotient_3 - qo_3_back, qo_3_rest = qo_3_lost + qo_3_of_quotient_3_lo,
       qo_3_small = qo_3_rest * down, qo_3_lo = qo_3_lost == 0.0 ? 0.0 : qo_3_small;
-  const double qo_0_total = qo_0 + qo_0_lo,
-      qo_0_rounded = qo_0_total == qo_0_total ? qo_0_total : qo_0;
-  const double qo_1_total = qo_1 + qo_1_lo,
-      qo_1_rounded = qo_1_total == qo_1_total ? qo_1_total : qo_1;
-  const double qo_2_total = qo_2 + qo_2_lo,
-      qo_2_rounded = qo_2_total == qo_2_total ? qo_2_total : qo_2;
-  const double qo_3_total = qo_3 + qo_3_lo,
-      qo_3_rounded = qo_3_total == qo_3_total ? qo_3_total : qo_3;
-  qo->w = qo_0_rounded;
-  qo->x = qo_1_rounded;
-  qo->y = qo_2_rounded;
-  qo->z = qo_3_rounded;
+  const double qo_0_rounded = qo_0 + qo_0_lo,
+      qo_0_final = qo_0_rounded == qo_0_rounded ? qo_0_rounded : qo_0;
+  const double qo_1_rounded = qo_1 + qo_1_lo,
+      qo_1_final = qo_1_rounded == qo_1_rounded ? qo_1_rounded : qo_1;
+  const double qo_2_rounded = qo_2 + qo_2_lo,
+      qo_2_final = qo_2_rounded == qo_2_rounded ? qo_2_rounded : qo_2;
+  const double qo_3_rounded = qo_3 + qo_3_lo,
+      qo_3_final = qo_3_rounded == qo_3_rounded ? qo_3_rounded : qo_3;
+  qo->w = qo_0_final;
+  qo->x = qo_1_final;
+  qo->y = qo_2_final;
+  qo->z = qo_3_final;
 }
 
 /* qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
    q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-   16 mul, 40 add, 16 product error, 12 sum error.
-   Error <= u |result| + (w: 15, v: 16) u^2 S, S the sum of the |terms| of the expanded formula;
-     barring over- and underflow. */
+   16 mul, 68 add, 16 product rest.
+   Error <= u |result| + 17 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
 static inline void ksl_product_qq_accurate(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
     ksl_quaternion_t *qo) {
-  const double qo_0a = q1->w * q2->w, qo_0a_lo = ksl_product_error(q1->w, q2->w, qo_0a),
-      qo_0b = q1->x * q2->x, qo_0b_lo = ksl_product_error(q1->x, q2->x, qo_0b),
-      qo_0c = q1->y * q2->y, qo_0c_lo = ksl_product_error(q1->y, q2->y, qo_0c),
-      qo_0d = qo_0b + qo_0c, qo_0d_error = ksl_sum_error(qo_0b, qo_0c, qo_0d),
-      qo_0d_lo1 = qo_0d_error + qo_0b_lo, qo_0d_lo = qo_0d_lo1 + qo_0c_lo, qo_0e = q1->z * q2->z,
-      qo_0e_lo = ksl_product_error(q1->z, q2->z, qo_0e), qo_0f = qo_0d + qo_0e,
-      qo_0f_error = ksl_sum_error(qo_0d, qo_0e, qo_0f), qo_0f_lo1 = qo_0f_error + qo_0d_lo,
-      qo_0f_lo = qo_0f_lo1 + qo_0e_lo, qo_0 = qo_0a - qo_0f,
-      qo_0_error = ksl_difference_error(qo_0a, qo_0f, qo_0), qo_0_lo1 = qo_0_error + qo_0a_lo,
+  const double qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
+      qo_0d = qo_0b + qo_0c, qo_0d_right = qo_0d - qo_0b, qo_0d_left = qo_0d - qo_0d_right,
+      qo_0d_left_rest = ksl_product_rest(q1->x, q2->x, qo_0b, qo_0d_left),
+      qo_0d_right_rest = ksl_product_rest(q1->y, q2->y, qo_0c, qo_0d_right),
+      qo_0d_lo = qo_0d_left_rest + qo_0d_right_rest, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e,
+      qo_0f_right = qo_0f - qo_0d, qo_0f_left = qo_0f - qo_0f_right,
+      qo_0f_left_rest = qo_0d - qo_0f_left,
+      qo_0f_right_rest = ksl_product_rest(q1->z, q2->z, qo_0e, qo_0f_right),
+      qo_0f_lo1 = qo_0f_left_rest + qo_0f_right_rest, qo_0f_lo = qo_0f_lo1 + qo_0d_lo,
+      qo_0 = qo_0a - qo_0f, qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(q1->w, q2->w, qo_0a, qo_0_left),
+      qo_0_right_rest = qo_0f - qo_0_right, qo_0_lo1 = qo_0_left_rest - qo_0_right_rest,
       qo_0_lo = qo_0_lo1 - qo_0f_lo;
-  const double qo_1a = q1->w * q2->x, qo_1a_lo = ksl_product_error(q1->w, q2->x, qo_1a),
-      qo_1b = q1->x * q2->w, qo_1b_lo = ksl_product_error(q1->x, q2->w, qo_1b),
-      qo_1c = qo_1a + qo_1b, qo_1c_error = ksl_sum_error(qo_1a, qo_1b, qo_1c),
-      qo_1c_lo1 = qo_1c_error + qo_1a_lo, qo_1c_lo = qo_1c_lo1 + qo_1b_lo, qo_1d = q1->y * q2->z,
-      qo_1d_lo = ksl_product_error(q1->y, q2->z, qo_1d), qo_1e = q1->z * q2->y,
-      qo_1e_lo = ksl_product_error(q1->z, q2->y, qo_1e), qo_1f = qo_1d - qo_1e,
-      qo_1f_error = ksl_difference_error(qo_1d, qo_1e, qo_1f), qo_1f_lo1 = qo_1f_error + qo_1d_lo,
-      qo_1f_lo = qo_1f_lo1 - qo_1e_lo, qo_1 = qo_1c + qo_1f,
-      qo_1_error = ksl_sum_error(qo_1c, qo_1f, qo_1), qo_1_lo1 = qo_1_error + qo_1c_lo,
-      qo_1_lo = qo_1_lo1 + qo_1f_lo;
-  const double qo_2a = q1->w * q2->y, qo_2a_lo = ksl_product_error(q1->w, q2->y, qo_2a),
-      qo_2b = q1->z * q2->x, qo_2b_lo = ksl_product_error(q1->z, q2->x, qo_2b),
-      qo_2c = q1->x * q2->z, qo_2c_lo = ksl_product_error(q1->x, q2->z, qo_2c),
-      qo_2d = qo_2b - qo_2c, qo_2d_error = ksl_difference_error(qo_2b, qo_2c, qo_2d),
-      qo_2d_lo1 = qo_2d_error + qo_2b_lo, qo_2d_lo = qo_2d_lo1 - qo_2c_lo, qo_2e = qo_2a + qo_2d,
-      qo_2e_error = ksl_sum_error(qo_2a, qo_2d, qo_2e), qo_2e_lo1 = qo_2e_error + qo_2a_lo,
-      qo_2e_lo = qo_2e_lo1 + qo_2d_lo, qo_2f = q1->y * q2->w,
-      qo_2f_lo = ksl_product_error(q1->y, q2->w, qo_2f), qo_2 = qo_2e + qo_2f,
-      qo_2_error = ksl_sum_error(qo_2e, qo_2f, qo_2), qo_2_lo1 = qo_2_error + qo_2e_lo,
-      qo_2_lo = qo_2_lo1 + qo_2f_lo;
-  const double qo_3a = q1->w * q2->z, qo_3a_lo = ksl_product_error(q1->w, q2->z, qo_3a),
-      qo_3b = q1->x * q2->y, qo_3b_lo = ksl_product_error(q1->x, q2->y, qo_3b),
-      qo_3c = q1->y * q2->x, qo_3c_lo = ksl_product_error(q1->y, q2->x, qo_3c),
-      qo_3d = qo_3b - qo_3c, qo_3d_error = ksl_difference_error(qo_3b, qo_3c, qo_3d),
-      qo_3d_lo1 = qo_3d_error + qo_3b_lo, qo_3d_lo = qo_3d_lo1 - qo_3c_lo, qo_3e = qo_3a + qo_3d,
-      qo_3e_error = ksl_sum_error(qo_3a, qo_3d, qo_3e), qo_3e_lo1 = qo_3e_error + qo_3a_lo,
-      qo_3e_lo = qo_3e_lo1 + qo_3d_lo, qo_3f = q1->z * q2->w,
-      qo_3f_lo = ksl_product_error(q1->z, q2->w, qo_3f), qo_3 = qo_3e + qo_3f,
-      qo_3_error = ksl_sum_error(qo_3e, qo_3f, qo_3), qo_3_lo1 = qo_3_error + qo_3e_lo,
-      qo_3_lo = qo_3_lo1 + qo_3f_lo;
+  const double qo_1a = q1->w * q2->x, qo_1b = q1->x * q2->w, qo_1c = qo_1a + qo_1b,
+      qo_1c_right = qo_1c - qo_1a, qo_1c_left = qo_1c - qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(q1->w, q2->x, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(q1->x, q2->w, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest + qo_1c_right_rest, qo_1d = q1->y * q2->z, qo_1e = q1->z * q2->y,
+      qo_1f = qo_1d - qo_1e, qo_1f_right = qo_1d - qo_1f, qo_1f_left = qo_1f + qo_1f_right,
+      qo_1f_left_rest = ksl_product_rest(q1->y, q2->z, qo_1d, qo_1f_left),
+      qo_1f_right_rest = ksl_product_rest(q1->z, q2->y, qo_1e, qo_1f_right),
+      qo_1f_lo = qo_1f_left_rest - qo_1f_right_rest, qo_1 = qo_1c + qo_1f,
+      qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1c - qo_1_left,
+      qo_1_right_rest = qo_1f - qo_1_right, qo_1_lo1 = qo_1_left_rest + qo_1_right_rest,
+      qo_1_lo2 = qo_1_lo1 + qo_1f_lo, qo_1_lo = qo_1_lo2 + qo_1c_lo;
+  const double qo_2a = q1->w * q2->y, qo_2b = q1->z * q2->x, qo_2c = q1->x * q2->z,
+      qo_2d = qo_2b - qo_2c, qo_2d_right = qo_2b - qo_2d, qo_2d_left = qo_2d + qo_2d_right,
+      qo_2d_left_rest = ksl_product_rest(q1->z, q2->x, qo_2b, qo_2d_left),
+      qo_2d_right_rest = ksl_product_rest(q1->x, q2->z, qo_2c, qo_2d_right),
+      qo_2d_lo = qo_2d_left_rest - qo_2d_right_rest, qo_2e = qo_2a + qo_2d,
+      qo_2e_right = qo_2e - qo_2a, qo_2e_left = qo_2e - qo_2e_right,
+      qo_2e_left_rest = ksl_product_rest(q1->w, q2->y, qo_2a, qo_2e_left),
+      qo_2e_right_rest = qo_2d - qo_2e_right, qo_2e_lo1 = qo_2e_left_rest + qo_2e_right_rest,
+      qo_2e_lo = qo_2e_lo1 + qo_2d_lo, qo_2f = q1->y * q2->w, qo_2 = qo_2e + qo_2f,
+      qo_2_right = qo_2 - qo_2e, qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2e - qo_2_left,
+      qo_2_right_rest = ksl_product_rest(q1->y, q2->w, qo_2f, qo_2_right),
+      qo_2_lo1 = qo_2_left_rest + qo_2_right_rest, qo_2_lo = qo_2_lo1 + qo_2e_lo;
+  const double qo_3a = q1->w * q2->z, qo_3b = q1->x * q2->y, qo_3c = q1->y * q2->x,
+      qo_3d = qo_3b - qo_3c, qo_3d_right = qo_3b - qo_3d, qo_3d_left = qo_3d + qo_3d_right,
+      qo_3d_left_rest = ksl_product_rest(q1->x, q2->y, qo_3b, qo_3d_left),
+      qo_3d_right_rest = ksl_product_rest(q1->y, q2->x, qo_3c, qo_3d_right),
+      qo_3d_lo = qo_3d_left_rest - qo_3d_right_rest, qo_3e = qo_3a + qo_3d,
+      qo_3e_right = qo_3e - qo_3a, qo_3e_left = qo_3e - qo_3e_right,
+      qo_3e_left_rest = ksl_product_rest(q1->w, q2->z, qo_3a, qo_3e_left),
+      qo_3e_right_rest = qo_3d - qo_3e_right, qo_3e_lo1 = qo_3e_left_rest + qo_3e_right_rest,
+      qo_3e_lo = qo_3e_lo1 + qo_3d_lo, qo_3f = q1->z * q2->w, qo_3 = qo_3e + qo_3f,
+      qo_3_right = qo_3 - qo_3e, qo_3_left = qo_3 - qo_3_right, qo_3_left_rest = qo_3e - qo_3_left,
+      qo_3_right_rest = ksl_product_rest(q1->z, q2->w, qo_3f, qo_3_right),
+      qo_3_lo1 = qo_3_left_rest + qo_3_right_rest, qo_3_lo = qo_3_lo1 + qo_3e_lo;
   const double qo_0_rounded = qo_0 + qo_0_lo;
   const double qo_1_rounded = qo_1 + qo_1_lo;
   const double qo_2_rounded = qo_2 + qo_2_lo;
@@ -348,51 +416,60 @@ static inline void ksl_product_qq_accurate(const ksl_quaternion_t *q1, const ksl
 
 /* qo = q1* q2, q1* the conjugate.
    q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-   16 mul, 40 add, 16 product error, 12 sum error.
-   Error <= u |result| + (w: 15, v: 10) u^2 S, S the sum of the |terms| of the expanded formula;
+   16 mul, 68 add, 16 product rest.
+   Error <= u |result| + (w: 17, v: 12) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_qconjq_accurate(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
-  const double qo_0a = q1->w * q2->w, qo_0a_lo = ksl_product_error(q1->w, q2->w, qo_0a),
-      qo_0b = q1->x * q2->x, qo_0b_lo = ksl_product_error(q1->x, q2->x, qo_0b),
-      qo_0c = q1->y * q2->y, qo_0c_lo = ksl_product_error(q1->y, q2->y, qo_0c),
-      qo_0d = qo_0b + qo_0c, qo_0d_error = ksl_sum_error(qo_0b, qo_0c, qo_0d),
-      qo_0d_lo1 = qo_0d_error + qo_0b_lo, qo_0d_lo = qo_0d_lo1 + qo_0c_lo, qo_0e = q1->z * q2->z,
-      qo_0e_lo = ksl_product_error(q1->z, q2->z, qo_0e), qo_0f = qo_0d + qo_0e,
-      qo_0f_error = ksl_sum_error(qo_0d, qo_0e, qo_0f), qo_0f_lo1 = qo_0f_error + qo_0d_lo,
-      qo_0f_lo = qo_0f_lo1 + qo_0e_lo, qo_0 = qo_0a + qo_0f,
-      qo_0_error = ksl_sum_error(qo_0a, qo_0f, qo_0), qo_0_lo1 = qo_0_error + qo_0a_lo,
+  const double qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
+      qo_0d = qo_0b + qo_0c, qo_0d_right = qo_0d - qo_0b, qo_0d_left = qo_0d - qo_0d_right,
+      qo_0d_left_rest = ksl_product_rest(q1->x, q2->x, qo_0b, qo_0d_left),
+      qo_0d_right_rest = ksl_product_rest(q1->y, q2->y, qo_0c, qo_0d_right),
+      qo_0d_lo = qo_0d_left_rest + qo_0d_right_rest, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e,
+      qo_0f_right = qo_0f - qo_0d, qo_0f_left = qo_0f - qo_0f_right,
+      qo_0f_left_rest = qo_0d - qo_0f_left,
+      qo_0f_right_rest = ksl_product_rest(q1->z, q2->z, qo_0e, qo_0f_right),
+      qo_0f_lo1 = qo_0f_left_rest + qo_0f_right_rest, qo_0f_lo = qo_0f_lo1 + qo_0d_lo,
+      qo_0 = qo_0a + qo_0f, qo_0_right = qo_0 - qo_0a, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = ksl_product_rest(q1->w, q2->w, qo_0a, qo_0_left),
+      qo_0_right_rest = qo_0f - qo_0_right, qo_0_lo1 = qo_0_left_rest + qo_0_right_rest,
       qo_0_lo = qo_0_lo1 + qo_0f_lo;
-  const double qo_1a = q1->w * q2->x, qo_1a_lo = ksl_product_error(q1->w, q2->x, qo_1a),
-      qo_1b = q1->x * q2->w, qo_1b_lo = ksl_product_error(q1->x, q2->w, qo_1b),
-      qo_1c = qo_1a - qo_1b, qo_1c_error = ksl_difference_error(qo_1a, qo_1b, qo_1c),
-      qo_1c_lo1 = qo_1c_error + qo_1a_lo, qo_1c_lo = qo_1c_lo1 - qo_1b_lo, qo_1d = q1->z * q2->y,
-      qo_1d_lo = ksl_product_error(q1->z, q2->y, qo_1d), qo_1e = q1->y * q2->z,
-      qo_1e_lo = ksl_product_error(q1->y, q2->z, qo_1e), qo_1f = qo_1d - qo_1e,
-      qo_1f_error = ksl_difference_error(qo_1d, qo_1e, qo_1f), qo_1f_lo1 = qo_1f_error + qo_1d_lo,
-      qo_1f_lo = qo_1f_lo1 - qo_1e_lo, qo_1 = qo_1c + qo_1f,
-      qo_1_error = ksl_sum_error(qo_1c, qo_1f, qo_1), qo_1_lo1 = qo_1_error + qo_1c_lo,
-      qo_1_lo = qo_1_lo1 + qo_1f_lo;
-  const double qo_2a = q1->w * q2->y, qo_2a_lo = ksl_product_error(q1->w, q2->y, qo_2a),
-      qo_2b = q1->y * q2->w, qo_2b_lo = ksl_product_error(q1->y, q2->w, qo_2b),
-      qo_2c = qo_2a - qo_2b, qo_2c_error = ksl_difference_error(qo_2a, qo_2b, qo_2c),
-      qo_2c_lo1 = qo_2c_error + qo_2a_lo, qo_2c_lo = qo_2c_lo1 - qo_2b_lo, qo_2d = q1->x * q2->z,
-      qo_2d_lo = ksl_product_error(q1->x, q2->z, qo_2d), qo_2e = q1->z * q2->x,
-      qo_2e_lo = ksl_product_error(q1->z, q2->x, qo_2e), qo_2f = qo_2d - qo_2e,
-      qo_2f_error = ksl_difference_error(qo_2d, qo_2e, qo_2f), qo_2f_lo1 = qo_2f_error + qo_2d_lo,
-      qo_2f_lo = qo_2f_lo1 - qo_2e_lo, qo_2 = qo_2c + qo_2f,
-      qo_2_error = ksl_sum_error(qo_2c, qo_2f, qo_2), qo_2_lo1 = qo_2_error + qo_2c_lo,
-      qo_2_lo = qo_2_lo1 + qo_2f_lo;
-  const double qo_3a = q1->w * q2->z, qo_3a_lo = ksl_product_error(q1->w, q2->z, qo_3a),
-      qo_3b = q1->z * q2->w, qo_3b_lo = ksl_product_error(q1->z, q2->w, qo_3b),
-      qo_3c = qo_3a - qo_3b, qo_3c_error = ksl_difference_error(qo_3a, qo_3b, qo_3c),
-      qo_3c_lo1 = qo_3c_error + qo_3a_lo, qo_3c_lo = qo_3c_lo1 - qo_3b_lo, qo_3d = q1->y * q2->x,
-      qo_3d_lo = ksl_product_error(q1->y, q2->x, qo_3d), qo_3e = q1->x * q2->y,
-      qo_3e_lo = ksl_product_error(q1->x, q2->y, qo_3e), qo_3f = qo_3d - qo_3e,
-      qo_3f_error = ksl_difference_error(qo_3d, qo_3e, qo_3f), qo_3f_lo1 = qo_3f_error + qo_3d_lo,
-      qo_3f_lo = qo_3f_lo1 - qo_3e_lo, qo_3 = qo_3c + qo_3f,
-      qo_3_error = ksl_sum_error(qo_3c, qo_3f, qo_3), qo_3_lo1 = qo_3_error + qo_3c_lo,
-      qo_3_lo = qo_3_lo1 + qo_3f_lo;
+  const double qo_1a = q1->w * q2->x, qo_1b = q1->x * q2->w, qo_1c = qo_1a - qo_1b,
+      qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(q1->w, q2->x, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(q1->x, q2->w, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = q1->z * q2->y, qo_1e = q1->y * q2->z,
+      qo_1f = qo_1d - qo_1e, qo_1f_right = qo_1d - qo_1f, qo_1f_left = qo_1f + qo_1f_right,
+      qo_1f_left_rest = ksl_product_rest(q1->z, q2->y, qo_1d, qo_1f_left),
+      qo_1f_right_rest = ksl_product_rest(q1->y, q2->z, qo_1e, qo_1f_right),
+      qo_1f_lo = qo_1f_left_rest - qo_1f_right_rest, qo_1 = qo_1c + qo_1f,
+      qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1c - qo_1_left,
+      qo_1_right_rest = qo_1f - qo_1_right, qo_1_lo1 = qo_1_left_rest + qo_1_right_rest,
+      qo_1_lo2 = qo_1_lo1 + qo_1f_lo, qo_1_lo = qo_1_lo2 + qo_1c_lo;
+  const double qo_2a = q1->w * q2->y, qo_2b = q1->y * q2->w, qo_2c = qo_2a - qo_2b,
+      qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(q1->w, q2->y, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(q1->y, q2->w, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = q1->x * q2->z, qo_2e = q1->z * q2->x,
+      qo_2f = qo_2d - qo_2e, qo_2f_right = qo_2d - qo_2f, qo_2f_left = qo_2f + qo_2f_right,
+      qo_2f_left_rest = ksl_product_rest(q1->x, q2->z, qo_2d, qo_2f_left),
+      qo_2f_right_rest = ksl_product_rest(q1->z, q2->x, qo_2e, qo_2f_right),
+      qo_2f_lo = qo_2f_left_rest - qo_2f_right_rest, qo_2 = qo_2c + qo_2f,
+      qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2c - qo_2_left,
+      qo_2_right_rest = qo_2f - qo_2_right, qo_2_lo1 = qo_2_left_rest + qo_2_right_rest,
+      qo_2_lo2 = qo_2_lo1 + qo_2f_lo, qo_2_lo = qo_2_lo2 + qo_2c_lo;
+  const double qo_3a = q1->w * q2->z, qo_3b = q1->z * q2->w, qo_3c = qo_3a - qo_3b,
+      qo_3c_right = qo_3a - qo_3c, qo_3c_left = qo_3c + qo_3c_right,
+      qo_3c_left_rest = ksl_product_rest(q1->w, q2->z, qo_3a, qo_3c_left),
+      qo_3c_right_rest = ksl_product_rest(q1->z, q2->w, qo_3b, qo_3c_right),
+      qo_3c_lo = qo_3c_left_rest - qo_3c_right_rest, qo_3d = q1->y * q2->x, qo_3e = q1->x * q2->y,
+      qo_3f = qo_3d - qo_3e, qo_3f_right = qo_3d - qo_3f, qo_3f_left = qo_3f + qo_3f_right,
+      qo_3f_left_rest = ksl_product_rest(q1->y, q2->x, qo_3d, qo_3f_left),
+      qo_3f_right_rest = ksl_product_rest(q1->x, q2->y, qo_3e, qo_3f_right),
+      qo_3f_lo = qo_3f_left_rest - qo_3f_right_rest, qo_3 = qo_3c + qo_3f,
+      qo_3_right = qo_3 - qo_3c, qo_3_left = qo_3 - qo_3_right, qo_3_left_rest = qo_3c - qo_3_left,
+      qo_3_right_rest = qo_3f - qo_3_right, qo_3_lo1 = qo_3_left_rest + qo_3_right_rest,
+      qo_3_lo2 = qo_3_lo1 + qo_3f_lo, qo_3_lo = qo_3_lo2 + qo_3c_lo;
   const double qo_0_rounded = qo_0 + qo_0_lo;
   const double qo_1_rounded = qo_1 + qo_1_lo;
   const double qo_2_rounded = qo_2 + qo_2_lo;
@@ -405,51 +482,60 @@ static inline void ksl_product_qconjq_accurate(const ksl_quaternion_t *q1,
 
 /* qo = q1 q2*, q2* the conjugate.
    q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-   16 mul, 40 add, 16 product error, 12 sum error.
-   Error <= u |result| + (w: 15, v: 10) u^2 S, S the sum of the |terms| of the expanded formula;
+   16 mul, 68 add, 16 product rest.
+   Error <= u |result| + (w: 17, v: 12) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_qqconj_accurate(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
-  const double qo_0a = q1->w * q2->w, qo_0a_lo = ksl_product_error(q1->w, q2->w, qo_0a),
-      qo_0b = q1->x * q2->x, qo_0b_lo = ksl_product_error(q1->x, q2->x, qo_0b),
-      qo_0c = q1->y * q2->y, qo_0c_lo = ksl_product_error(q1->y, q2->y, qo_0c),
-      qo_0d = qo_0b + qo_0c, qo_0d_error = ksl_sum_error(qo_0b, qo_0c, qo_0d),
-      qo_0d_lo1 = qo_0d_error + qo_0b_lo, qo_0d_lo = qo_0d_lo1 + qo_0c_lo, qo_0e = q1->z * q2->z,
-      qo_0e_lo = ksl_product_error(q1->z, q2->z, qo_0e), qo_0f = qo_0d + qo_0e,
-      qo_0f_error = ksl_sum_error(qo_0d, qo_0e, qo_0f), qo_0f_lo1 = qo_0f_error + qo_0d_lo,
-      qo_0f_lo = qo_0f_lo1 + qo_0e_lo, qo_0 = qo_0a + qo_0f,
-      qo_0_error = ksl_sum_error(qo_0a, qo_0f, qo_0), qo_0_lo1 = qo_0_error + qo_0a_lo,
+  const double qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
+      qo_0d = qo_0b + qo_0c, qo_0d_right = qo_0d - qo_0b, qo_0d_left = qo_0d - qo_0d_right,
+      qo_0d_left_rest = ksl_product_rest(q1->x, q2->x, qo_0b, qo_0d_left),
+      qo_0d_right_rest = ksl_product_rest(q1->y, q2->y, qo_0c, qo_0d_right),
+      qo_0d_lo = qo_0d_left_rest + qo_0d_right_rest, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e,
+      qo_0f_right = qo_0f - qo_0d, qo_0f_left = qo_0f - qo_0f_right,
+      qo_0f_left_rest = qo_0d - qo_0f_left,
+      qo_0f_right_rest = ksl_product_rest(q1->z, q2->z, qo_0e, qo_0f_right),
+      qo_0f_lo1 = qo_0f_left_rest + qo_0f_right_rest, qo_0f_lo = qo_0f_lo1 + qo_0d_lo,
+      qo_0 = qo_0a + qo_0f, qo_0_right = qo_0 - qo_0a, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = ksl_product_rest(q1->w, q2->w, qo_0a, qo_0_left),
+      qo_0_right_rest = qo_0f - qo_0_right, qo_0_lo1 = qo_0_left_rest + qo_0_right_rest,
       qo_0_lo = qo_0_lo1 + qo_0f_lo;
-  const double qo_1a = q1->x * q2->w, qo_1a_lo = ksl_product_error(q1->x, q2->w, qo_1a),
-      qo_1b = q1->w * q2->x, qo_1b_lo = ksl_product_error(q1->w, q2->x, qo_1b),
-      qo_1c = qo_1a - qo_1b, qo_1c_error = ksl_difference_error(qo_1a, qo_1b, qo_1c),
-      qo_1c_lo1 = qo_1c_error + qo_1a_lo, qo_1c_lo = qo_1c_lo1 - qo_1b_lo, qo_1d = q1->z * q2->y,
-      qo_1d_lo = ksl_product_error(q1->z, q2->y, qo_1d), qo_1e = q1->y * q2->z,
-      qo_1e_lo = ksl_product_error(q1->y, q2->z, qo_1e), qo_1f = qo_1d - qo_1e,
-      qo_1f_error = ksl_difference_error(qo_1d, qo_1e, qo_1f), qo_1f_lo1 = qo_1f_error + qo_1d_lo,
-      qo_1f_lo = qo_1f_lo1 - qo_1e_lo, qo_1 = qo_1c + qo_1f,
-      qo_1_error = ksl_sum_error(qo_1c, qo_1f, qo_1), qo_1_lo1 = qo_1_error + qo_1c_lo,
-      qo_1_lo = qo_1_lo1 + qo_1f_lo;
-  const double qo_2a = q1->y * q2->w, qo_2a_lo = ksl_product_error(q1->y, q2->w, qo_2a),
-      qo_2b = q1->w * q2->y, qo_2b_lo = ksl_product_error(q1->w, q2->y, qo_2b),
-      qo_2c = qo_2a - qo_2b, qo_2c_error = ksl_difference_error(qo_2a, qo_2b, qo_2c),
-      qo_2c_lo1 = qo_2c_error + qo_2a_lo, qo_2c_lo = qo_2c_lo1 - qo_2b_lo, qo_2d = q1->x * q2->z,
-      qo_2d_lo = ksl_product_error(q1->x, q2->z, qo_2d), qo_2e = q1->z * q2->x,
-      qo_2e_lo = ksl_product_error(q1->z, q2->x, qo_2e), qo_2f = qo_2d - qo_2e,
-      qo_2f_error = ksl_difference_error(qo_2d, qo_2e, qo_2f), qo_2f_lo1 = qo_2f_error + qo_2d_lo,
-      qo_2f_lo = qo_2f_lo1 - qo_2e_lo, qo_2 = qo_2c + qo_2f,
-      qo_2_error = ksl_sum_error(qo_2c, qo_2f, qo_2), qo_2_lo1 = qo_2_error + qo_2c_lo,
-      qo_2_lo = qo_2_lo1 + qo_2f_lo;
-  const double qo_3a = q1->z * q2->w, qo_3a_lo = ksl_product_error(q1->z, q2->w, qo_3a),
-      qo_3b = q1->w * q2->z, qo_3b_lo = ksl_product_error(q1->w, q2->z, qo_3b),
-      qo_3c = qo_3a - qo_3b, qo_3c_error = ksl_difference_error(qo_3a, qo_3b, qo_3c),
-      qo_3c_lo1 = qo_3c_error + qo_3a_lo, qo_3c_lo = qo_3c_lo1 - qo_3b_lo, qo_3d = q1->y * q2->x,
-      qo_3d_lo = ksl_product_error(q1->y, q2->x, qo_3d), qo_3e = q1->x * q2->y,
-      qo_3e_lo = ksl_product_error(q1->x, q2->y, qo_3e), qo_3f = qo_3d - qo_3e,
-      qo_3f_error = ksl_difference_error(qo_3d, qo_3e, qo_3f), qo_3f_lo1 = qo_3f_error + qo_3d_lo,
-      qo_3f_lo = qo_3f_lo1 - qo_3e_lo, qo_3 = qo_3c + qo_3f,
-      qo_3_error = ksl_sum_error(qo_3c, qo_3f, qo_3), qo_3_lo1 = qo_3_error + qo_3c_lo,
-      qo_3_lo = qo_3_lo1 + qo_3f_lo;
+  const double qo_1a = q1->x * q2->w, qo_1b = q1->w * q2->x, qo_1c = qo_1a - qo_1b,
+      qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(q1->x, q2->w, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(q1->w, q2->x, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = q1->z * q2->y, qo_1e = q1->y * q2->z,
+      qo_1f = qo_1d - qo_1e, qo_1f_right = qo_1d - qo_1f, qo_1f_left = qo_1f + qo_1f_right,
+      qo_1f_left_rest = ksl_product_rest(q1->z, q2->y, qo_1d, qo_1f_left),
+      qo_1f_right_rest = ksl_product_rest(q1->y, q2->z, qo_1e, qo_1f_right),
+      qo_1f_lo = qo_1f_left_rest - qo_1f_right_rest, qo_1 = qo_1c + qo_1f,
+      qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1c - qo_1_left,
+      qo_1_right_rest = qo_1f - qo_1_right, qo_1_lo1 = qo_1_left_rest + qo_1_right_rest,
+      qo_1_lo2 = qo_1_lo1 + qo_1f_lo, qo_1_lo = qo_1_lo2 + qo_1c_lo;
+  const double qo_2a = q1->y * q2->w, qo_2b = q1->w * q2->y, qo_2c = qo_2a - qo_2b,
+      qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(q1->y, q2->w, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(q1->w, q2->y, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = q1->x * q2->z, qo_2e = q1->z * q2->x,
+      qo_2f = qo_2d - qo_2e, qo_2f_right = qo_2d - qo_2f, qo_2f_left = qo_2f + qo_2f_right,
+      qo_2f_left_rest = ksl_product_rest(q1->x, q2->z, qo_2d, qo_2f_left),
+      qo_2f_right_rest = ksl_product_rest(q1->z, q2->x, qo_2e, qo_2f_right),
+      qo_2f_lo = qo_2f_left_rest - qo_2f_right_rest, qo_2 = qo_2c + qo_2f,
+      qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2c - qo_2_left,
+      qo_2_right_rest = qo_2f - qo_2_right, qo_2_lo1 = qo_2_left_rest + qo_2_right_rest,
+      qo_2_lo2 = qo_2_lo1 + qo_2f_lo, qo_2_lo = qo_2_lo2 + qo_2c_lo;
+  const double qo_3a = q1->z * q2->w, qo_3b = q1->w * q2->z, qo_3c = qo_3a - qo_3b,
+      qo_3c_right = qo_3a - qo_3c, qo_3c_left = qo_3c + qo_3c_right,
+      qo_3c_left_rest = ksl_product_rest(q1->z, q2->w, qo_3a, qo_3c_left),
+      qo_3c_right_rest = ksl_product_rest(q1->w, q2->z, qo_3b, qo_3c_right),
+      qo_3c_lo = qo_3c_left_rest - qo_3c_right_rest, qo_3d = q1->y * q2->x, qo_3e = q1->x * q2->y,
+      qo_3f = qo_3d - qo_3e, qo_3f_right = qo_3d - qo_3f, qo_3f_left = qo_3f + qo_3f_right,
+      qo_3f_left_rest = ksl_product_rest(q1->y, q2->x, qo_3d, qo_3f_left),
+      qo_3f_right_rest = ksl_product_rest(q1->x, q2->y, qo_3e, qo_3f_right),
+      qo_3f_lo = qo_3f_left_rest - qo_3f_right_rest, qo_3 = qo_3c + qo_3f,
+      qo_3_right = qo_3 - qo_3c, qo_3_left = qo_3 - qo_3_right, qo_3_left_rest = qo_3c - qo_3_left,
+      qo_3_right_rest = qo_3f - qo_3_right, qo_3_lo1 = qo_3_left_rest + qo_3_right_rest,
+      qo_3_lo2 = qo_3_lo1 + qo_3f_lo, qo_3_lo = qo_3_lo2 + qo_3c_lo;
   const double qo_0_rounded = qo_0 + qo_0_lo;
   const double qo_1_rounded = qo_1 + qo_1_lo;
   const double qo_2_rounded = qo_2 + qo_2_lo;
@@ -462,68 +548,77 @@ static inline void ksl_product_qqconj_accurate(const ksl_quaternion_t *q1,
 
 /* vo = R(q) v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-   30 mul, 48 add, 18 product error, 12 sum error.
-   Error <= u |result| + 40 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   30 mul, 78 add, 3 product error, 15 product rest.
+   Error <= u |result| + 49 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double c_0a = q->y * v->z, c_0a_lo = ksl_product_error(q->y, v->z, c_0a),
-      c_0b = q->z * v->y, c_0b_lo = ksl_product_error(q->z, v->y, c_0b), c_0 = c_0a - c_0b,
-      c_0_error = ksl_difference_error(c_0a, c_0b, c_0), c_0_lo1 = c_0_error + c_0a_lo,
-      c_0_lo = c_0_lo1 - c_0b_lo;
-  const double c_1a = q->z * v->x, c_1a_lo = ksl_product_error(q->z, v->x, c_1a),
-      c_1b = q->x * v->z, c_1b_lo = ksl_product_error(q->x, v->z, c_1b), c_1 = c_1a - c_1b,
-      c_1_error = ksl_difference_error(c_1a, c_1b, c_1), c_1_lo1 = c_1_error + c_1a_lo,
-      c_1_lo = c_1_lo1 - c_1b_lo;
-  const double c_2a = q->x * v->y, c_2a_lo = ksl_product_error(q->x, v->y, c_2a),
-      c_2b = q->y * v->x, c_2b_lo = ksl_product_error(q->y, v->x, c_2b), c_2 = c_2a - c_2b,
-      c_2_error = ksl_difference_error(c_2a, c_2b, c_2), c_2_lo1 = c_2_error + c_2a_lo,
-      c_2_lo = c_2_lo1 - c_2b_lo;
-  const double t_0 = 2.0 * c_0, t_0_cross1 = 2.0 * c_0_lo,
-      t_0_error = ksl_product_error(2.0, c_0, t_0), t_0_lo = t_0_error + t_0_cross1;
-  const double t_1 = 2.0 * c_1, t_1_cross1 = 2.0 * c_1_lo,
-      t_1_error = ksl_product_error(2.0, c_1, t_1), t_1_lo = t_1_error + t_1_cross1;
-  const double t_2 = 2.0 * c_2, t_2_cross1 = 2.0 * c_2_lo,
-      t_2_error = ksl_product_error(2.0, c_2, t_2), t_2_lo = t_2_error + t_2_cross1;
-  const double turn_0a = q->w * t_0, turn_0a_cross1 = q->w * t_0_lo,
-      turn_0a_error = ksl_product_error(q->w, t_0, turn_0a),
-      turn_0a_lo = turn_0a_error + turn_0a_cross1, turn_0b = q->y * t_2,
-      turn_0b_cross1 = q->y * t_2_lo, turn_0b_error = ksl_product_error(q->y, t_2, turn_0b),
-      turn_0b_lo = turn_0b_error + turn_0b_cross1, turn_0c = q->z * t_1,
-      turn_0c_cross1 = q->z * t_1_lo, turn_0c_error = ksl_product_error(q->z, t_1, turn_0c),
-      turn_0c_lo = turn_0c_error + turn_0c_cross1, turn_0d = turn_0b - turn_0c,
-      turn_0d_error = ksl_difference_error(turn_0b, turn_0c, turn_0d),
-      turn_0d_lo1 = turn_0d_error + turn_0b_lo, turn_0d_lo = turn_0d_lo1 - turn_0c_lo,
-      turn_0 = turn_0a + turn_0d, turn_0_error = ksl_sum_error(turn_0a, turn_0d, turn_0),
-      turn_0_lo1 = turn_0_error + turn_0a_lo, turn_0_lo = turn_0_lo1 + turn_0d_lo;
-  const double turn_1a = q->w * t_1, turn_1a_cross1 = q->w * t_1_lo,
-      turn_1a_error = ksl_product_error(q->w, t_1, turn_1a),
-      turn_1a_lo = turn_1a_error + turn_1a_cross1, turn_1b = q->z * t_0,
-      turn_1b_cross1 = q->z * t_0_lo, turn_1b_error = ksl_product_error(q->z, t_0, turn_1b),
-      turn_1b_lo = turn_1b_error + turn_1b_cross1, turn_1c = q->x * t_2,
-      turn_1c_cross1 = q->x * t_2_lo, turn_1c_error = ksl_product_error(q->x, t_2, turn_1c),
-      turn_1c_lo = turn_1c_error + turn_1c_cross1, turn_1d = turn_1b - turn_1c,
-      turn_1d_error = ksl_difference_error(turn_1b, turn_1c, turn_1d),
-      turn_1d_lo1 = turn_1d_error + turn_1b_lo, turn_1d_lo = turn_1d_lo1 - turn_1c_lo,
-      turn_1 = turn_1a + turn_1d, turn_1_error = ksl_sum_error(turn_1a, turn_1d, turn_1),
-      turn_1_lo1 = turn_1_error + turn_1a_lo, turn_1_lo = turn_1_lo1 + turn_1d_lo;
-  const double turn_2a = q->w * t_2, turn_2a_cross1 = q->w * t_2_lo,
-      turn_2a_error = ksl_product_error(q->w, t_2, turn_2a),
-      turn_2a_lo = turn_2a_error + turn_2a_cross1, turn_2b = q->x * t_1,
-      turn_2b_cross1 = q->x * t_1_lo, turn_2b_error = ksl_product_error(q->x, t_1, turn_2b),
-      turn_2b_lo = turn_2b_error + turn_2b_cross1, turn_2c = q->y * t_0,
-      turn_2c_cross1 = q->y * t_0_lo, turn_2c_error = ksl_product_error(q->y, t_0, turn_2c),
-      turn_2c_lo = turn_2c_error + turn_2c_cross1, turn_2d = turn_2b - turn_2c,
-      turn_2d_error = ksl_difference_error(turn_2b, turn_2c, turn_2d),
-      turn_2d_lo1 = turn_2d_error + turn_2b_lo, turn_2d_lo = turn_2d_lo1 - turn_2c_lo,
-      turn_2 = turn_2a + turn_2d, turn_2_error = ksl_sum_error(turn_2a, turn_2d, turn_2),
-      turn_2_lo1 = turn_2_error + turn_2a_lo, turn_2_lo = turn_2_lo1 + turn_2d_lo;
-  const double vo_0 = v->x + turn_0, vo_0_error = ksl_sum_error(v->x, turn_0, vo_0),
-      vo_0_lo = vo_0_error + turn_0_lo;
-  const double vo_1 = v->y + turn_1, vo_1_error = ksl_sum_error(v->y, turn_1, vo_1),
-      vo_1_lo = vo_1_error + turn_1_lo;
-  const double vo_2 = v->z + turn_2, vo_2_error = ksl_sum_error(v->z, turn_2, vo_2),
-      vo_2_lo = vo_2_error + turn_2_lo;
+  const double c_0a = q->y * v->z, c_0b = q->z * v->y, c_0 = c_0a - c_0b, c_0_right = c_0a - c_0,
+      c_0_left = c_0 + c_0_right, c_0_left_rest = ksl_product_rest(q->y, v->z, c_0a, c_0_left),
+      c_0_right_rest = ksl_product_rest(q->z, v->y, c_0b, c_0_right),
+      c_0_lo = c_0_left_rest - c_0_right_rest;
+  const double c_1a = q->z * v->x, c_1b = q->x * v->z, c_1 = c_1a - c_1b, c_1_right = c_1a - c_1,
+      c_1_left = c_1 + c_1_right, c_1_left_rest = ksl_product_rest(q->z, v->x, c_1a, c_1_left),
+      c_1_right_rest = ksl_product_rest(q->x, v->z, c_1b, c_1_right),
+      c_1_lo = c_1_left_rest - c_1_right_rest;
+  const double c_2a = q->x * v->y, c_2b = q->y * v->x, c_2 = c_2a - c_2b, c_2_right = c_2a - c_2,
+      c_2_left = c_2 + c_2_right, c_2_left_rest = ksl_product_rest(q->x, v->y, c_2a, c_2_left),
+      c_2_right_rest = ksl_product_rest(q->y, v->x, c_2b, c_2_right),
+      c_2_lo = c_2_left_rest - c_2_right_rest;
+  const double t_0 = 2.0 * c_0, t_0_cross2 = 2.0 * c_0_lo;
+  const double t_1 = 2.0 * c_1, t_1_cross2 = 2.0 * c_1_lo;
+  const double t_2 = 2.0 * c_2, t_2_cross2 = 2.0 * c_2_lo;
+  const double t_0_error = ksl_product_error(2.0, c_0, t_0), t_0_lo = t_0_error + t_0_cross2,
+      turn_0a = q->w * t_0, turn_0a_cross2 = q->w * t_0_lo,
+      t_2_error = ksl_product_error(2.0, c_2, t_2), t_2_lo = t_2_error + t_2_cross2,
+      turn_0b = q->y * t_2, turn_0b_cross2 = q->y * t_2_lo,
+      t_1_error = ksl_product_error(2.0, c_1, t_1), t_1_lo = t_1_error + t_1_cross2,
+      turn_0c = q->z * t_1, turn_0c_cross2 = q->z * t_1_lo, turn_0d = turn_0b - turn_0c,
+      turn_0d_right = turn_0b - turn_0d, turn_0d_left = turn_0d + turn_0d_right,
+      turn_0d_left_rest = ksl_product_rest(q->y, t_2, turn_0b, turn_0d_left),
+      turn_0d_right_rest = ksl_product_rest(q->z, t_1, turn_0c, turn_0d_right),
+      turn_0d_cross = turn_0b_cross2 - turn_0c_cross2,
+      turn_0d_lo1 = turn_0d_left_rest - turn_0d_right_rest,
+      turn_0d_lo = turn_0d_lo1 + turn_0d_cross, turn_0 = turn_0a + turn_0d,
+      turn_0_right = turn_0 - turn_0a, turn_0_left = turn_0 - turn_0_right,
+      turn_0_left_rest = ksl_product_rest(q->w, t_0, turn_0a, turn_0_left),
+      turn_0_right_rest = turn_0d - turn_0_right, turn_0_lo1 = turn_0_left_rest + turn_0_right_rest,
+      turn_0_lo2 = turn_0_lo1 + turn_0d_lo, turn_0_lo = turn_0_lo2 + turn_0a_cross2;
+  const double turn_1a = q->w * t_1, turn_1a_cross2 = q->w * t_1_lo, turn_1b = q->z * t_0,
+      turn_1b_cross2 = q->z * t_0_lo, turn_1c = q->x * t_2, turn_1c_cross2 = q->x * t_2_lo,
+      turn_1d = turn_1b - turn_1c, turn_1d_right = turn_1b - turn_1d,
+      turn_1d_left = turn_1d + turn_1d_right,
+      turn_1d_left_rest = ksl_product_rest(q->z, t_0, turn_1b, turn_1d_left),
+      turn_1d_right_rest = ksl_product_rest(q->x, t_2, turn_1c, turn_1d_right),
+      turn_1d_cross = turn_1b_cross2 - turn_1c_cross2,
+      turn_1d_lo1 = turn_1d_left_rest - turn_1d_right_rest,
+      turn_1d_lo = turn_1d_lo1 + turn_1d_cross, turn_1 = turn_1a + turn_1d,
+      turn_1_right = turn_1 - turn_1a, turn_1_left = turn_1 - turn_1_right,
+      turn_1_left_rest = ksl_product_rest(q->w, t_1, turn_1a, turn_1_left),
+      turn_1_right_rest = turn_1d - turn_1_right, turn_1_lo1 = turn_1_left_rest + turn_1_right_rest,
+      turn_1_lo2 = turn_1_lo1 + turn_1d_lo, turn_1_lo = turn_1_lo2 + turn_1a_cross2;
+  const double turn_2a = q->w * t_2, turn_2a_cross2 = q->w * t_2_lo, turn_2b = q->x * t_1,
+      turn_2b_cross2 = q->x * t_1_lo, turn_2c = q->y * t_0, turn_2c_cross2 = q->y * t_0_lo,
+      turn_2d = turn_2b - turn_2c, turn_2d_right = turn_2b - turn_2d,
+      turn_2d_left = turn_2d + turn_2d_right,
+      turn_2d_left_rest = ksl_product_rest(q->x, t_1, turn_2b, turn_2d_left),
+      turn_2d_right_rest = ksl_product_rest(q->y, t_0, turn_2c, turn_2d_right),
+      turn_2d_cross = turn_2b_cross2 - turn_2c_cross2,
+      turn_2d_lo1 = turn_2d_left_rest - turn_2d_right_rest,
+      turn_2d_lo = turn_2d_lo1 + turn_2d_cross, turn_2 = turn_2a + turn_2d,
+      turn_2_right = turn_2 - turn_2a, turn_2_left = turn_2 - turn_2_right,
+      turn_2_left_rest = ksl_product_rest(q->w, t_2, turn_2a, turn_2_left),
+      turn_2_right_rest = turn_2d - turn_2_right, turn_2_lo1 = turn_2_left_rest + turn_2_right_rest,
+      turn_2_lo2 = turn_2_lo1 + turn_2d_lo, turn_2_lo = turn_2_lo2 + turn_2a_cross2;
+  const double vo_0 = v->x + turn_0, vo_0_right = vo_0 - v->x, vo_0_left = vo_0 - vo_0_right,
+      vo_0_left_rest = v->x - vo_0_left, vo_0_right_rest = turn_0 - vo_0_right,
+      vo_0_lo1 = vo_0_left_rest + vo_0_right_rest, vo_0_lo = vo_0_lo1 + turn_0_lo;
+  const double vo_1 = v->y + turn_1, vo_1_right = vo_1 - v->y, vo_1_left = vo_1 - vo_1_right,
+      vo_1_left_rest = v->y - vo_1_left, vo_1_right_rest = turn_1 - vo_1_right,
+      vo_1_lo1 = vo_1_left_rest + vo_1_right_rest, vo_1_lo = vo_1_lo1 + turn_1_lo;
+  const double vo_2 = v->z + turn_2, vo_2_right = vo_2 - v->z, vo_2_left = vo_2 - vo_2_right,
+      vo_2_left_rest = v->z - vo_2_left, vo_2_right_rest = turn_2 - vo_2_right,
+      vo_2_lo1 = vo_2_left_rest + vo_2_right_rest, vo_2_lo = vo_2_lo1 + turn_2_lo;
   const double vo_0_rounded = vo_0 + vo_0_lo;
   const double vo_1_rounded = vo_1 + vo_1_lo;
   const double vo_2_rounded = vo_2 + vo_2_lo;
@@ -534,68 +629,77 @@ static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_
 
 /* vo = R(q)^T v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-   30 mul, 48 add, 18 product error, 12 sum error.
-   Error <= u |result| + 40 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   30 mul, 78 add, 3 product error, 15 product rest.
+   Error <= u |result| + 49 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double c_0a = q->z * v->y, c_0a_lo = ksl_product_error(q->z, v->y, c_0a),
-      c_0b = q->y * v->z, c_0b_lo = ksl_product_error(q->y, v->z, c_0b), c_0 = c_0a - c_0b,
-      c_0_error = ksl_difference_error(c_0a, c_0b, c_0), c_0_lo1 = c_0_error + c_0a_lo,
-      c_0_lo = c_0_lo1 - c_0b_lo;
-  const double c_1a = q->x * v->z, c_1a_lo = ksl_product_error(q->x, v->z, c_1a),
-      c_1b = q->z * v->x, c_1b_lo = ksl_product_error(q->z, v->x, c_1b), c_1 = c_1a - c_1b,
-      c_1_error = ksl_difference_error(c_1a, c_1b, c_1), c_1_lo1 = c_1_error + c_1a_lo,
-      c_1_lo = c_1_lo1 - c_1b_lo;
-  const double c_2a = q->y * v->x, c_2a_lo = ksl_product_error(q->y, v->x, c_2a),
-      c_2b = q->x * v->y, c_2b_lo = ksl_product_error(q->x, v->y, c_2b), c_2 = c_2a - c_2b,
-      c_2_error = ksl_difference_error(c_2a, c_2b, c_2), c_2_lo1 = c_2_error + c_2a_lo,
-      c_2_lo = c_2_lo1 - c_2b_lo;
-  const double t_0 = 2.0 * c_0, t_0_cross1 = 2.0 * c_0_lo,
-      t_0_error = ksl_product_error(2.0, c_0, t_0), t_0_lo = t_0_error + t_0_cross1;
-  const double t_1 = 2.0 * c_1, t_1_cross1 = 2.0 * c_1_lo,
-      t_1_error = ksl_product_error(2.0, c_1, t_1), t_1_lo = t_1_error + t_1_cross1;
-  const double t_2 = 2.0 * c_2, t_2_cross1 = 2.0 * c_2_lo,
-      t_2_error = ksl_product_error(2.0, c_2, t_2), t_2_lo = t_2_error + t_2_cross1;
-  const double turn_0a = q->w * t_0, turn_0a_cross1 = q->w * t_0_lo,
-      turn_0a_error = ksl_product_error(q->w, t_0, turn_0a),
-      turn_0a_lo = turn_0a_error + turn_0a_cross1, turn_0b = q->z * t_1,
-      turn_0b_cross1 = q->z * t_1_lo, turn_0b_error = ksl_product_error(q->z, t_1, turn_0b),
-      turn_0b_lo = turn_0b_error + turn_0b_cross1, turn_0c = q->y * t_2,
-      turn_0c_cross1 = q->y * t_2_lo, turn_0c_error = ksl_product_error(q->y, t_2, turn_0c),
-      turn_0c_lo = turn_0c_error + turn_0c_cross1, turn_0d = turn_0b - turn_0c,
-      turn_0d_error = ksl_difference_error(turn_0b, turn_0c, turn_0d),
-      turn_0d_lo1 = turn_0d_error + turn_0b_lo, turn_0d_lo = turn_0d_lo1 - turn_0c_lo,
-      turn_0 = turn_0a + turn_0d, turn_0_error = ksl_sum_error(turn_0a, turn_0d, turn_0),
-      turn_0_lo1 = turn_0_error + turn_0a_lo, turn_0_lo = turn_0_lo1 + turn_0d_lo;
-  const double turn_1a = q->w * t_1, turn_1a_cross1 = q->w * t_1_lo,
-      turn_1a_error = ksl_product_error(q->w, t_1, turn_1a),
-      turn_1a_lo = turn_1a_error + turn_1a_cross1, turn_1b = q->x * t_2,
-      turn_1b_cross1 = q->x * t_2_lo, turn_1b_error = ksl_product_error(q->x, t_2, turn_1b),
-      turn_1b_lo = turn_1b_error + turn_1b_cross1, turn_1c = q->z * t_0,
-      turn_1c_cross1 = q->z * t_0_lo, turn_1c_error = ksl_product_error(q->z, t_0, turn_1c),
-      turn_1c_lo = turn_1c_error + turn_1c_cross1, turn_1d = turn_1b - turn_1c,
-      turn_1d_error = ksl_difference_error(turn_1b, turn_1c, turn_1d),
-      turn_1d_lo1 = turn_1d_error + turn_1b_lo, turn_1d_lo = turn_1d_lo1 - turn_1c_lo,
-      turn_1 = turn_1a + turn_1d, turn_1_error = ksl_sum_error(turn_1a, turn_1d, turn_1),
-      turn_1_lo1 = turn_1_error + turn_1a_lo, turn_1_lo = turn_1_lo1 + turn_1d_lo;
-  const double turn_2a = q->w * t_2, turn_2a_cross1 = q->w * t_2_lo,
-      turn_2a_error = ksl_product_error(q->w, t_2, turn_2a),
-      turn_2a_lo = turn_2a_error + turn_2a_cross1, turn_2b = q->y * t_0,
-      turn_2b_cross1 = q->y * t_0_lo, turn_2b_error = ksl_product_error(q->y, t_0, turn_2b),
-      turn_2b_lo = turn_2b_error + turn_2b_cross1, turn_2c = q->x * t_1,
-      turn_2c_cross1 = q->x * t_1_lo, turn_2c_error = ksl_product_error(q->x, t_1, turn_2c),
-      turn_2c_lo = turn_2c_error + turn_2c_cross1, turn_2d = turn_2b - turn_2c,
-      turn_2d_error = ksl_difference_error(turn_2b, turn_2c, turn_2d),
-      turn_2d_lo1 = turn_2d_error + turn_2b_lo, turn_2d_lo = turn_2d_lo1 - turn_2c_lo,
-      turn_2 = turn_2a + turn_2d, turn_2_error = ksl_sum_error(turn_2a, turn_2d, turn_2),
-      turn_2_lo1 = turn_2_error + turn_2a_lo, turn_2_lo = turn_2_lo1 + turn_2d_lo;
-  const double vo_0 = v->x + turn_0, vo_0_error = ksl_sum_error(v->x, turn_0, vo_0),
-      vo_0_lo = vo_0_error + turn_0_lo;
-  const double vo_1 = v->y + turn_1, vo_1_error = ksl_sum_error(v->y, turn_1, vo_1),
-      vo_1_lo = vo_1_error + turn_1_lo;
-  const double vo_2 = v->z + turn_2, vo_2_error = ksl_sum_error(v->z, turn_2, vo_2),
-      vo_2_lo = vo_2_error + turn_2_lo;
+  const double c_0a = q->z * v->y, c_0b = q->y * v->z, c_0 = c_0a - c_0b, c_0_right = c_0a - c_0,
+      c_0_left = c_0 + c_0_right, c_0_left_rest = ksl_product_rest(q->z, v->y, c_0a, c_0_left),
+      c_0_right_rest = ksl_product_rest(q->y, v->z, c_0b, c_0_right),
+      c_0_lo = c_0_left_rest - c_0_right_rest;
+  const double c_1a = q->x * v->z, c_1b = q->z * v->x, c_1 = c_1a - c_1b, c_1_right = c_1a - c_1,
+      c_1_left = c_1 + c_1_right, c_1_left_rest = ksl_product_rest(q->x, v->z, c_1a, c_1_left),
+      c_1_right_rest = ksl_product_rest(q->z, v->x, c_1b, c_1_right),
+      c_1_lo = c_1_left_rest - c_1_right_rest;
+  const double c_2a = q->y * v->x, c_2b = q->x * v->y, c_2 = c_2a - c_2b, c_2_right = c_2a - c_2,
+      c_2_left = c_2 + c_2_right, c_2_left_rest = ksl_product_rest(q->y, v->x, c_2a, c_2_left),
+      c_2_right_rest = ksl_product_rest(q->x, v->y, c_2b, c_2_right),
+      c_2_lo = c_2_left_rest - c_2_right_rest;
+  const double t_0 = 2.0 * c_0, t_0_cross2 = 2.0 * c_0_lo;
+  const double t_1 = 2.0 * c_1, t_1_cross2 = 2.0 * c_1_lo;
+  const double t_2 = 2.0 * c_2, t_2_cross2 = 2.0 * c_2_lo;
+  const double t_0_error = ksl_product_error(2.0, c_0, t_0), t_0_lo = t_0_error + t_0_cross2,
+      turn_0a = q->w * t_0, turn_0a_cross2 = q->w * t_0_lo,
+      t_1_error = ksl_product_error(2.0, c_1, t_1), t_1_lo = t_1_error + t_1_cross2,
+      turn_0b = q->z * t_1, turn_0b_cross2 = q->z * t_1_lo,
+      t_2_error = ksl_product_error(2.0, c_2, t_2), t_2_lo = t_2_error + t_2_cross2,
+      turn_0c = q->y * t_2, turn_0c_cross2 = q->y * t_2_lo, turn_0d = turn_0b - turn_0c,
+      turn_0d_right = turn_0b - turn_0d, turn_0d_left = turn_0d + turn_0d_right,
+      turn_0d_left_rest = ksl_product_rest(q->z, t_1, turn_0b, turn_0d_left),
+      turn_0d_right_rest = ksl_product_rest(q->y, t_2, turn_0c, turn_0d_right),
+      turn_0d_cross = turn_0b_cross2 - turn_0c_cross2,
+      turn_0d_lo1 = turn_0d_left_rest - turn_0d_right_rest,
+      turn_0d_lo = turn_0d_lo1 + turn_0d_cross, turn_0 = turn_0a + turn_0d,
+      turn_0_right = turn_0 - turn_0a, turn_0_left = turn_0 - turn_0_right,
+      turn_0_left_rest = ksl_product_rest(q->w, t_0, turn_0a, turn_0_left),
+      turn_0_right_rest = turn_0d - turn_0_right, turn_0_lo1 = turn_0_left_rest + turn_0_right_rest,
+      turn_0_lo2 = turn_0_lo1 + turn_0d_lo, turn_0_lo = turn_0_lo2 + turn_0a_cross2;
+  const double turn_1a = q->w * t_1, turn_1a_cross2 = q->w * t_1_lo, turn_1b = q->x * t_2,
+      turn_1b_cross2 = q->x * t_2_lo, turn_1c = q->z * t_0, turn_1c_cross2 = q->z * t_0_lo,
+      turn_1d = turn_1b - turn_1c, turn_1d_right = turn_1b - turn_1d,
+      turn_1d_left = turn_1d + turn_1d_right,
+      turn_1d_left_rest = ksl_product_rest(q->x, t_2, turn_1b, turn_1d_left),
+      turn_1d_right_rest = ksl_product_rest(q->z, t_0, turn_1c, turn_1d_right),
+      turn_1d_cross = turn_1b_cross2 - turn_1c_cross2,
+      turn_1d_lo1 = turn_1d_left_rest - turn_1d_right_rest,
+      turn_1d_lo = turn_1d_lo1 + turn_1d_cross, turn_1 = turn_1a + turn_1d,
+      turn_1_right = turn_1 - turn_1a, turn_1_left = turn_1 - turn_1_right,
+      turn_1_left_rest = ksl_product_rest(q->w, t_1, turn_1a, turn_1_left),
+      turn_1_right_rest = turn_1d - turn_1_right, turn_1_lo1 = turn_1_left_rest + turn_1_right_rest,
+      turn_1_lo2 = turn_1_lo1 + turn_1d_lo, turn_1_lo = turn_1_lo2 + turn_1a_cross2;
+  const double turn_2a = q->w * t_2, turn_2a_cross2 = q->w * t_2_lo, turn_2b = q->y * t_0,
+      turn_2b_cross2 = q->y * t_0_lo, turn_2c = q->x * t_1, turn_2c_cross2 = q->x * t_1_lo,
+      turn_2d = turn_2b - turn_2c, turn_2d_right = turn_2b - turn_2d,
+      turn_2d_left = turn_2d + turn_2d_right,
+      turn_2d_left_rest = ksl_product_rest(q->y, t_0, turn_2b, turn_2d_left),
+      turn_2d_right_rest = ksl_product_rest(q->x, t_1, turn_2c, turn_2d_right),
+      turn_2d_cross = turn_2b_cross2 - turn_2c_cross2,
+      turn_2d_lo1 = turn_2d_left_rest - turn_2d_right_rest,
+      turn_2d_lo = turn_2d_lo1 + turn_2d_cross, turn_2 = turn_2a + turn_2d,
+      turn_2_right = turn_2 - turn_2a, turn_2_left = turn_2 - turn_2_right,
+      turn_2_left_rest = ksl_product_rest(q->w, t_2, turn_2a, turn_2_left),
+      turn_2_right_rest = turn_2d - turn_2_right, turn_2_lo1 = turn_2_left_rest + turn_2_right_rest,
+      turn_2_lo2 = turn_2_lo1 + turn_2d_lo, turn_2_lo = turn_2_lo2 + turn_2a_cross2;
+  const double vo_0 = v->x + turn_0, vo_0_right = vo_0 - v->x, vo_0_left = vo_0 - vo_0_right,
+      vo_0_left_rest = v->x - vo_0_left, vo_0_right_rest = turn_0 - vo_0_right,
+      vo_0_lo1 = vo_0_left_rest + vo_0_right_rest, vo_0_lo = vo_0_lo1 + turn_0_lo;
+  const double vo_1 = v->y + turn_1, vo_1_right = vo_1 - v->y, vo_1_left = vo_1 - vo_1_right,
+      vo_1_left_rest = v->y - vo_1_left, vo_1_right_rest = turn_1 - vo_1_right,
+      vo_1_lo1 = vo_1_left_rest + vo_1_right_rest, vo_1_lo = vo_1_lo1 + turn_1_lo;
+  const double vo_2 = v->z + turn_2, vo_2_right = vo_2 - v->z, vo_2_left = vo_2 - vo_2_right,
+      vo_2_left_rest = v->z - vo_2_left, vo_2_right_rest = turn_2 - vo_2_right,
+      vo_2_lo1 = vo_2_left_rest + vo_2_right_rest, vo_2_lo = vo_2_lo1 + turn_2_lo;
   const double vo_0_rounded = vo_0 + vo_0_lo;
   const double vo_1_rounded = vo_1 + vo_1_lo;
   const double vo_2_rounded = vo_2 + vo_2_lo;
@@ -606,149 +710,207 @@ static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const 
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-   41 mul, 80 add, 21 product error, 17 sum error, 2 div, 9 equal, 9 select. */
+   41 mul, 117 add, 11 product error, 24 product rest, 2 div, 9 equal, 9 select. */
 static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
-  const double squares_0 = q->w * q->w, squares_0_lo = ksl_product_error(q->w, q->w, squares_0);
-  const double squares_1 = q->x * q->x, squares_1_lo = ksl_product_error(q->x, q->x, squares_1);
-  const double squares_2 = q->y * q->y, squares_2_lo = ksl_product_error(q->y, q->y, squares_2);
-  const double squares_3 = q->z * q->z, squares_3_lo = ksl_product_error(q->z, q->z, squares_3);
-  const double pairs_0 = squares_0 + squares_1,
-      pairs_0_error = ksl_sum_error(squares_0, squares_1, pairs_0),
-      pairs_0_lo1 = pairs_0_error + squares_0_lo, pairs_0_lo = pairs_0_lo1 + squares_1_lo;
-  const double pairs_1 = squares_2 + squares_3,
-      pairs_1_error = ksl_sum_error(squares_2, squares_3, pairs_1),
-      pairs_1_lo1 = pairs_1_error + squares_2_lo, pairs_1_lo = pairs_1_lo1 + squares_3_lo;
-  const double pairs_2 = squares_0 + squares_2,
-      pairs_2_error = ksl_sum_error(squares_0, squares_2, pairs_2),
-      pairs_2_lo1 = pairs_2_error + squares_0_lo, pairs_2_lo = pairs_2_lo1 + squares_2_lo;
-  const double pairs_3 = squares_1 + squares_3,
-      pairs_3_error = ksl_sum_error(squares_1, squares_3, pairs_3),
-      pairs_3_lo1 = pairs_3_error + squares_1_lo, pairs_3_lo = pairs_3_lo1 + squares_3_lo;
-  const double pairs_4 = squares_0 + squares_3,
-      pairs_4_error = ksl_sum_error(squares_0, squares_3, pairs_4),
-      pairs_4_lo1 = pairs_4_error + squares_0_lo, pairs_4_lo = pairs_4_lo1 + squares_3_lo;
-  const double pairs_5 = squares_1 + squares_2,
-      pairs_5_error = ksl_sum_error(squares_1, squares_2, pairs_5),
-      pairs_5_lo1 = pairs_5_error + squares_1_lo, pairs_5_lo = pairs_5_lo1 + squares_2_lo;
-  const double square = pairs_0 + pairs_1, square_error = ksl_sum_error(pairs_0, pairs_1, square),
-      square_lo1 = square_error + pairs_0_lo, square_lo = square_lo1 + pairs_1_lo;
+  const double squares_0 = q->w * q->w;
+  const double squares_1 = q->x * q->x;
+  const double squares_2 = q->y * q->y;
+  const double squares_3 = q->z * q->z;
+  const double pairs_0 = squares_0 + squares_1, pairs_0_right = pairs_0 - squares_0,
+      pairs_0_left = pairs_0 - pairs_0_right,
+      pairs_0_left_rest = ksl_product_rest(q->w, q->w, squares_0, pairs_0_left),
+      pairs_0_right_rest = ksl_product_rest(q->x, q->x, squares_1, pairs_0_right),
+      pairs_0_lo = pairs_0_left_rest + pairs_0_right_rest;
+  const double pairs_1 = squares_2 + squares_3, pairs_1_right = pairs_1 - squares_2,
+      pairs_1_left = pairs_1 - pairs_1_right,
+      pairs_1_left_rest = ksl_product_rest(q->y, q->y, squares_2, pairs_1_left),
+      pairs_1_right_rest = ksl_product_rest(q->z, q->z, squares_3, pairs_1_right),
+      pairs_1_lo = pairs_1_left_rest + pairs_1_right_rest;
+  const double pairs_2 = squares_0 + squares_2, pairs_2_right = pairs_2 - squares_0,
+      pairs_2_left = pairs_2 - pairs_2_right,
+      pairs_2_left_rest = ksl_product_rest(q->w, q->w, squares_0, pairs_2_left),
+      pairs_2_right_rest = ksl_product_rest(q->y, q->y, squares_2, pairs_2_right),
+      pairs_2_lo = pairs_2_left_rest + pairs_2_right_rest;
+  const double pairs_3 = squares_1 + squares_3, pairs_3_right = pairs_3 - squares_1,
+      pairs_3_left = pairs_3 - pairs_3_right,
+      pairs_3_left_rest = ksl_product_rest(q->x, q->x, squares_1, pairs_3_left),
+      pairs_3_right_rest = ksl_product_rest(q->z, q->z, squares_3, pairs_3_right),
+      pairs_3_lo = pairs_3_left_rest + pairs_3_right_rest;
+  const double pairs_4 = squares_0 + squares_3, pairs_4_right = pairs_4 - squares_0,
+      pairs_4_left = pairs_4 - pairs_4_right,
+      pairs_4_left_rest = ksl_product_rest(q->w, q->w, squares_0, pairs_4_left),
+      pairs_4_right_rest = ksl_product_rest(q->z, q->z, squares_3, pairs_4_right),
+      pairs_4_lo = pairs_4_left_rest + pairs_4_right_rest;
+  const double pairs_5 = squares_1 + squares_2, pairs_5_right = pairs_5 - squares_1,
+      pairs_5_left = pairs_5 - pairs_5_right,
+      pairs_5_left_rest = ksl_product_rest(q->x, q->x, squares_1, pairs_5_left),
+      pairs_5_right_rest = ksl_product_rest(q->y, q->y, squares_2, pairs_5_right),
+      pairs_5_lo = pairs_5_left_rest + pairs_5_right_rest;
+  const double square = pairs_0 + pairs_1, square_right = square - pairs_0,
+      square_left = square - square_right, square_left_rest = pairs_0 - square_left,
+      square_right_rest = pairs_1 - square_right, square_lo1 = square_left_rest + square_right_rest,
+      square_lo2 = square_lo1 + pairs_1_lo, square_lo = square_lo2 + pairs_0_lo;
   const double factor_of_square = square + square_lo,
-      factor_of_square_lo = ksl_sum_error(square, square_lo, factor_of_square),
-      factor = 1.0 / factor_of_square, factor_cross = factor * factor_of_square_lo,
-      factor_product = factor * factor_of_square,
+      factor_of_square_right = factor_of_square - square,
+      factor_of_square_left = factor_of_square - factor_of_square_right,
+      factor_of_square_left_rest = square - factor_of_square_left,
+      factor_of_square_right_rest = square_lo - factor_of_square_right,
+      factor_of_square_lo = factor_of_square_left_rest + factor_of_square_right_rest,
+      factor = 1.0 / factor_of_square, factor_product = factor * factor_of_square,
       factor_product_error = ksl_product_error(factor, factor_of_square, factor_product),
       factor_rest = 1.0 - factor_product, factor_exact = factor_rest - factor_product_error,
-      factor_residual = factor_exact - factor_cross, factor_lo = factor_residual / factor_of_square;
-  const double d0 = pairs_0 - pairs_1, d0_error = ksl_difference_error(pairs_0, pairs_1, d0),
-      d0_lo1 = d0_error + pairs_0_lo, d0_lo = d0_lo1 - pairs_1_lo;
-  const double d1 = pairs_2 - pairs_3, d1_error = ksl_difference_error(pairs_2, pairs_3, d1),
-      d1_lo1 = d1_error + pairs_2_lo, d1_lo = d1_lo1 - pairs_3_lo;
-  const double d2 = pairs_4 - pairs_5, d2_error = ksl_difference_error(pairs_4, pairs_5, d2),
-      d2_lo1 = d2_error + pairs_4_lo, d2_lo = d2_lo1 - pairs_5_lo;
-  const double twice = 2.0 * factor, twice_cross1 = 2.0 * factor_lo,
-      twice_error = ksl_product_error(2.0, factor, twice), twice_lo = twice_error + twice_cross1;
-  const double m_0a = q->x * q->y, m_0a_lo = ksl_product_error(q->x, q->y, m_0a),
-      m_0b = q->w * q->z, m_0b_lo = ksl_product_error(q->w, q->z, m_0b), m_0 = m_0a - m_0b,
-      m_0_error = ksl_difference_error(m_0a, m_0b, m_0), m_0_lo1 = m_0_error + m_0a_lo,
-      m_0_lo = m_0_lo1 - m_0b_lo;
-  const double m_1a = q->w * q->y, m_1a_lo = ksl_product_error(q->w, q->y, m_1a),
-      m_1b = q->x * q->z, m_1b_lo = ksl_product_error(q->x, q->z, m_1b), m_1 = m_1a + m_1b,
-      m_1_error = ksl_sum_error(m_1a, m_1b, m_1), m_1_lo1 = m_1_error + m_1a_lo,
-      m_1_lo = m_1_lo1 + m_1b_lo;
-  const double m_2a = q->y * q->z, m_2a_lo = ksl_product_error(q->y, q->z, m_2a),
-      m_2b = q->w * q->x, m_2b_lo = ksl_product_error(q->w, q->x, m_2b), m_2 = m_2a - m_2b,
-      m_2_error = ksl_difference_error(m_2a, m_2b, m_2), m_2_lo1 = m_2_error + m_2a_lo,
-      m_2_lo = m_2_lo1 - m_2b_lo;
-  const double m_3 = m_0b + m_0a, m_3_error = ksl_sum_error(m_0b, m_0a, m_3),
-      m_3_lo1 = m_3_error + m_0b_lo, m_3_lo = m_3_lo1 + m_0a_lo;
-  const double m_4 = m_1b - m_1a, m_4_error = ksl_difference_error(m_1b, m_1a, m_4),
-      m_4_lo1 = m_4_error + m_1b_lo, m_4_lo = m_4_lo1 - m_1a_lo;
-  const double m_5 = m_2b + m_2a, m_5_error = ksl_sum_error(m_2b, m_2a, m_5),
-      m_5_lo1 = m_5_error + m_2b_lo, m_5_lo = m_5_lo1 + m_2a_lo;
+      factor_cross = factor * factor_of_square_lo, factor_residual = factor_exact - factor_cross,
+      factor_lo = factor_residual / factor_of_square;
+  const double d0 = pairs_0 - pairs_1, d0_right = pairs_0 - d0, d0_left = d0 + d0_right,
+      d0_left_rest = pairs_0 - d0_left, d0_right_rest = pairs_1 - d0_right,
+      d0_lo1 = d0_left_rest - d0_right_rest, d0_lo2 = d0_lo1 - pairs_1_lo,
+      d0_lo = d0_lo2 + pairs_0_lo;
+  const double d1 = pairs_2 - pairs_3, d1_right = pairs_2 - d1, d1_left = d1 + d1_right,
+      d1_left_rest = pairs_2 - d1_left, d1_right_rest = pairs_3 - d1_right,
+      d1_lo1 = d1_left_rest - d1_right_rest, d1_lo2 = d1_lo1 - pairs_3_lo,
+      d1_lo = d1_lo2 + pairs_2_lo;
+  const double d2 = pairs_4 - pairs_5, d2_right = pairs_4 - d2, d2_left = d2 + d2_right,
+      d2_left_rest = pairs_4 - d2_left, d2_right_rest = pairs_5 - d2_right,
+      d2_lo1 = d2_left_rest - d2_right_rest, d2_lo2 = d2_lo1 - pairs_5_lo,
+      d2_lo = d2_lo2 + pairs_4_lo;
+  const double twice = 2.0 * factor, twice_cross2 = 2.0 * factor_lo;
+  const double m_0a = q->x * q->y, m_0b = q->w * q->z, m_0 = m_0a - m_0b, m_0_right = m_0a - m_0,
+      m_0_left = m_0 + m_0_right, m_0_left_rest = ksl_product_rest(q->x, q->y, m_0a, m_0_left),
+      m_0_right_rest = ksl_product_rest(q->w, q->z, m_0b, m_0_right),
+      m_0_lo = m_0_left_rest - m_0_right_rest;
+  const double m_1a = q->w * q->y, m_1b = q->x * q->z, m_1 = m_1a + m_1b, m_1_right = m_1 - m_1a,
+      m_1_left = m_1 - m_1_right, m_1_left_rest = ksl_product_rest(q->w, q->y, m_1a, m_1_left),
+      m_1_right_rest = ksl_product_rest(q->x, q->z, m_1b, m_1_right),
+      m_1_lo = m_1_left_rest + m_1_right_rest;
+  const double m_2a = q->y * q->z, m_2b = q->w * q->x, m_2 = m_2a - m_2b, m_2_right = m_2a - m_2,
+      m_2_left = m_2 + m_2_right, m_2_left_rest = ksl_product_rest(q->y, q->z, m_2a, m_2_left),
+      m_2_right_rest = ksl_product_rest(q->w, q->x, m_2b, m_2_right),
+      m_2_lo = m_2_left_rest - m_2_right_rest;
+  const double m_3 = m_0b + m_0a, m_3_right = m_3 - m_0b, m_3_left = m_3 - m_3_right,
+      m_3_left_rest = ksl_product_rest(q->w, q->z, m_0b, m_3_left),
+      m_3_right_rest = ksl_product_rest(q->x, q->y, m_0a, m_3_right),
+      m_3_lo = m_3_left_rest + m_3_right_rest;
+  const double m_4 = m_1b - m_1a, m_4_right = m_1b - m_4, m_4_left = m_4 + m_4_right,
+      m_4_left_rest = ksl_product_rest(q->x, q->z, m_1b, m_4_left),
+      m_4_right_rest = ksl_product_rest(q->w, q->y, m_1a, m_4_right),
+      m_4_lo = m_4_left_rest - m_4_right_rest;
+  const double m_5 = m_2b + m_2a, m_5_right = m_5 - m_2b, m_5_left = m_5 - m_5_right,
+      m_5_left_rest = ksl_product_rest(q->w, q->x, m_2b, m_5_left),
+      m_5_right_rest = ksl_product_rest(q->y, q->z, m_2a, m_5_right),
+      m_5_lo = m_5_left_rest + m_5_right_rest;
   const double R_00 = factor * d0, R_00_cross1 = factor_lo * d0, R_00_cross2 = factor * d0_lo,
-      R_00_error = ksl_product_error(factor, d0, R_00), R_00_lo1 = R_00_error + R_00_cross1,
-      R_00_lo = R_00_lo1 + R_00_cross2;
-  const double R_01 = twice * m_0, R_01_cross1 = twice_lo * m_0, R_01_cross2 = twice * m_0_lo,
-      R_01_error = ksl_product_error(twice, m_0, R_01), R_01_lo1 = R_01_error + R_01_cross1,
-      R_01_lo = R_01_lo1 + R_01_cross2;
+      R_00_cross = R_00_cross1 + R_00_cross2;
+  const double twice_error = ksl_product_error(2.0, factor, twice),
+      twice_lo = twice_error + twice_cross2, R_01 = twice * m_0, R_01_cross1 = twice_lo * m_0,
+      R_01_cross2 = twice * m_0_lo, R_01_cross = R_01_cross1 + R_01_cross2;
   const double R_02 = twice * m_1, R_02_cross1 = twice_lo * m_1, R_02_cross2 = twice * m_1_lo,
-      R_02_error = ksl_product_error(twice, m_1, R_02), R_02_lo1 = R_02_error + R_02_cross1,
-      R_02_lo = R_02_lo1 + R_02_cross2;
+      R_02_cross = R_02_cross1 + R_02_cross2;
   const double R_10 = twice * m_3, R_10_cross1 = twice_lo * m_3, R_10_cross2 = twice * m_3_lo,
-      R_10_error = ksl_product_error(twice, m_3, R_10), R_10_lo1 = R_10_error + R_10_cross1,
-      R_10_lo = R_10_lo1 + R_10_cross2;
+      R_10_cross = R_10_cross1 + R_10_cross2;
   const double R_11 = factor * d1, R_11_cross1 = factor_lo * d1, R_11_cross2 = factor * d1_lo,
-      R_11_error = ksl_product_error(factor, d1, R_11), R_11_lo1 = R_11_error + R_11_cross1,
-      R_11_lo = R_11_lo1 + R_11_cross2;
+      R_11_cross = R_11_cross1 + R_11_cross2;
   const double R_12 = twice * m_2, R_12_cross1 = twice_lo * m_2, R_12_cross2 = twice * m_2_lo,
-      R_12_error = ksl_product_error(twice, m_2, R_12), R_12_lo1 = R_12_error + R_12_cross1,
-      R_12_lo = R_12_lo1 + R_12_cross2;
+      R_12_cross = R_12_cross1 + R_12_cross2;
   const double R_20 = twice * m_4, R_20_cross1 = twice_lo * m_4, R_20_cross2 = twice * m_4_lo,
-      R_20_error = ksl_product_error(twice, m_4, R_20), R_20_lo1 = R_20_error + R_20_cross1,
-      R_20_lo = R_20_lo1 + R_20_cross2;
+      R_20_cross = R_20_cross1 + R_20_cross2;
   const double R_21 = twice * m_5, R_21_cross1 = twice_lo * m_5, R_21_cross2 = twice * m_5_lo,
-      R_21_error = ksl_product_error(twice, m_5, R_21), R_21_lo1 = R_21_error + R_21_cross1,
-      R_21_lo = R_21_lo1 + R_21_cross2;
+      R_21_cross = R_21_cross1 + R_21_cross2;
   const double R_22 = factor * d2, R_22_cross1 = factor_lo * d2, R_22_cross2 = factor * d2_lo,
-      R_22_error = ksl_product_error(factor, d2, R_22), R_22_lo1 = R_22_error + R_22_cross1,
-      R_22_lo = R_22_lo1 + R_22_cross2;
-  const double R_00_total = R_00 + R_00_lo,
-      R_00_rounded = R_00_total == R_00_total ? R_00_total : R_00;
-  const double R_01_total = R_01 + R_01_lo,
-      R_01_rounded = R_01_total == R_01_total ? R_01_total : R_01;
-  const double R_02_total = R_02 + R_02_lo,
-      R_02_rounded = R_02_total == R_02_total ? R_02_total : R_02;
-  const double R_10_total = R_10 + R_10_lo,
-      R_10_rounded = R_10_total == R_10_total ? R_10_total : R_10;
-  const double R_11_total = R_11 + R_11_lo,
-      R_11_rounded = R_11_total == R_11_total ? R_11_total : R_11;
-  const double R_12_total = R_12 + R_12_lo,
-      R_12_rounded = R_12_total == R_12_total ? R_12_total : R_12;
-  const double R_20_total = R_20 + R_20_lo,
-      R_20_rounded = R_20_total == R_20_total ? R_20_total : R_20;
-  const double R_21_total = R_21 + R_21_lo,
-      R_21_rounded = R_21_total == R_21_total ? R_21_total : R_21;
-  const double R_22_total = R_22 + R_22_lo,
-      R_22_rounded = R_22_total == R_22_total ? R_22_total : R_22;
-  R->m00 = R_00_rounded;
-  R->m01 = R_01_rounded;
-  R->m02 = R_02_rounded;
-  R->m10 = R_10_rounded;
-  R->m11 = R_11_rounded;
-  R->m12 = R_12_rounded;
-  R->m20 = R_20_rounded;
-  R->m21 = R_21_rounded;
-  R->m22 = R_22_rounded;
+      R_22_cross = R_22_cross1 + R_22_cross2;
+  const double R_00_error = ksl_product_error(factor, d0, R_00), R_00_lo = R_00_error + R_00_cross,
+      R_00_rounded = R_00 + R_00_lo,
+      R_00_final = R_00_rounded == R_00_rounded ? R_00_rounded : R_00;
+  const double R_01_error = ksl_product_error(twice, m_0, R_01), R_01_lo = R_01_error + R_01_cross,
+      R_01_rounded = R_01 + R_01_lo,
+      R_01_final = R_01_rounded == R_01_rounded ? R_01_rounded : R_01;
+  const double R_02_error = ksl_product_error(twice, m_1, R_02), R_02_lo = R_02_error + R_02_cross,
+      R_02_rounded = R_02 + R_02_lo,
+      R_02_final = R_02_rounded == R_02_rounded ? R_02_rounded : R_02;
+  const double R_10_error = ksl_product_error(twice, m_3, R_10), R_10_lo = R_10_error + R_10_cross,
+      R_10_rounded = R_10 + R_10_lo,
+      R_10_final = R_10_rounded == R_10_rounded ? R_10_rounded : R_10;
+  const double R_11_error = ksl_product_error(factor, d1, R_11), R_11_lo = R_11_error + R_11_cross,
+      R_11_rounded = R_11 + R_11_lo,
+      R_11_final = R_11_rounded == R_11_rounded ? R_11_rounded : R_11;
+  const double R_12_error = ksl_product_error(twice, m_2, R_12), R_12_lo = R_12_error + R_12_cross,
+      R_12_rounded = R_12 + R_12_lo,
+      R_12_final = R_12_rounded == R_12_rounded ? R_12_rounded : R_12;
+  const double R_20_error = ksl_product_error(twice, m_4, R_20), R_20_lo = R_20_error + R_20_cross,
+      R_20_rounded = R_20 + R_20_lo,
+      R_20_final = R_20_rounded == R_20_rounded ? R_20_rounded : R_20;
+  const double R_21_error = ksl_product_error(twice, m_5, R_21), R_21_lo = R_21_error + R_21_cross,
+      R_21_rounded = R_21 + R_21_lo,
+      R_21_final = R_21_rounded == R_21_rounded ? R_21_rounded : R_21;
+  const double R_22_error = ksl_product_error(factor, d2, R_22), R_22_lo = R_22_error + R_22_cross,
+      R_22_rounded = R_22 + R_22_lo,
+      R_22_final = R_22_rounded == R_22_rounded ? R_22_rounded : R_22;
+  R->m00 = R_00_final;
+  R->m01 = R_01_final;
+  R->m02 = R_02_final;
+  R->m10 = R_10_final;
+  R->m11 = R_11_final;
+  R->m12 = R_12_final;
+  R->m20 = R_20_final;
+  R->m21 = R_21_final;
+  R->m22 = R_22_final;
 }
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-   21 mul, 73 add, 9 product error, 27 sum error, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
+   21 mul, 200 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
      select. */
 static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
     ksl_quaternion_t *qo) {
-  const double p_0 = R->m21 - R->m12, p_0_lo = ksl_difference_error(R->m21, R->m12, p_0);
-  const double p_1 = R->m02 - R->m20, p_1_lo = ksl_difference_error(R->m02, R->m20, p_1);
-  const double p_2 = R->m10 - R->m01, p_2_lo = ksl_difference_error(R->m10, R->m01, p_2);
-  const double s_0 = R->m12 + R->m21, s_0_lo = ksl_sum_error(R->m12, R->m21, s_0);
-  const double s_1 = R->m02 + R->m20, s_1_lo = ksl_sum_error(R->m02, R->m20, s_1);
-  const double s_2 = R->m01 + R->m10, s_2_lo = ksl_sum_error(R->m01, R->m10, s_2);
-  const double d_0a = R->m00 + R->m11, d_0a_lo = ksl_sum_error(R->m00, R->m11, d_0a),
-      d_0b = d_0a + R->m22, d_0b_error = ksl_sum_error(d_0a, R->m22, d_0b),
-      d_0b_lo = d_0b_error + d_0a_lo, d_0 = d_0b + 1.0, d_0_error = ksl_sum_error(d_0b, 1.0, d_0),
-      d_0_lo = d_0_error + d_0b_lo;
-  const double d_1a = R->m00 - R->m11, d_1a_lo = ksl_difference_error(R->m00, R->m11, d_1a),
-      d_1b = d_1a - R->m22, d_1b_error = ksl_difference_error(d_1a, R->m22, d_1b),
-      d_1b_lo = d_1b_error + d_1a_lo, d_1 = d_1b + 1.0, d_1_error = ksl_sum_error(d_1b, 1.0, d_1),
-      d_1_lo = d_1_error + d_1b_lo;
-  const double d_2a = R->m11 - R->m00, d_2a_lo = ksl_difference_error(R->m11, R->m00, d_2a),
-      d_2b = d_2a - R->m22, d_2b_error = ksl_difference_error(d_2a, R->m22, d_2b),
-      d_2b_lo = d_2b_error + d_2a_lo, d_2 = d_2b + 1.0, d_2_error = ksl_sum_error(d_2b, 1.0, d_2),
-      d_2_lo = d_2_error + d_2b_lo;
-  const double d_3a = R->m22 - R->m00, d_3a_lo = ksl_difference_error(R->m22, R->m00, d_3a),
-      d_3b = d_3a - R->m11, d_3b_error = ksl_difference_error(d_3a, R->m11, d_3b),
-      d_3b_lo = d_3b_error + d_3a_lo, d_3 = d_3b + 1.0, d_3_error = ksl_sum_error(d_3b, 1.0, d_3),
-      d_3_lo = d_3_error + d_3b_lo;
+  const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
+      p_0_left_rest = R->m21 - p_0_left, p_0_right_rest = R->m12 - p_0_right,
+      p_0_lo = p_0_left_rest - p_0_right_rest;
+  const double p_1 = R->m02 - R->m20, p_1_right = R->m02 - p_1, p_1_left = p_1 + p_1_right,
+      p_1_left_rest = R->m02 - p_1_left, p_1_right_rest = R->m20 - p_1_right,
+      p_1_lo = p_1_left_rest - p_1_right_rest;
+  const double p_2 = R->m10 - R->m01, p_2_right = R->m10 - p_2, p_2_left = p_2 + p_2_right,
+      p_2_left_rest = R->m10 - p_2_left, p_2_right_rest = R->m01 - p_2_right,
+      p_2_lo = p_2_left_rest - p_2_right_rest;
+  const double s_0 = R->m12 + R->m21, s_0_right = s_0 - R->m12, s_0_left = s_0 - s_0_right,
+      s_0_left_rest = R->m12 - s_0_left, s_0_right_rest = R->m21 - s_0_right,
+      s_0_lo = s_0_left_rest + s_0_right_rest;
+  const double s_1 = R->m02 + R->m20, s_1_right = s_1 - R->m02, s_1_left = s_1 - s_1_right,
+      s_1_left_rest = R->m02 - s_1_left, s_1_right_rest = R->m20 - s_1_right,
+      s_1_lo = s_1_left_rest + s_1_right_rest;
+  const double s_2 = R->m01 + R->m10, s_2_right = s_2 - R->m01, s_2_left = s_2 - s_2_right,
+      s_2_left_rest = R->m01 - s_2_left, s_2_right_rest = R->m10 - s_2_right,
+      s_2_lo = s_2_left_rest + s_2_right_rest;
+  const double d_0a = R->m00 + R->m11, d_0a_right = d_0a - R->m00, d_0a_left = d_0a - d_0a_right,
+      d_0a_left_rest = R->m00 - d_0a_left, d_0a_right_rest = R->m11 - d_0a_right,
+      d_0a_lo = d_0a_left_rest + d_0a_right_rest, d_0b = d_0a + R->m22, d_0b_right = d_0b - d_0a,
+      d_0b_left = d_0b - d_0b_right, d_0b_left_rest = d_0a - d_0b_left,
+      d_0b_right_rest = R->m22 - d_0b_right, d_0b_lo1 = d_0b_left_rest + d_0b_right_rest,
+      d_0b_lo = d_0b_lo1 + d_0a_lo, d_0 = d_0b + 1.0, d_0_right = d_0 - d_0b,
+      d_0_left = d_0 - d_0_right, d_0_left_rest = d_0b - d_0_left, d_0_right_rest = 1.0 - d_0_right,
+      d_0_lo1 = d_0_left_rest + d_0_right_rest, d_0_lo = d_0_lo1 + d_0b_lo;
+  const double d_1a = R->m00 - R->m11, d_1a_right = R->m00 - d_1a, d_1a_left = d_1a + d_1a_right,
+      d_1a_left_rest = R->m00 - d_1a_left, d_1a_right_rest = R->m11 - d_1a_right,
+      d_1a_lo = d_1a_left_rest - d_1a_right_rest, d_1b = d_1a - R->m22, d_1b_right = d_1a - d_1b,
+      d_1b_left = d_1b + d_1b_right, d_1b_left_rest = d_1a - d_1b_left,
+      d_1b_right_rest = R->m22 - d_1b_right, d_1b_lo1 = d_1b_left_rest - d_1b_right_rest,
+      d_1b_lo = d_1b_lo1 + d_1a_lo, d_1 = d_1b + 1.0, d_1_right = d_1 - d_1b,
+      d_1_left = d_1 - d_1_right, d_1_left_rest = d_1b - d_1_left, d_1_right_rest = 1.0 - d_1_right,
+      d_1_lo1 = d_1_left_rest + d_1_right_rest, d_1_lo = d_1_lo1 + d_1b_lo;
+  const double d_2a = R->m11 - R->m00, d_2a_right = R->m11 - d_2a, d_2a_left = d_2a + d_2a_right,
+      d_2a_left_rest = R->m11 - d_2a_left, d_2a_right_rest = R->m00 - d_2a_right,
+      d_2a_lo = d_2a_left_rest - d_2a_right_rest, d_2b = d_2a - R->m22, d_2b_right = d_2a - d_2b,
+      d_2b_left = d_2b + d_2b_right, d_2b_left_rest = d_2a - d_2b_left,
+      d_2b_right_rest = R->m22 - d_2b_right, d_2b_lo1 = d_2b_left_rest - d_2b_right_rest,
+      d_2b_lo = d_2b_lo1 + d_2a_lo, d_2 = d_2b + 1.0, d_2_right = d_2 - d_2b,
+      d_2_left = d_2 - d_2_right, d_2_left_rest = d_2b - d_2_left, d_2_right_rest = 1.0 - d_2_right,
+      d_2_lo1 = d_2_left_rest + d_2_right_rest, d_2_lo = d_2_lo1 + d_2b_lo;
+  const double d_3a = R->m22 - R->m00, d_3a_right = R->m22 - d_3a, d_3a_left = d_3a + d_3a_right,
+      d_3a_left_rest = R->m22 - d_3a_left, d_3a_right_rest = R->m00 - d_3a_right,
+      d_3a_lo = d_3a_left_rest - d_3a_right_rest, d_3b = d_3a - R->m11, d_3b_right = d_3a - d_3b,
+      d_3b_left = d_3b + d_3b_right, d_3b_left_rest = d_3a - d_3b_left,
+      d_3b_right_rest = R->m11 - d_3b_right, d_3b_lo1 = d_3b_left_rest - d_3b_right_rest,
+      d_3b_lo = d_3b_lo1 + d_3a_lo, d_3 = d_3b + 1.0, d_3_right = d_3 - d_3b,
+      d_3_left = d_3 - d_3_right, d_3_left_rest = d_3b - d_3_left, d_3_right_rest = 1.0 - d_3_right,
+      d_3_lo1 = d_3_left_rest + d_3_right_rest, d_3_lo = d_3_lo1 + d_3b_lo;
   const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
   const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
   const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
@@ -782,29 +944,36 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
       upper_3 = column_0 < 0.0 ? upper_3a : column_3,
       upper_3_lo = column_0 < 0.0 ? upper_3a_lo : column_3_lo;
   const double length_a = upper_0 * upper_0, length_a_cross1 = upper_0_lo * upper_0,
-      length_a_cross2 = upper_0 * upper_0_lo,
-      length_a_error = ksl_product_error(upper_0, upper_0, length_a),
-      length_a_lo1 = length_a_error + length_a_cross1, length_a_lo = length_a_lo1 + length_a_cross2,
+      length_a_cross2 = upper_0 * upper_0_lo, length_a_cross = length_a_cross1 + length_a_cross2,
       length_b = upper_1 * upper_1, length_b_cross1 = upper_1_lo * upper_1,
-      length_b_cross2 = upper_1 * upper_1_lo,
-      length_b_error = ksl_product_error(upper_1, upper_1, length_b),
-      length_b_lo1 = length_b_error + length_b_cross1, length_b_lo = length_b_lo1 + length_b_cross2,
-      length_c = length_a + length_b, length_c_error = ksl_sum_error(length_a, length_b, length_c),
-      length_c_lo1 = length_c_error + length_a_lo, length_c_lo = length_c_lo1 + length_b_lo,
-      length_d = upper_2 * upper_2, length_d_cross1 = upper_2_lo * upper_2,
-      length_d_cross2 = upper_2 * upper_2_lo,
-      length_d_error = ksl_product_error(upper_2, upper_2, length_d),
-      length_d_lo1 = length_d_error + length_d_cross1, length_d_lo = length_d_lo1 + length_d_cross2,
-      length_e = length_c + length_d, length_e_error = ksl_sum_error(length_c, length_d, length_e),
-      length_e_lo1 = length_e_error + length_c_lo, length_e_lo = length_e_lo1 + length_d_lo,
+      length_b_cross2 = upper_1 * upper_1_lo, length_b_cross = length_b_cross1 + length_b_cross2,
+      length_c = length_a + length_b, length_c_right = length_c - length_a,
+      length_c_left = length_c - length_c_right,
+      length_c_left_rest = ksl_product_rest(upper_0, upper_0, length_a, length_c_left),
+      length_c_right_rest = ksl_product_rest(upper_1, upper_1, length_b, length_c_right),
+      length_c_cross = length_a_cross + length_b_cross,
+      length_c_lo1 = length_c_left_rest + length_c_right_rest,
+      length_c_lo = length_c_lo1 + length_c_cross, length_d = upper_2 * upper_2,
+      length_d_cross1 = upper_2_lo * upper_2, length_d_cross2 = upper_2 * upper_2_lo,
+      length_d_cross = length_d_cross1 + length_d_cross2, length_e = length_c + length_d,
+      length_e_right = length_e - length_c, length_e_left = length_e - length_e_right,
+      length_e_left_rest = length_c - length_e_left,
+      length_e_right_rest = ksl_product_rest(upper_2, upper_2, length_d, length_e_right),
+      length_e_lo1 = length_e_left_rest + length_e_right_rest,
+      length_e_lo2 = length_e_lo1 + length_d_cross, length_e_lo = length_e_lo2 + length_c_lo,
       length_f = upper_3 * upper_3, length_f_cross1 = upper_3_lo * upper_3,
-      length_f_cross2 = upper_3 * upper_3_lo,
-      length_f_error = ksl_product_error(upper_3, upper_3, length_f),
-      length_f_lo1 = length_f_error + length_f_cross1, length_f_lo = length_f_lo1 + length_f_cross2,
-      length_g = length_e + length_f, length_g_error = ksl_sum_error(length_e, length_f, length_g),
-      length_g_lo1 = length_g_error + length_e_lo, length_g_lo = length_g_lo1 + length_f_lo,
+      length_f_cross2 = upper_3 * upper_3_lo, length_f_cross = length_f_cross1 + length_f_cross2,
+      length_g = length_e + length_f, length_g_right = length_g - length_e,
+      length_g_left = length_g - length_g_right, length_g_left_rest = length_e - length_g_left,
+      length_g_right_rest = ksl_product_rest(upper_3, upper_3, length_f, length_g_right),
+      length_g_lo1 = length_g_left_rest + length_g_right_rest,
+      length_g_lo2 = length_g_lo1 + length_f_cross, length_g_lo = length_g_lo2 + length_e_lo,
       length_of_length_g = length_g + length_g_lo,
-      length_of_length_g_lo = ksl_sum_error(length_g, length_g_lo, length_of_length_g),
+      length_of_length_g_right = length_of_length_g - length_g,
+      length_of_length_g_left = length_of_length_g - length_of_length_g_right,
+      length_of_length_g_left_rest = length_g - length_of_length_g_left,
+      length_of_length_g_right_rest = length_g_lo - length_of_length_g_right,
+      length_of_length_g_lo = length_of_length_g_left_rest + length_of_length_g_right_rest,
       length = sqrt(length_of_length_g), length_product = length * length,
       length_product_error = ksl_product_error(length, length, length_product),
       length_rest = length_of_length_g - length_product,
@@ -813,58 +982,73 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
       length_divisor = length == 0.0 ? 1.0 : length_twice,
       length_lo = length_residual / length_divisor;
   const double qo_0_of_upper_0 = upper_0 + upper_0_lo,
-      qo_0_of_upper_0_lo = ksl_sum_error(upper_0, upper_0_lo, qo_0_of_upper_0),
-      qo_0_of_length = length + length_lo,
-      qo_0_of_length_lo = ksl_sum_error(length, length_lo, qo_0_of_length),
-      qo_0 = qo_0_of_upper_0 / qo_0_of_length, qo_0_cross = qo_0 * qo_0_of_length_lo,
-      qo_0_product = qo_0 * qo_0_of_length,
+      qo_0_of_upper_0_right = qo_0_of_upper_0 - upper_0,
+      qo_0_of_upper_0_left = qo_0_of_upper_0 - qo_0_of_upper_0_right,
+      qo_0_of_upper_0_left_rest = upper_0 - qo_0_of_upper_0_left,
+      qo_0_of_upper_0_right_rest = upper_0_lo - qo_0_of_upper_0_right,
+      qo_0_of_upper_0_lo = qo_0_of_upper_0_left_rest + qo_0_of_upper_0_right_rest,
+      qo_0_of_length = length + length_lo, qo_0_of_length_right = qo_0_of_length - length,
+      qo_0_of_length_left = qo_0_of_length - qo_0_of_length_right,
+      qo_0_of_length_left_rest = length - qo_0_of_length_left,
+      qo_0_of_length_right_rest = length_lo - qo_0_of_length_right,
+      qo_0_of_length_lo = qo_0_of_length_left_rest + qo_0_of_length_right_rest,
+      qo_0 = qo_0_of_upper_0 / qo_0_of_length, qo_0_product = qo_0 * qo_0_of_length,
       qo_0_product_error = ksl_product_error(qo_0, qo_0_of_length, qo_0_product),
       qo_0_rest = qo_0_of_upper_0 - qo_0_product, qo_0_exact = qo_0_rest - qo_0_product_error,
-      qo_0_lo1 = qo_0_exact + qo_0_of_upper_0_lo, qo_0_residual = qo_0_lo1 - qo_0_cross,
-      qo_0_lo = qo_0_residual / qo_0_of_length;
+      qo_0_numerator = qo_0_exact + qo_0_of_upper_0_lo, qo_0_cross = qo_0 * qo_0_of_length_lo,
+      qo_0_residual = qo_0_numerator - qo_0_cross, qo_0_lo = qo_0_residual / qo_0_of_length;
   const double qo_1_of_upper_1 = upper_1 + upper_1_lo,
-      qo_1_of_upper_1_lo = ksl_sum_error(upper_1, upper_1_lo, qo_1_of_upper_1),
-      qo_1 = qo_1_of_upper_1 / qo_0_of_length, qo_1_cross = qo_1 * qo_0_of_length_lo,
-      qo_1_product = qo_1 * qo_0_of_length,
+      qo_1_of_upper_1_right = qo_1_of_upper_1 - upper_1,
+      qo_1_of_upper_1_left = qo_1_of_upper_1 - qo_1_of_upper_1_right,
+      qo_1_of_upper_1_left_rest = upper_1 - qo_1_of_upper_1_left,
+      qo_1_of_upper_1_right_rest = upper_1_lo - qo_1_of_upper_1_right,
+      qo_1_of_upper_1_lo = qo_1_of_upper_1_left_rest + qo_1_of_upper_1_right_rest,
+      qo_1 = qo_1_of_upper_1 / qo_0_of_length, qo_1_product = qo_1 * qo_0_of_length,
       qo_1_product_error = ksl_product_error(qo_1, qo_0_of_length, qo_1_product),
       qo_1_rest = qo_1_of_upper_1 - qo_1_product, qo_1_exact = qo_1_rest - qo_1_product_error,
-      qo_1_lo1 = qo_1_exact + qo_1_of_upper_1_lo, qo_1_residual = qo_1_lo1 - qo_1_cross,
-      qo_1_lo = qo_1_residual / qo_0_of_length;
+      qo_1_numerator = qo_1_exact + qo_1_of_upper_1_lo, qo_1_cross = qo_1 * qo_0_of_length_lo,
+      qo_1_residual = qo_1_numerator - qo_1_cross, qo_1_lo = qo_1_residual / qo_0_of_length;
   const double qo_2_of_upper_2 = upper_2 + upper_2_lo,
-      qo_2_of_upper_2_lo = ksl_sum_error(upper_2, upper_2_lo, qo_2_of_upper_2),
-      qo_2 = qo_2_of_upper_2 / qo_0_of_length, qo_2_cross = qo_2 * qo_0_of_length_lo,
-      qo_2_product = qo_2 * qo_0_of_length,
+      qo_2_of_upper_2_right = qo_2_of_upper_2 - upper_2,
+      qo_2_of_upper_2_left = qo_2_of_upper_2 - qo_2_of_upper_2_right,
+      qo_2_of_upper_2_left_rest = upper_2 - qo_2_of_upper_2_left,
+      qo_2_of_upper_2_right_rest = upper_2_lo - qo_2_of_upper_2_right,
+      qo_2_of_upper_2_lo = qo_2_of_upper_2_left_rest + qo_2_of_upper_2_right_rest,
+      qo_2 = qo_2_of_upper_2 / qo_0_of_length, qo_2_product = qo_2 * qo_0_of_length,
       qo_2_product_error = ksl_product_error(qo_2, qo_0_of_length, qo_2_product),
       qo_2_rest = qo_2_of_upper_2 - qo_2_product, qo_2_exact = qo_2_rest - qo_2_product_error,
-      qo_2_lo1 = qo_2_exact + qo_2_of_upper_2_lo, qo_2_residual = qo_2_lo1 - qo_2_cross,
-      qo_2_lo = qo_2_residual / qo_0_of_length;
+      qo_2_numerator = qo_2_exact + qo_2_of_upper_2_lo, qo_2_cross = qo_2 * qo_0_of_length_lo,
+      qo_2_residual = qo_2_numerator - qo_2_cross, qo_2_lo = qo_2_residual / qo_0_of_length;
   const double qo_3_of_upper_3 = upper_3 + upper_3_lo,
-      qo_3_of_upper_3_lo = ksl_sum_error(upper_3, upper_3_lo, qo_3_of_upper_3),
-      qo_3 = qo_3_of_upper_3 / qo_0_of_length, qo_3_cross = qo_3 * qo_0_of_length_lo,
-      qo_3_product = qo_3 * qo_0_of_length,
+      qo_3_of_upper_3_right = qo_3_of_upper_3 - upper_3,
+      qo_3_of_upper_3_left = qo_3_of_upper_3 - qo_3_of_upper_3_right,
+      qo_3_of_upper_3_left_rest = upper_3 - qo_3_of_upper_3_left,
+      qo_3_of_upper_3_right_rest = upper_3_lo - qo_3_of_upper_3_right,
+      qo_3_of_upper_3_lo = qo_3_of_upper_3_left_rest + qo_3_of_upper_3_right_rest,
+      qo_3 = qo_3_of_upper_3 / qo_0_of_length, qo_3_product = qo_3 * qo_0_of_length,
       qo_3_product_error = ksl_product_error(qo_3, qo_0_of_length, qo_3_product),
       qo_3_rest = qo_3_of_upper_3 - qo_3_product, qo_3_exact = qo_3_rest - qo_3_product_error,
-      qo_3_lo1 = qo_3_exact + qo_3_of_upper_3_lo, qo_3_residual = qo_3_lo1 - qo_3_cross,
-      qo_3_lo = qo_3_residual / qo_0_of_length;
-  const double qo_0_total = qo_0 + qo_0_lo,
-      qo_0_rounded = qo_0_total == qo_0_total ? qo_0_total : qo_0;
-  const double qo_1_total = qo_1 + qo_1_lo,
-      qo_1_rounded = qo_1_total == qo_1_total ? qo_1_total : qo_1;
-  const double qo_2_total = qo_2 + qo_2_lo,
-      qo_2_rounded = qo_2_total == qo_2_total ? qo_2_total : qo_2;
-  const double qo_3_total = qo_3 + qo_3_lo,
-      qo_3_rounded = qo_3_total == qo_3_total ? qo_3_total : qo_3;
-  qo->w = qo_0_rounded;
-  qo->x = qo_1_rounded;
-  qo->y = qo_2_rounded;
-  qo->z = qo_3_rounded;
+      qo_3_numerator = qo_3_exact + qo_3_of_upper_3_lo, qo_3_cross = qo_3 * qo_0_of_length_lo,
+      qo_3_residual = qo_3_numerator - qo_3_cross, qo_3_lo = qo_3_residual / qo_0_of_length;
+  const double qo_0_rounded = qo_0 + qo_0_lo,
+      qo_0_final = qo_0_rounded == qo_0_rounded ? qo_0_rounded : qo_0;
+  const double qo_1_rounded = qo_1 + qo_1_lo,
+      qo_1_final = qo_1_rounded == qo_1_rounded ? qo_1_rounded : qo_1;
+  const double qo_2_rounded = qo_2 + qo_2_lo,
+      qo_2_final = qo_2_rounded == qo_2_rounded ? qo_2_rounded : qo_2;
+  const double qo_3_rounded = qo_3 + qo_3_lo,
+      qo_3_final = qo_3_rounded == qo_3_rounded ? qo_3_rounded : qo_3;
+  qo->w = qo_0_final;
+  qo->x = qo_1_final;
+  qo->y = qo_2_final;
+  qo->z = qo_3_final;
 }
 
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where angle
      = 0; any multiple of a quaternion.
    q: quaternion (w; x, y, z), the scalar first; axis: vector.
-   21 mul, 31 add, 8 product error, 6 sum error, 9 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 7
-     equal, 20 select. */
+   22 mul, 56 add, 5 product error, 3 product rest, 9 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less,
+     7 equal, 20 select. */
 static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternion_t *q,
     ksl_vec3_t *axis) {
   const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
@@ -881,71 +1065,85 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
   const double v_y_0 = upper_1 * v_s;
   const double v_y_1 = upper_2 * v_s;
   const double v_y_2 = upper_3 * v_s;
-  const double v_n_a = v_y_0 * v_y_0, v_n_a_lo = ksl_product_error(v_y_0, v_y_0, v_n_a),
-      v_n_b = v_y_1 * v_y_1, v_n_b_lo = ksl_product_error(v_y_1, v_y_1, v_n_b),
-      v_n_c = v_n_a + v_n_b, v_n_c_error = ksl_sum_error(v_n_a, v_n_b, v_n_c),
-      v_n_c_lo1 = v_n_c_error + v_n_a_lo, v_n_c_lo = v_n_c_lo1 + v_n_b_lo, v_n_d = v_y_2 * v_y_2,
-      v_n_d_lo = ksl_product_error(v_y_2, v_y_2, v_n_d), v_n_e = v_n_c + v_n_d,
-      v_n_e_error = ksl_sum_error(v_n_c, v_n_d, v_n_e), v_n_e_lo1 = v_n_e_error + v_n_c_lo,
-      v_n_e_lo = v_n_e_lo1 + v_n_d_lo, v_n_of_v_n_e = v_n_e + v_n_e_lo,
-      v_n_of_v_n_e_lo = ksl_sum_error(v_n_e, v_n_e_lo, v_n_of_v_n_e), v_n = sqrt(v_n_of_v_n_e),
+  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_c_right = v_n_c - v_n_a, v_n_c_left = v_n_c - v_n_c_right,
+      v_n_c_left_rest = ksl_product_rest(v_y_0, v_y_0, v_n_a, v_n_c_left),
+      v_n_c_right_rest = ksl_product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right),
+      v_n_c_lo = v_n_c_left_rest + v_n_c_right_rest, v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d,
+      v_n_e_right = v_n_e - v_n_c, v_n_e_left = v_n_e - v_n_e_right,
+      v_n_e_left_rest = v_n_c - v_n_e_left,
+      v_n_e_right_rest = ksl_product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right),
+      v_n_e_lo1 = v_n_e_left_rest + v_n_e_right_rest, v_n_e_lo = v_n_e_lo1 + v_n_c_lo,
+      v_n_of_v_n_e = v_n_e + v_n_e_lo, v_n_of_v_n_e_right = v_n_of_v_n_e - v_n_e,
+      v_n_of_v_n_e_left = v_n_of_v_n_e - v_n_of_v_n_e_right,
+      v_n_of_v_n_e_left_rest = v_n_e - v_n_of_v_n_e_left,
+      v_n_of_v_n_e_right_rest = v_n_e_lo - v_n_of_v_n_e_right,
+      v_n_of_v_n_e_lo = v_n_of_v_n_e_left_rest + v_n_of_v_n_e_right_rest, v_n = sqrt(v_n_of_v_n_e),
       v_n_product = v_n * v_n, v_n_product_error = ksl_product_error(v_n, v_n, v_n_product),
       v_n_rest = v_n_of_v_n_e - v_n_product, v_n_exact = v_n_rest - v_n_product_error,
       v_n_residual = v_n_exact + v_n_of_v_n_e_lo, v_n_twice = v_n + v_n,
       v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
-  const double n_of_v_n = v_n + v_n_lo, n_of_v_n_lo = ksl_sum_error(v_n, v_n_lo, n_of_v_n),
-      n = n_of_v_n * v_r, n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_of_v_n - n_back,
+  const double n_of_v_n = v_n + v_n_lo, n_of_v_n_right = n_of_v_n - v_n,
+      n_of_v_n_left = n_of_v_n - n_of_v_n_right, n_of_v_n_left_rest = v_n - n_of_v_n_left,
+      n_of_v_n_right_rest = v_n_lo - n_of_v_n_right,
+      n_of_v_n_lo = n_of_v_n_left_rest + n_of_v_n_right_rest, n = n_of_v_n * v_r,
+      n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_of_v_n - n_back,
       n_rest = n_lost + n_of_v_n_lo, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
-  const double half_of_n = n + n_lo, half_of_n_lo = ksl_sum_error(n, n_lo, half_of_n),
-      half = atan2(half_of_n, upper_0), half_cross0 = upper_0 * half_of_n_lo,
-      half_square0 = upper_0 * upper_0, half_square1 = half_of_n * half_of_n,
-      half_square = half_square0 + half_square1, half_lo = half_cross0 / half_square;
+  const double half_of_n = n + n_lo, half_of_n_right = half_of_n - n,
+      half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
+      half_of_n_right_rest = n_lo - half_of_n_right,
+      half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest, half = atan2(half_of_n, upper_0),
+      half_cross1 = upper_0 * half_of_n_lo, half_cross2 = half_of_n * 0.0,
+      half_square1 = upper_0 * upper_0, half_square2 = half_of_n * half_of_n,
+      half_cross = half_cross1 - half_cross2, half_square = half_square1 + half_square2,
+      half_lo = half_cross / half_square;
   const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
       divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
   const double unit_0_of_divisor = divisor + divisor_lo,
-      unit_0_of_divisor_lo = ksl_sum_error(divisor, divisor_lo, unit_0_of_divisor),
-      unit_0 = upper_1 / unit_0_of_divisor, unit_0_cross = unit_0 * unit_0_of_divisor_lo,
-      unit_0_product = unit_0 * unit_0_of_divisor,
+      unit_0_of_divisor_right = unit_0_of_divisor - divisor,
+      unit_0_of_divisor_left = unit_0_of_divisor - unit_0_of_divisor_right,
+      unit_0_of_divisor_left_rest = divisor - unit_0_of_divisor_left,
+      unit_0_of_divisor_right_rest = divisor_lo - unit_0_of_divisor_right,
+      unit_0_of_divisor_lo = unit_0_of_divisor_left_rest + unit_0_of_divisor_right_rest,
+      unit_0 = upper_1 / unit_0_of_divisor, unit_0_product = unit_0 * unit_0_of_divisor,
       unit_0_product_error = ksl_product_error(unit_0, unit_0_of_divisor, unit_0_product),
       unit_0_rest = upper_1 - unit_0_product, unit_0_exact = unit_0_rest - unit_0_product_error,
-      unit_0_residual = unit_0_exact - unit_0_cross,
+      unit_0_cross = unit_0 * unit_0_of_divisor_lo, unit_0_residual = unit_0_exact - unit_0_cross,
       unit_0_lo = unit_0_residual / unit_0_of_divisor;
-  const double unit_1 = upper_2 / unit_0_of_divisor, unit_1_cross = unit_1 * unit_0_of_divisor_lo,
-      unit_1_product = unit_1 * unit_0_of_divisor,
+  const double unit_1 = upper_2 / unit_0_of_divisor, unit_1_product = unit_1 * unit_0_of_divisor,
       unit_1_product_error = ksl_product_error(unit_1, unit_0_of_divisor, unit_1_product),
       unit_1_rest = upper_2 - unit_1_product, unit_1_exact = unit_1_rest - unit_1_product_error,
-      unit_1_residual = unit_1_exact - unit_1_cross,
+      unit_1_cross = unit_1 * unit_0_of_divisor_lo, unit_1_residual = unit_1_exact - unit_1_cross,
       unit_1_lo = unit_1_residual / unit_0_of_divisor;
-  const double unit_2 = upper_3 / unit_0_of_divisor, unit_2_cross = unit_2 * unit_0_of_divisor_lo,
-      unit_2_product = unit_2 * unit_0_of_divisor,
+  const double unit_2 = upper_3 / unit_0_of_divisor, unit_2_product = unit_2 * unit_0_of_divisor,
       unit_2_product_error = ksl_product_error(unit_2, unit_0_of_divisor, unit_2_product),
       unit_2_rest = upper_3 - unit_2_product, unit_2_exact = unit_2_rest - unit_2_product_error,
-      unit_2_residual = unit_2_exact - unit_2_cross,
+      unit_2_cross = unit_2 * unit_0_of_divisor_lo, unit_2_residual = unit_2_exact - unit_2_cross,
       unit_2_lo = unit_2_residual / unit_0_of_divisor;
-  const double angle = 2.0 * half, angle_cross1 = 2.0 * half_lo,
-      angle_error = ksl_product_error(2.0, half, angle), angle_lo = angle_error + angle_cross1;
+  const double angle = 2.0 * half, angle_cross2 = 2.0 * half_lo;
   const double axis_0 = half_of_n == 0.0 ? 1.0 : unit_0,
       axis_0_lo = half_of_n == 0.0 ? 0.0 : unit_0_lo;
-  const double angle_total = angle + angle_lo,
-      angle_rounded = angle_total == angle_total ? angle_total : angle;
-  const double axis_0_total = axis_0 + axis_0_lo,
-      axis_0_rounded = axis_0_total == axis_0_total ? axis_0_total : axis_0;
-  const double unit_1_total = unit_1 + unit_1_lo,
-      unit_1_rounded = unit_1_total == unit_1_total ? unit_1_total : unit_1;
-  const double unit_2_total = unit_2 + unit_2_lo,
-      unit_2_rounded = unit_2_total == unit_2_total ? unit_2_total : unit_2;
-  axis->x = axis_0_rounded;
-  axis->y = unit_1_rounded;
-  axis->z = unit_2_rounded;
-  return angle_rounded;
+  const double angle_error = ksl_product_error(2.0, half, angle),
+      angle_lo = angle_error + angle_cross2, angle_rounded = angle + angle_lo,
+      angle_final = angle_rounded == angle_rounded ? angle_rounded : angle;
+  const double axis_0_rounded = axis_0 + axis_0_lo,
+      axis_0_final = axis_0_rounded == axis_0_rounded ? axis_0_rounded : axis_0;
+  const double unit_1_rounded = unit_1 + unit_1_lo,
+      unit_1_final = unit_1_rounded == unit_1_rounded ? unit_1_rounded : unit_1;
+  const double unit_2_rounded = unit_2 + unit_2_lo,
+      unit_2_final = unit_2_rounded == unit_2_rounded ? unit_2_rounded : unit_2;
+  axis->x = axis_0_final;
+  axis->y = unit_1_final;
+  axis->z = unit_2_final;
+  return angle_final;
 }
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (w; x, y, z), the scalar first; vo: vector.
-   23 mul, 29 add, 9 product error, 7 sum error, 5 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 6
-     equal, 17 select. */
+   24 mul, 59 add, 6 product error, 3 product rest, 5 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less,
+     6 equal, 17 select. */
 static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
   const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
   const double upper_1a = -q->x, upper_1 = q->w < 0.0 ? upper_1a : q->x;
@@ -961,58 +1159,74 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
   const double v_y_0 = upper_1 * v_s;
   const double v_y_1 = upper_2 * v_s;
   const double v_y_2 = upper_3 * v_s;
-  const double v_n_a = v_y_0 * v_y_0, v_n_a_lo = ksl_product_error(v_y_0, v_y_0, v_n_a),
-      v_n_b = v_y_1 * v_y_1, v_n_b_lo = ksl_product_error(v_y_1, v_y_1, v_n_b),
-      v_n_c = v_n_a + v_n_b, v_n_c_error = ksl_sum_error(v_n_a, v_n_b, v_n_c),
-      v_n_c_lo1 = v_n_c_error + v_n_a_lo, v_n_c_lo = v_n_c_lo1 + v_n_b_lo, v_n_d = v_y_2 * v_y_2,
-      v_n_d_lo = ksl_product_error(v_y_2, v_y_2, v_n_d), v_n_e = v_n_c + v_n_d,
-      v_n_e_error = ksl_sum_error(v_n_c, v_n_d, v_n_e), v_n_e_lo1 = v_n_e_error + v_n_c_lo,
-      v_n_e_lo = v_n_e_lo1 + v_n_d_lo, v_n_of_v_n_e = v_n_e + v_n_e_lo,
-      v_n_of_v_n_e_lo = ksl_sum_error(v_n_e, v_n_e_lo, v_n_of_v_n_e), v_n = sqrt(v_n_of_v_n_e),
+  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_c_right = v_n_c - v_n_a, v_n_c_left = v_n_c - v_n_c_right,
+      v_n_c_left_rest = ksl_product_rest(v_y_0, v_y_0, v_n_a, v_n_c_left),
+      v_n_c_right_rest = ksl_product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right),
+      v_n_c_lo = v_n_c_left_rest + v_n_c_right_rest, v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d,
+      v_n_e_right = v_n_e - v_n_c, v_n_e_left = v_n_e - v_n_e_right,
+      v_n_e_left_rest = v_n_c - v_n_e_left,
+      v_n_e_right_rest = ksl_product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right),
+      v_n_e_lo1 = v_n_e_left_rest + v_n_e_right_rest, v_n_e_lo = v_n_e_lo1 + v_n_c_lo,
+      v_n_of_v_n_e = v_n_e + v_n_e_lo, v_n_of_v_n_e_right = v_n_of_v_n_e - v_n_e,
+      v_n_of_v_n_e_left = v_n_of_v_n_e - v_n_of_v_n_e_right,
+      v_n_of_v_n_e_left_rest = v_n_e - v_n_of_v_n_e_left,
+      v_n_of_v_n_e_right_rest = v_n_e_lo - v_n_of_v_n_e_right,
+      v_n_of_v_n_e_lo = v_n_of_v_n_e_left_rest + v_n_of_v_n_e_right_rest, v_n = sqrt(v_n_of_v_n_e),
       v_n_product = v_n * v_n, v_n_product_error = ksl_product_error(v_n, v_n, v_n_product),
       v_n_rest = v_n_of_v_n_e - v_n_product, v_n_exact = v_n_rest - v_n_product_error,
       v_n_residual = v_n_exact + v_n_of_v_n_e_lo, v_n_twice = v_n + v_n,
       v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
-  const double n_of_v_n = v_n + v_n_lo, n_of_v_n_lo = ksl_sum_error(v_n, v_n_lo, n_of_v_n),
-      n = n_of_v_n * v_r, n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_of_v_n - n_back,
+  const double n_of_v_n = v_n + v_n_lo, n_of_v_n_right = n_of_v_n - v_n,
+      n_of_v_n_left = n_of_v_n - n_of_v_n_right, n_of_v_n_left_rest = v_n - n_of_v_n_left,
+      n_of_v_n_right_rest = v_n_lo - n_of_v_n_right,
+      n_of_v_n_lo = n_of_v_n_left_rest + n_of_v_n_right_rest, n = n_of_v_n * v_r,
+      n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_of_v_n - n_back,
       n_rest = n_lost + n_of_v_n_lo, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
-  const double half_of_n = n + n_lo, half_of_n_lo = ksl_sum_error(n, n_lo, half_of_n),
-      half = atan2(half_of_n, upper_0), half_cross0 = upper_0 * half_of_n_lo,
-      half_square0 = upper_0 * upper_0, half_square1 = half_of_n * half_of_n,
-      half_square = half_square0 + half_square1, half_lo = half_cross0 / half_square;
+  const double half_of_n = n + n_lo, half_of_n_right = half_of_n - n,
+      half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
+      half_of_n_right_rest = n_lo - half_of_n_right,
+      half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest, half = atan2(half_of_n, upper_0),
+      half_cross1 = upper_0 * half_of_n_lo, half_cross2 = half_of_n * 0.0,
+      half_square1 = upper_0 * upper_0, half_square2 = half_of_n * half_of_n,
+      half_cross = half_cross1 - half_cross2, half_square = half_square1 + half_square2,
+      half_lo = half_cross / half_square;
   const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
       divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
-  const double theta = 2.0 * half, theta_cross1 = 2.0 * half_lo,
-      theta_error = ksl_product_error(2.0, half, theta), theta_lo = theta_error + theta_cross1;
-  const double k_of_theta = theta + theta_lo,
-      k_of_theta_lo = ksl_sum_error(theta, theta_lo, k_of_theta),
-      k_of_divisor = divisor + divisor_lo,
-      k_of_divisor_lo = ksl_sum_error(divisor, divisor_lo, k_of_divisor),
-      k = k_of_theta / k_of_divisor, k_cross = k * k_of_divisor_lo, k_product = k * k_of_divisor,
+  const double theta = 2.0 * half, theta_cross2 = 2.0 * half_lo;
+  const double theta_error = ksl_product_error(2.0, half, theta),
+      theta_lo = theta_error + theta_cross2, k_of_theta = theta + theta_lo,
+      k_of_theta_right = k_of_theta - theta, k_of_theta_left = k_of_theta - k_of_theta_right,
+      k_of_theta_left_rest = theta - k_of_theta_left,
+      k_of_theta_right_rest = theta_lo - k_of_theta_right,
+      k_of_theta_lo = k_of_theta_left_rest + k_of_theta_right_rest,
+      k_of_divisor = divisor + divisor_lo, k_of_divisor_right = k_of_divisor - divisor,
+      k_of_divisor_left = k_of_divisor - k_of_divisor_right,
+      k_of_divisor_left_rest = divisor - k_of_divisor_left,
+      k_of_divisor_right_rest = divisor_lo - k_of_divisor_right,
+      k_of_divisor_lo = k_of_divisor_left_rest + k_of_divisor_right_rest,
+      k = k_of_theta / k_of_divisor, k_product = k * k_of_divisor,
       k_product_error = ksl_product_error(k, k_of_divisor, k_product),
       k_rest = k_of_theta - k_product, k_exact = k_rest - k_product_error,
-      k_lo1 = k_exact + k_of_theta_lo, k_residual = k_lo1 - k_cross,
-      k_lo = k_residual / k_of_divisor;
-  const double vector_0 = upper_1 * k, vector_0_cross1 = upper_1 * k_lo,
-      vector_0_error = ksl_product_error(upper_1, k, vector_0),
-      vector_0_lo = vector_0_error + vector_0_cross1;
-  const double vector_1 = upper_2 * k, vector_1_cross1 = upper_2 * k_lo,
-      vector_1_error = ksl_product_error(upper_2, k, vector_1),
-      vector_1_lo = vector_1_error + vector_1_cross1;
-  const double vector_2 = upper_3 * k, vector_2_cross1 = upper_3 * k_lo,
-      vector_2_error = ksl_product_error(upper_3, k, vector_2),
-      vector_2_lo = vector_2_error + vector_2_cross1;
-  const double vector_0_total = vector_0 + vector_0_lo,
-      vector_0_rounded = vector_0_total == vector_0_total ? vector_0_total : vector_0;
-  const double vector_1_total = vector_1 + vector_1_lo,
-      vector_1_rounded = vector_1_total == vector_1_total ? vector_1_total : vector_1;
-  const double vector_2_total = vector_2 + vector_2_lo,
-      vector_2_rounded = vector_2_total == vector_2_total ? vector_2_total : vector_2;
-  vo->x = vector_0_rounded;
-  vo->y = vector_1_rounded;
-  vo->z = vector_2_rounded;
+      k_numerator = k_exact + k_of_theta_lo, k_cross = k * k_of_divisor_lo,
+      k_residual = k_numerator - k_cross, k_lo = k_residual / k_of_divisor;
+  const double vector_0 = upper_1 * k, vector_0_cross2 = upper_1 * k_lo;
+  const double vector_1 = upper_2 * k, vector_1_cross2 = upper_2 * k_lo;
+  const double vector_2 = upper_3 * k, vector_2_cross2 = upper_3 * k_lo;
+  const double vector_0_error = ksl_product_error(upper_1, k, vector_0),
+      vector_0_lo = vector_0_error + vector_0_cross2, vector_0_rounded = vector_0 + vector_0_lo,
+      vector_0_final = vector_0_rounded == vector_0_rounded ? vector_0_rounded : vector_0;
+  const double vector_1_error = ksl_product_error(upper_2, k, vector_1),
+      vector_1_lo = vector_1_error + vector_1_cross2, vector_1_rounded = vector_1 + vector_1_lo,
+      vector_1_final = vector_1_rounded == vector_1_rounded ? vector_1_rounded : vector_1;
+  const double vector_2_error = ksl_product_error(upper_3, k, vector_2),
+      vector_2_lo = vector_2_error + vector_2_cross2, vector_2_rounded = vector_2 + vector_2_lo,
+      vector_2_final = vector_2_rounded == vector_2_rounded ? vector_2_rounded : vector_2;
+  vo->x = vector_0_final;
+  vo->y = vector_1_final;
+  vo->z = vector_2_final;
 }
 
 /* self = a self.

@@ -28,8 +28,7 @@ static inline double ksl_mat3x3_ldl(const ksl_mat3x3_t *A, ksl_mat3x3_t *L) {
   const double own2 = 0.0 < A->m22 ? A->m22 : 1.0;
   const double part2a = u2 / own2, part2 = 0.0 < A->m22 ? part2a : A->m22;
   const double smallest2 = smallest1 < part2 ? smallest1 : part2;
-  const double A_m00 = A->m00;
-  L->m00 = A_m00;
+  L->m00 = A->m00;
   L->m01 = 0.0;
   L->m02 = 0.0;
   L->m10 = l0_0;
@@ -184,8 +183,7 @@ static inline double ksl_mat6x6_ldl(const ksl_mat6x6_t *A, ksl_mat6x6_t *L) {
   const double own5 = 0.0 < A->at[5][5] ? A->at[5][5] : 1.0;
   const double part5a = u5 / own5, part5 = 0.0 < A->at[5][5] ? part5a : A->at[5][5];
   const double smallest5 = smallest4 < part5 ? smallest4 : part5;
-  const double A_at_00 = A->at[0][0];
-  L->at[0][0] = A_at_00;
+  L->at[0][0] = A->at[0][0];
   L->at[1][0] = 0.0;
   L->at[2][0] = 0.0;
   L->at[3][0] = 0.0;
@@ -469,8 +467,7 @@ static inline float ksl_mat3x3f_ldl(const ksl_mat3x3f_t *A, ksl_mat3x3f_t *L) {
   const float own2 = 0.0f < A->m22 ? A->m22 : 1.0f;
   const float part2a = u2 / own2, part2 = 0.0f < A->m22 ? part2a : A->m22;
   const float smallest2 = smallest1 < part2 ? smallest1 : part2;
-  const float A_m00 = A->m00;
-  L->m00 = A_m00;
+  L->m00 = A->m00;
   L->m01 = 0.0f;
   L->m02 = 0.0f;
   L->m10 = l0_0;
@@ -627,8 +624,7 @@ static inline float ksl_mat6x6f_ldl(const ksl_mat6x6f_t *A, ksl_mat6x6f_t *L) {
   const float own5 = 0.0f < A->at[5][5] ? A->at[5][5] : 1.0f;
   const float part5a = u5 / own5, part5 = 0.0f < A->at[5][5] ? part5a : A->at[5][5];
   const float smallest5 = smallest4 < part5 ? smallest4 : part5;
-  const float A_at_00 = A->at[0][0];
-  L->at[0][0] = A_at_00;
+  L->at[0][0] = A->at[0][0];
   L->at[1][0] = 0.0f;
   L->at[2][0] = 0.0f;
   L->at[3][0] = 0.0f;

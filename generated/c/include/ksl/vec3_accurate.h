@@ -11,12 +11,15 @@
    3 mul, 3 add, 3 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3_scale_accurate(ksl_vec3_t *self, const double a) {
-  const double self_0_new = self->x * a, self_0_new_lo = ksl_product_error(self->x, a, self_0_new);
-  const double self_1_new = self->y * a, self_1_new_lo = ksl_product_error(self->y, a, self_1_new);
-  const double self_2_new = self->z * a, self_2_new_lo = ksl_product_error(self->z, a, self_2_new);
-  const double self_0_new_rounded = self_0_new + self_0_new_lo;
-  const double self_1_new_rounded = self_1_new + self_1_new_lo;
-  const double self_2_new_rounded = self_2_new + self_2_new_lo;
+  const double self_0_new = self->x * a;
+  const double self_1_new = self->y * a;
+  const double self_2_new = self->z * a;
+  const double self_0_new_lo = ksl_product_error(self->x, a, self_0_new),
+      self_0_new_rounded = self_0_new + self_0_new_lo;
+  const double self_1_new_lo = ksl_product_error(self->y, a, self_1_new),
+      self_1_new_rounded = self_1_new + self_1_new_lo;
+  const double self_2_new_lo = ksl_product_error(self->z, a, self_2_new),
+      self_2_new_rounded = self_2_new + self_2_new_lo;
   self->x = self_0_new_rounded;
   self->y = self_1_new_rounded;
   self->z = self_2_new_rounded;
@@ -24,19 +27,25 @@ static inline void ksl_vec3_scale_accurate(ksl_vec3_t *self, const double a) {
 
 /* y = a x + y.
    a: number; x, y: vector.
-   3 mul, 9 add, 3 product error, 3 sum error.
-   Error <= u |result| + 2 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+   3 mul, 18 add, 3 product rest.
+   Error <= u |result| + 3 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_vv_accurate(const double a, const ksl_vec3_t *x, ksl_vec3_t *y) {
-  const double y_0_new_a = a * x->x, y_0_new_a_lo = ksl_product_error(a, x->x, y_0_new_a),
-      y_0_new = y_0_new_a + y->x, y_0_new_error = ksl_sum_error(y_0_new_a, y->x, y_0_new),
-      y_0_new_lo = y_0_new_error + y_0_new_a_lo;
-  const double y_1_new_a = a * x->y, y_1_new_a_lo = ksl_product_error(a, x->y, y_1_new_a),
-      y_1_new = y_1_new_a + y->y, y_1_new_error = ksl_sum_error(y_1_new_a, y->y, y_1_new),
-      y_1_new_lo = y_1_new_error + y_1_new_a_lo;
-  const double y_2_new_a = a * x->z, y_2_new_a_lo = ksl_product_error(a, x->z, y_2_new_a),
-      y_2_new = y_2_new_a + y->z, y_2_new_error = ksl_sum_error(y_2_new_a, y->z, y_2_new),
-      y_2_new_lo = y_2_new_error + y_2_new_a_lo;
+  const double y_0_new_a = a * x->x, y_0_new = y_0_new_a + y->x,
+      y_0_new_right = y_0_new - y_0_new_a, y_0_new_left = y_0_new - y_0_new_right,
+      y_0_new_left_rest = ksl_product_rest(a, x->x, y_0_new_a, y_0_new_left),
+      y_0_new_right_rest = y->x - y_0_new_right,
+      y_0_new_lo = y_0_new_left_rest + y_0_new_right_rest;
+  const double y_1_new_a = a * x->y, y_1_new = y_1_new_a + y->y,
+      y_1_new_right = y_1_new - y_1_new_a, y_1_new_left = y_1_new - y_1_new_right,
+      y_1_new_left_rest = ksl_product_rest(a, x->y, y_1_new_a, y_1_new_left),
+      y_1_new_right_rest = y->y - y_1_new_right,
+      y_1_new_lo = y_1_new_left_rest + y_1_new_right_rest;
+  const double y_2_new_a = a * x->z, y_2_new = y_2_new_a + y->z,
+      y_2_new_right = y_2_new - y_2_new_a, y_2_new_left = y_2_new - y_2_new_right,
+      y_2_new_left_rest = ksl_product_rest(a, x->z, y_2_new_a, y_2_new_left),
+      y_2_new_right_rest = y->z - y_2_new_right,
+      y_2_new_lo = y_2_new_left_rest + y_2_new_right_rest;
   const double y_0_new_rounded = y_0_new + y_0_new_lo;
   const double y_1_new_rounded = y_1_new + y_1_new_lo;
   const double y_2_new_rounded = y_2_new + y_2_new_lo;
@@ -47,12 +56,21 @@ static inline void ksl_axpy_vv_accurate(const double a, const ksl_vec3_t *x, ksl
 
 /* y = x + y.
    x, y: vector.
-   6 add, 3 sum error.
+   21 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_vv_accurate(const ksl_vec3_t *x, ksl_vec3_t *y) {
-  const double y_0_new = x->x + y->x, y_0_new_lo = ksl_sum_error(x->x, y->x, y_0_new);
-  const double y_1_new = x->y + y->y, y_1_new_lo = ksl_sum_error(x->y, y->y, y_1_new);
-  const double y_2_new = x->z + y->z, y_2_new_lo = ksl_sum_error(x->z, y->z, y_2_new);
+  const double y_0_new = x->x + y->x, y_0_new_right = y_0_new - x->x,
+      y_0_new_left = y_0_new - y_0_new_right, y_0_new_left_rest = x->x - y_0_new_left,
+      y_0_new_right_rest = y->x - y_0_new_right,
+      y_0_new_lo = y_0_new_left_rest + y_0_new_right_rest;
+  const double y_1_new = x->y + y->y, y_1_new_right = y_1_new - x->y,
+      y_1_new_left = y_1_new - y_1_new_right, y_1_new_left_rest = x->y - y_1_new_left,
+      y_1_new_right_rest = y->y - y_1_new_right,
+      y_1_new_lo = y_1_new_left_rest + y_1_new_right_rest;
+  const double y_2_new = x->z + y->z, y_2_new_right = y_2_new - x->z,
+      y_2_new_left = y_2_new - y_2_new_right, y_2_new_left_rest = x->z - y_2_new_left,
+      y_2_new_right_rest = y->z - y_2_new_right,
+      y_2_new_lo = y_2_new_left_rest + y_2_new_right_rest;
   const double y_0_new_rounded = y_0_new + y_0_new_lo;
   const double y_1_new_rounded = y_1_new + y_1_new_lo;
   const double y_2_new_rounded = y_2_new + y_2_new_lo;
@@ -63,12 +81,21 @@ static inline void ksl_xpy_vv_accurate(const ksl_vec3_t *x, ksl_vec3_t *y) {
 
 /* y = -x + y.
    x, y: vector.
-   6 add, 3 sum error.
+   21 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_vv_accurate(const ksl_vec3_t *x, ksl_vec3_t *y) {
-  const double y_0_new = y->x - x->x, y_0_new_lo = ksl_difference_error(y->x, x->x, y_0_new);
-  const double y_1_new = y->y - x->y, y_1_new_lo = ksl_difference_error(y->y, x->y, y_1_new);
-  const double y_2_new = y->z - x->z, y_2_new_lo = ksl_difference_error(y->z, x->z, y_2_new);
+  const double y_0_new = y->x - x->x, y_0_new_right = y->x - y_0_new,
+      y_0_new_left = y_0_new + y_0_new_right, y_0_new_left_rest = y->x - y_0_new_left,
+      y_0_new_right_rest = x->x - y_0_new_right,
+      y_0_new_lo = y_0_new_left_rest - y_0_new_right_rest;
+  const double y_1_new = y->y - x->y, y_1_new_right = y->y - y_1_new,
+      y_1_new_left = y_1_new + y_1_new_right, y_1_new_left_rest = y->y - y_1_new_left,
+      y_1_new_right_rest = x->y - y_1_new_right,
+      y_1_new_lo = y_1_new_left_rest - y_1_new_right_rest;
+  const double y_2_new = y->z - x->z, y_2_new_right = y->z - y_2_new,
+      y_2_new_left = y_2_new + y_2_new_right, y_2_new_left_rest = y->z - y_2_new_left,
+      y_2_new_right_rest = x->z - y_2_new_right,
+      y_2_new_lo = y_2_new_left_rest - y_2_new_right_rest;
   const double y_0_new_rounded = y_0_new + y_0_new_lo;
   const double y_1_new_rounded = y_1_new + y_1_new_lo;
   const double y_2_new_rounded = y_2_new + y_2_new_lo;
@@ -82,12 +109,12 @@ static inline void ksl_nxpy_vv_accurate(const ksl_vec3_t *x, ksl_vec3_t *y) {
    3 mul, 3 add, 3 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_av_accurate(const double a, const ksl_vec3_t *vi, ksl_vec3_t *vo) {
-  const double vo_0 = a * vi->x, vo_0_lo = ksl_product_error(a, vi->x, vo_0);
-  const double vo_1 = a * vi->y, vo_1_lo = ksl_product_error(a, vi->y, vo_1);
-  const double vo_2 = a * vi->z, vo_2_lo = ksl_product_error(a, vi->z, vo_2);
-  const double vo_0_rounded = vo_0 + vo_0_lo;
-  const double vo_1_rounded = vo_1 + vo_1_lo;
-  const double vo_2_rounded = vo_2 + vo_2_lo;
+  const double vo_0 = a * vi->x;
+  const double vo_1 = a * vi->y;
+  const double vo_2 = a * vi->z;
+  const double vo_0_lo = ksl_product_error(a, vi->x, vo_0), vo_0_rounded = vo_0 + vo_0_lo;
+  const double vo_1_lo = ksl_product_error(a, vi->y, vo_1), vo_1_rounded = vo_1 + vo_1_lo;
+  const double vo_2_lo = ksl_product_error(a, vi->z, vo_2), vo_2_rounded = vo_2 + vo_2_lo;
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -95,12 +122,18 @@ static inline void ksl_product_av_accurate(const double a, const ksl_vec3_t *vi,
 
 /* vo = v1 + v2.
    v1, v2, vo: vector.
-   6 add, 3 sum error.
+   21 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
-  const double vo_0 = v1->x + v2->x, vo_0_lo = ksl_sum_error(v1->x, v2->x, vo_0);
-  const double vo_1 = v1->y + v2->y, vo_1_lo = ksl_sum_error(v1->y, v2->y, vo_1);
-  const double vo_2 = v1->z + v2->z, vo_2_lo = ksl_sum_error(v1->z, v2->z, vo_2);
+  const double vo_0 = v1->x + v2->x, vo_0_right = vo_0 - v1->x, vo_0_left = vo_0 - vo_0_right,
+      vo_0_left_rest = v1->x - vo_0_left, vo_0_right_rest = v2->x - vo_0_right,
+      vo_0_lo = vo_0_left_rest + vo_0_right_rest;
+  const double vo_1 = v1->y + v2->y, vo_1_right = vo_1 - v1->y, vo_1_left = vo_1 - vo_1_right,
+      vo_1_left_rest = v1->y - vo_1_left, vo_1_right_rest = v2->y - vo_1_right,
+      vo_1_lo = vo_1_left_rest + vo_1_right_rest;
+  const double vo_2 = v1->z + v2->z, vo_2_right = vo_2 - v1->z, vo_2_left = vo_2 - vo_2_right,
+      vo_2_left_rest = v1->z - vo_2_left, vo_2_right_rest = v2->z - vo_2_right,
+      vo_2_lo = vo_2_left_rest + vo_2_right_rest;
   const double vo_0_rounded = vo_0 + vo_0_lo;
   const double vo_1_rounded = vo_1 + vo_1_lo;
   const double vo_2_rounded = vo_2 + vo_2_lo;
@@ -111,13 +144,19 @@ static inline void ksl_add_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t *v
 
 /* vo = v1 - v2.
    v1, v2, vo: vector.
-   6 add, 3 sum error.
+   21 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t *v2,
     ksl_vec3_t *vo) {
-  const double vo_0 = v1->x - v2->x, vo_0_lo = ksl_difference_error(v1->x, v2->x, vo_0);
-  const double vo_1 = v1->y - v2->y, vo_1_lo = ksl_difference_error(v1->y, v2->y, vo_1);
-  const double vo_2 = v1->z - v2->z, vo_2_lo = ksl_difference_error(v1->z, v2->z, vo_2);
+  const double vo_0 = v1->x - v2->x, vo_0_right = v1->x - vo_0, vo_0_left = vo_0 + vo_0_right,
+      vo_0_left_rest = v1->x - vo_0_left, vo_0_right_rest = v2->x - vo_0_right,
+      vo_0_lo = vo_0_left_rest - vo_0_right_rest;
+  const double vo_1 = v1->y - v2->y, vo_1_right = v1->y - vo_1, vo_1_left = vo_1 + vo_1_right,
+      vo_1_left_rest = v1->y - vo_1_left, vo_1_right_rest = v2->y - vo_1_right,
+      vo_1_lo = vo_1_left_rest - vo_1_right_rest;
+  const double vo_2 = v1->z - v2->z, vo_2_right = v1->z - vo_2, vo_2_left = vo_2 + vo_2_right,
+      vo_2_left_rest = v1->z - vo_2_left, vo_2_right_rest = v2->z - vo_2_right,
+      vo_2_lo = vo_2_left_rest - vo_2_right_rest;
   const double vo_0_rounded = vo_0 + vo_0_lo;
   const double vo_1_rounded = vo_1 + vo_1_lo;
   const double vo_2_rounded = vo_2 + vo_2_lo;
@@ -131,12 +170,12 @@ static inline void ksl_subtract_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3
    3 mul, 3 add, 3 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3_scaled_accurate(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = v->x * k, vo_0_lo = ksl_product_error(v->x, k, vo_0);
-  const double vo_1 = v->y * k, vo_1_lo = ksl_product_error(v->y, k, vo_1);
-  const double vo_2 = v->z * k, vo_2_lo = ksl_product_error(v->z, k, vo_2);
-  const double vo_0_rounded = vo_0 + vo_0_lo;
-  const double vo_1_rounded = vo_1 + vo_1_lo;
-  const double vo_2_rounded = vo_2 + vo_2_lo;
+  const double vo_0 = v->x * k;
+  const double vo_1 = v->y * k;
+  const double vo_2 = v->z * k;
+  const double vo_0_lo = ksl_product_error(v->x, k, vo_0), vo_0_rounded = vo_0 + vo_0_lo;
+  const double vo_1_lo = ksl_product_error(v->y, k, vo_1), vo_1_rounded = vo_1 + vo_1_lo;
+  const double vo_2_lo = ksl_product_error(v->z, k, vo_2), vo_2_rounded = vo_2 + vo_2_lo;
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -144,7 +183,8 @@ static inline void ksl_vec3_scaled_accurate(const ksl_vec3_t *v, const double k,
 
 /* |v| = sqrt(v·v).
    v: vector.
-   10 mul, 15 add, 4 product error, 4 sum error, 2 div, 1 sqrt, 3 abs, 6 less, 3 equal, 9 select. */
+   10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 3 abs, 6 less, 3 equal, 9
+     select. */
 static inline double ksl_vec3_l2norm_accurate(const ksl_vec3_t *v) {
   const double s_size_0 = fabs(v->x);
   const double s_size_1 = fabs(v->y);
@@ -156,30 +196,36 @@ static inline double ksl_vec3_l2norm_accurate(const ksl_vec3_t *v) {
   const double y_0 = v->x * s;
   const double y_1 = v->y * s;
   const double y_2 = v->z * s;
-  const double n_a = y_0 * y_0, n_a_lo = ksl_product_error(y_0, y_0, n_a), n_b = y_1 * y_1,
-      n_b_lo = ksl_product_error(y_1, y_1, n_b), n_c = n_a + n_b,
-      n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
-      n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
-      n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
-      n_e_lo = n_e_lo1 + n_d_lo, n_of_n_e = n_e + n_e_lo,
-      n_of_n_e_lo = ksl_sum_error(n_e, n_e_lo, n_of_n_e), n = sqrt(n_of_n_e), n_product = n * n,
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
+      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+      n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
+      n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
+      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_of_n_e = n_e + n_e_lo,
+      n_of_n_e_right = n_of_n_e - n_e, n_of_n_e_left = n_of_n_e - n_of_n_e_right,
+      n_of_n_e_left_rest = n_e - n_of_n_e_left, n_of_n_e_right_rest = n_e_lo - n_of_n_e_right,
+      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e), n_product = n * n,
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r = 1.0 < s ? 2.409919865102884e-181 : r_b;
-  const double norm_of_n = n + n_lo, norm_of_n_lo = ksl_sum_error(n, n_lo, norm_of_n),
-      norm = norm_of_n * r, norm_inverse = 1.0 / r, norm_back = norm * norm_inverse,
-      norm_lost = norm_of_n - norm_back, norm_rest = norm_lost + norm_of_n_lo,
-      norm_small = norm_rest * r, norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
-  const double norm_total = norm + norm_lo,
-      norm_rounded = norm_total == norm_total ? norm_total : norm;
-  return norm_rounded;
+  const double norm_of_n = n + n_lo, norm_of_n_right = norm_of_n - n,
+      norm_of_n_left = norm_of_n - norm_of_n_right, norm_of_n_left_rest = n - norm_of_n_left,
+      norm_of_n_right_rest = n_lo - norm_of_n_right,
+      norm_of_n_lo = norm_of_n_left_rest + norm_of_n_right_rest, norm = norm_of_n * r,
+      norm_inverse = 1.0 / r, norm_back = norm * norm_inverse, norm_lost = norm_of_n - norm_back,
+      norm_rest = norm_lost + norm_of_n_lo, norm_small = norm_rest * r,
+      norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
+  const double norm_rounded = norm + norm_lo,
+      norm_final = norm_rounded == norm_rounded ? norm_rounded : norm;
+  return norm_final;
 }
 
 /* self = self / |self|; the zero vector stays zero.
    self: vector.
-   25 mul, 33 add, 7 product error, 7 sum error, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+   25 mul, 62 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
      select. */
 static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
   const double s_size_0 = fabs(self->x);
@@ -192,13 +238,16 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
   const double y_0 = self->x * s;
   const double y_1 = self->y * s;
   const double y_2 = self->z * s;
-  const double n_a = y_0 * y_0, n_a_lo = ksl_product_error(y_0, y_0, n_a), n_b = y_1 * y_1,
-      n_b_lo = ksl_product_error(y_1, y_1, n_b), n_c = n_a + n_b,
-      n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
-      n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
-      n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
-      n_e_lo = n_e_lo1 + n_d_lo, n_of_n_e = n_e + n_e_lo,
-      n_of_n_e_lo = ksl_sum_error(n_e, n_e_lo, n_of_n_e), n = sqrt(n_of_n_e), n_product = n * n,
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
+      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+      n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
+      n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
+      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_of_n_e = n_e + n_e_lo,
+      n_of_n_e_right = n_of_n_e - n_e, n_of_n_e_left = n_of_n_e - n_of_n_e_right,
+      n_of_n_e_left_rest = n_e - n_of_n_e_left, n_of_n_e_right_rest = n_e_lo - n_of_n_e_right,
+      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e), n_product = n * n,
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
@@ -209,33 +258,41 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
   const double enlarged_1 = self->y * up;
   const double enlarged_2 = self->z * up;
   const double quotient_0_of_divisor = divisor + divisor_lo,
-      quotient_0_of_divisor_lo = ksl_sum_error(divisor, divisor_lo, quotient_0_of_divisor),
+      quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
+      quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
+      quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
+      quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
+      quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = enlarged_0 / quotient_0_of_divisor,
-      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
       quotient_0_product = quotient_0 * quotient_0_of_divisor,
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
+      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
-      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
       quotient_1_product = quotient_1 * quotient_0_of_divisor,
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
+      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
-      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
       quotient_2_product = quotient_2 * quotient_0_of_divisor,
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
+      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo,
-      self_0_new_of_quotient_0_lo = ksl_sum_error(quotient_0, quotient_0_lo, self_0_new_of_quotient_0),
+      self_0_new_of_quotient_0_right = self_0_new_of_quotient_0 - quotient_0,
+      self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right,
+      self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left,
+      self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right,
+      self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest,
       self_0_new = self_0_new_of_quotient_0 * down, self_0_new_inverse = 1.0 / down,
       self_0_new_back = self_0_new * self_0_new_inverse,
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
@@ -243,7 +300,11 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       self_0_new_small = self_0_new_rest * down,
       self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
   const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
-      self_1_new_of_quotient_1_lo = ksl_sum_error(quotient_1, quotient_1_lo, self_1_new_of_quotient_1),
+      self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1,
+      self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right,
+      self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left,
+      self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right,
+      self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest,
       self_1_new = self_1_new_of_quotient_1 * down,
       self_1_new_back = self_1_new * self_0_new_inverse,
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
@@ -251,27 +312,31 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       self_1_new_small = self_1_new_rest * down,
       self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
   const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
-      self_2_new_of_quotient_2_lo = ksl_sum_error(quotient_2, quotient_2_lo, self_2_new_of_quotient_2),
+      self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2,
+      self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right,
+      self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left,
+      self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right,
+      self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest,
       self_2_new = self_2_new_of_quotient_2 * down,
       self_2_new_back = self_2_new * self_0_new_inverse,
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
       self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo,
       self_2_new_small = self_2_new_rest * down,
       self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
-  const double self_0_new_total = self_0_new + self_0_new_lo,
-      self_0_new_rounded = self_0_new_total == self_0_new_total ? self_0_new_total : self_0_new;
-  const double self_1_new_total = self_1_new + self_1_new_lo,
-      self_1_new_rounded = self_1_new_total == self_1_new_total ? self_1_new_total : self_1_new;
-  const double self_2_new_total = self_2_new + self_2_new_lo,
-      self_2_new_rounded = self_2_new_total == self_2_new_total ? self_2_new_total : self_2_new;
-  self->x = self_0_new_rounded;
-  self->y = self_1_new_rounded;
-  self->z = self_2_new_rounded;
+  const double self_0_new_rounded = self_0_new + self_0_new_lo,
+      self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded : self_0_new;
+  const double self_1_new_rounded = self_1_new + self_1_new_lo,
+      self_1_new_final = self_1_new_rounded == self_1_new_rounded ? self_1_new_rounded : self_1_new;
+  const double self_2_new_rounded = self_2_new + self_2_new_lo,
+      self_2_new_final = self_2_new_rounded == self_2_new_rounded ? self_2_new_rounded : self_2_new;
+  self->x = self_0_new_final;
+  self->y = self_1_new_final;
+  self->z = self_2_new_final;
 }
 
 /* vo = v / |v|; the zero vector stays zero.
    v, vo: vector.
-   25 mul, 33 add, 7 product error, 7 sum error, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+   25 mul, 62 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
      select. */
 static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double s_size_0 = fabs(v->x);
@@ -284,13 +349,16 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
   const double y_0 = v->x * s;
   const double y_1 = v->y * s;
   const double y_2 = v->z * s;
-  const double n_a = y_0 * y_0, n_a_lo = ksl_product_error(y_0, y_0, n_a), n_b = y_1 * y_1,
-      n_b_lo = ksl_product_error(y_1, y_1, n_b), n_c = n_a + n_b,
-      n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
-      n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_lo = ksl_product_error(y_2, y_2, n_d),
-      n_e = n_c + n_d, n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
-      n_e_lo = n_e_lo1 + n_d_lo, n_of_n_e = n_e + n_e_lo,
-      n_of_n_e_lo = ksl_sum_error(n_e, n_e_lo, n_of_n_e), n = sqrt(n_of_n_e), n_product = n * n,
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
+      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+      n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
+      n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
+      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_of_n_e = n_e + n_e_lo,
+      n_of_n_e_right = n_of_n_e - n_e, n_of_n_e_left = n_of_n_e - n_of_n_e_right,
+      n_of_n_e_left_rest = n_e - n_of_n_e_left, n_of_n_e_right_rest = n_e_lo - n_of_n_e_right,
+      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e), n_product = n * n,
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
@@ -301,61 +369,77 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
   const double enlarged_1 = v->y * up;
   const double enlarged_2 = v->z * up;
   const double quotient_0_of_divisor = divisor + divisor_lo,
-      quotient_0_of_divisor_lo = ksl_sum_error(divisor, divisor_lo, quotient_0_of_divisor),
+      quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
+      quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
+      quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
+      quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
+      quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = enlarged_0 / quotient_0_of_divisor,
-      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
       quotient_0_product = quotient_0 * quotient_0_of_divisor,
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
+      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
-      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
       quotient_1_product = quotient_1 * quotient_0_of_divisor,
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
+      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
-      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
       quotient_2_product = quotient_2 * quotient_0_of_divisor,
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
+      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double vo_0_of_quotient_0 = quotient_0 + quotient_0_lo,
-      vo_0_of_quotient_0_lo = ksl_sum_error(quotient_0, quotient_0_lo, vo_0_of_quotient_0),
+      vo_0_of_quotient_0_right = vo_0_of_quotient_0 - quotient_0,
+      vo_0_of_quotient_0_left = vo_0_of_quotient_0 - vo_0_of_quotient_0_right,
+      vo_0_of_quotient_0_left_rest = quotient_0 - vo_0_of_quotient_0_left,
+      vo_0_of_quotient_0_right_rest = quotient_0_lo - vo_0_of_quotient_0_right,
+      vo_0_of_quotient_0_lo = vo_0_of_quotient_0_left_rest + vo_0_of_quotient_0_right_rest,
       vo_0 = vo_0_of_quotient_0 * down, vo_0_inverse = 1.0 / down, vo_0_back = vo_0 * vo_0_inverse,
       vo_0_lost = vo_0_of_quotient_0 - vo_0_back, vo_0_rest = vo_0_lost + vo_0_of_quotient_0_lo,
       vo_0_small = vo_0_rest * down, vo_0_lo = vo_0_lost == 0.0 ? 0.0 : vo_0_small;
   const double vo_1_of_quotient_1 = quotient_1 + quotient_1_lo,
-      vo_1_of_quotient_1_lo = ksl_sum_error(quotient_1, quotient_1_lo, vo_1_of_quotient_1),
+      vo_1_of_quotient_1_right = vo_1_of_quotient_1 - quotient_1,
+      vo_1_of_quotient_1_left = vo_1_of_quotient_1 - vo_1_of_quotient_1_right,
+      vo_1_of_quotient_1_left_rest = quotient_1 - vo_1_of_quotient_1_left,
+      vo_1_of_quotient_1_right_rest = quotient_1_lo - vo_1_of_quotient_1_right,
+      vo_1_of_quotient_1_lo = vo_1_of_quotient_1_left_rest + vo_1_of_quotient_1_right_rest,
       vo_1 = vo_1_of_quotient_1 * down, vo_1_back = vo_1 * vo_0_inverse,
       vo_1_lost = vo_1_of_quotient_1 - vo_1_back, vo_1_rest = vo_1_lost + vo_1_of_quotient_1_lo,
       vo_1_small = vo_1_rest * down, vo_1_lo = vo_1_lost == 0.0 ? 0.0 : vo_1_small;
   const double vo_2_of_quotient_2 = quotient_2 + quotient_2_lo,
-      vo_2_of_quotient_2_lo = ksl_sum_error(quotient_2, quotient_2_lo, vo_2_of_quotient_2),
+      vo_2_of_quotient_2_right = vo_2_of_quotient_2 - quotient_2,
+      vo_2_of_quotient_2_left = vo_2_of_quotient_2 - vo_2_of_quotient_2_right,
+      vo_2_of_quotient_2_left_rest = quotient_2 - vo_2_of_quotient_2_left,
+      vo_2_of_quotient_2_right_rest = quotient_2_lo - vo_2_of_quotient_2_right,
+      vo_2_of_quotient_2_lo = vo_2_of_quotient_2_left_rest + vo_2_of_quotient_2_right_rest,
       vo_2 = vo_2_of_quotient_2 * down, vo_2_back = vo_2 * vo_0_inverse,
       vo_2_lost = vo_2_of_quotient_2 - vo_2_back, vo_2_rest = vo_2_lost + vo_2_of_quotient_2_lo,
       vo_2_small = vo_2_rest * down, vo_2_lo = vo_2_lost == 0.0 ? 0.0 : vo_2_small;
-  const double vo_0_total = vo_0 + vo_0_lo,
-      vo_0_rounded = vo_0_total == vo_0_total ? vo_0_total : vo_0;
-  const double vo_1_total = vo_1 + vo_1_lo,
-      vo_1_rounded = vo_1_total == vo_1_total ? vo_1_total : vo_1;
-  const double vo_2_total = vo_2 + vo_2_lo,
-      vo_2_rounded = vo_2_total == vo_2_total ? vo_2_total : vo_2;
-  vo->x = vo_0_rounded;
-  vo->y = vo_1_rounded;
-  vo->z = vo_2_rounded;
+  const double vo_0_rounded = vo_0 + vo_0_lo,
+      vo_0_final = vo_0_rounded == vo_0_rounded ? vo_0_rounded : vo_0;
+  const double vo_1_rounded = vo_1 + vo_1_lo,
+      vo_1_final = vo_1_rounded == vo_1_rounded ? vo_1_rounded : vo_1;
+  const double vo_2_rounded = vo_2 + vo_2_lo,
+      vo_2_final = vo_2_rounded == vo_2_rounded ? vo_2_rounded : vo_2;
+  vo->x = vo_0_final;
+  vo->y = vo_1_final;
+  vo->z = vo_2_final;
 }
 
 /* angle = atan2(|v1 × v2|, v1·v2), in [0, π].
    v1, v2: vector.
-   41 mul, 49 add, 13 product error, 14 sum error, 4 div, 1 sqrt, 1 atan2, 3 neg, 9 abs, 17 less,
-     6 equal, 25 select. */
+   41 mul, 95 add, 1 product error, 12 product rest, 4 div, 1 sqrt, 1 atan2, 9 abs, 14 less, 6
+     equal, 20 select. */
 static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double s1_size_0 = fabs(v1->x);
   const double s1_size_1 = fabs(v1->y);
@@ -377,103 +461,121 @@ static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_
   const double scaled_s2_0 = v2->x * s2;
   const double scaled_s2_1 = v2->y * s2;
   const double scaled_s2_2 = v2->z * s2;
-  const double c_0a = scaled_s1_1 * scaled_s2_2,
-      c_0a_lo = ksl_product_error(scaled_s1_1, scaled_s2_2, c_0a), c_0b = scaled_s1_2 * scaled_s2_1,
-      c_0b_lo = ksl_product_error(scaled_s1_2, scaled_s2_1, c_0b), c_0 = c_0a - c_0b,
-      c_0_error = ksl_difference_error(c_0a, c_0b, c_0), c_0_lo1 = c_0_error + c_0a_lo,
-      c_0_lo = c_0_lo1 - c_0b_lo;
-  const double c_1a = scaled_s1_2 * scaled_s2_0,
-      c_1a_lo = ksl_product_error(scaled_s1_2, scaled_s2_0, c_1a), c_1b = scaled_s1_0 * scaled_s2_2,
-      c_1b_lo = ksl_product_error(scaled_s1_0, scaled_s2_2, c_1b), c_1 = c_1a - c_1b,
-      c_1_error = ksl_difference_error(c_1a, c_1b, c_1), c_1_lo1 = c_1_error + c_1a_lo,
-      c_1_lo = c_1_lo1 - c_1b_lo;
-  const double c_2a = scaled_s1_0 * scaled_s2_1,
-      c_2a_lo = ksl_product_error(scaled_s1_0, scaled_s2_1, c_2a), c_2b = scaled_s1_1 * scaled_s2_0,
-      c_2b_lo = ksl_product_error(scaled_s1_1, scaled_s2_0, c_2b), c_2 = c_2a - c_2b,
-      c_2_error = ksl_difference_error(c_2a, c_2b, c_2), c_2_lo1 = c_2_error + c_2a_lo,
-      c_2_lo = c_2_lo1 - c_2b_lo;
-  const double s_size_0 = fabs(c_0), s_size_0_opposite = -c_0_lo,
-      s_size_0_lo = c_0 < 0.0 ? s_size_0_opposite : c_0_lo;
-  const double s_size_1 = fabs(c_1), s_size_1_opposite = -c_1_lo,
-      s_size_1_lo = c_1 < 0.0 ? s_size_1_opposite : c_1_lo;
-  const double s_size_2 = fabs(c_2), s_size_2_opposite = -c_2_lo,
-      s_size_2_lo = c_2 < 0.0 ? s_size_2_opposite : c_2_lo;
-  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0,
-      s_largest1_lo = s_size_0 < s_size_1 ? s_size_1_lo : s_size_0_lo;
-  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1,
-      s_largest2_lo = s_largest1 < s_size_2 ? s_size_2_lo : s_largest1_lo;
+  const double c_0a = scaled_s1_1 * scaled_s2_2, c_0b = scaled_s1_2 * scaled_s2_1,
+      c_0 = c_0a - c_0b, c_0_right = c_0a - c_0, c_0_left = c_0 + c_0_right,
+      c_0_left_rest = ksl_product_rest(scaled_s1_1, scaled_s2_2, c_0a, c_0_left),
+      c_0_right_rest = ksl_product_rest(scaled_s1_2, scaled_s2_1, c_0b, c_0_right),
+      c_0_lo = c_0_left_rest - c_0_right_rest;
+  const double c_1a = scaled_s1_2 * scaled_s2_0, c_1b = scaled_s1_0 * scaled_s2_2,
+      c_1 = c_1a - c_1b, c_1_right = c_1a - c_1, c_1_left = c_1 + c_1_right,
+      c_1_left_rest = ksl_product_rest(scaled_s1_2, scaled_s2_0, c_1a, c_1_left),
+      c_1_right_rest = ksl_product_rest(scaled_s1_0, scaled_s2_2, c_1b, c_1_right),
+      c_1_lo = c_1_left_rest - c_1_right_rest;
+  const double c_2a = scaled_s1_0 * scaled_s2_1, c_2b = scaled_s1_1 * scaled_s2_0,
+      c_2 = c_2a - c_2b, c_2_right = c_2a - c_2, c_2_left = c_2 + c_2_right,
+      c_2_left_rest = ksl_product_rest(scaled_s1_0, scaled_s2_1, c_2a, c_2_left),
+      c_2_right_rest = ksl_product_rest(scaled_s1_1, scaled_s2_0, c_2b, c_2_right),
+      c_2_lo = c_2_left_rest - c_2_right_rest;
+  const double s_size_0 = fabs(c_0);
+  const double s_size_1 = fabs(c_1);
+  const double s_size_2 = fabs(c_2);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0_of_c_0 = c_0 + c_0_lo, y_0_of_c_0_lo = ksl_sum_error(c_0, c_0_lo, y_0_of_c_0),
-      y_0 = y_0_of_c_0 * s, y_0_inverse = 1.0 / s, y_0_back = y_0 * y_0_inverse,
-      y_0_lost = y_0_of_c_0 - y_0_back, y_0_rest = y_0_lost + y_0_of_c_0_lo,
-      y_0_small = y_0_rest * s, y_0_lo = y_0_lost == 0.0 ? 0.0 : y_0_small;
-  const double y_1_of_c_1 = c_1 + c_1_lo, y_1_of_c_1_lo = ksl_sum_error(c_1, c_1_lo, y_1_of_c_1),
-      y_1 = y_1_of_c_1 * s, y_1_back = y_1 * y_0_inverse, y_1_lost = y_1_of_c_1 - y_1_back,
+  const double y_0_of_c_0 = c_0 + c_0_lo, y_0_of_c_0_right = y_0_of_c_0 - c_0,
+      y_0_of_c_0_left = y_0_of_c_0 - y_0_of_c_0_right, y_0_of_c_0_left_rest = c_0 - y_0_of_c_0_left,
+      y_0_of_c_0_right_rest = c_0_lo - y_0_of_c_0_right,
+      y_0_of_c_0_lo = y_0_of_c_0_left_rest + y_0_of_c_0_right_rest, y_0 = y_0_of_c_0 * s,
+      y_0_inverse = 1.0 / s, y_0_back = y_0 * y_0_inverse, y_0_lost = y_0_of_c_0 - y_0_back,
+      y_0_rest = y_0_lost + y_0_of_c_0_lo, y_0_small = y_0_rest * s,
+      y_0_lo = y_0_lost == 0.0 ? 0.0 : y_0_small;
+  const double y_1_of_c_1 = c_1 + c_1_lo, y_1_of_c_1_right = y_1_of_c_1 - c_1,
+      y_1_of_c_1_left = y_1_of_c_1 - y_1_of_c_1_right, y_1_of_c_1_left_rest = c_1 - y_1_of_c_1_left,
+      y_1_of_c_1_right_rest = c_1_lo - y_1_of_c_1_right,
+      y_1_of_c_1_lo = y_1_of_c_1_left_rest + y_1_of_c_1_right_rest, y_1 = y_1_of_c_1 * s,
+      y_1_back = y_1 * y_0_inverse, y_1_lost = y_1_of_c_1 - y_1_back,
       y_1_rest = y_1_lost + y_1_of_c_1_lo, y_1_small = y_1_rest * s,
       y_1_lo = y_1_lost == 0.0 ? 0.0 : y_1_small;
-  const double y_2_of_c_2 = c_2 + c_2_lo, y_2_of_c_2_lo = ksl_sum_error(c_2, c_2_lo, y_2_of_c_2),
-      y_2 = y_2_of_c_2 * s, y_2_back = y_2 * y_0_inverse, y_2_lost = y_2_of_c_2 - y_2_back,
+  const double y_2_of_c_2 = c_2 + c_2_lo, y_2_of_c_2_right = y_2_of_c_2 - c_2,
+      y_2_of_c_2_left = y_2_of_c_2 - y_2_of_c_2_right, y_2_of_c_2_left_rest = c_2 - y_2_of_c_2_left,
+      y_2_of_c_2_right_rest = c_2_lo - y_2_of_c_2_right,
+      y_2_of_c_2_lo = y_2_of_c_2_left_rest + y_2_of_c_2_right_rest, y_2 = y_2_of_c_2 * s,
+      y_2_back = y_2 * y_0_inverse, y_2_lost = y_2_of_c_2 - y_2_back,
       y_2_rest = y_2_lost + y_2_of_c_2_lo, y_2_small = y_2_rest * s,
       y_2_lo = y_2_lost == 0.0 ? 0.0 : y_2_small;
   const double n_a = y_0 * y_0, n_a_cross1 = y_0_lo * y_0, n_a_cross2 = y_0 * y_0_lo,
-      n_a_error = ksl_product_error(y_0, y_0, n_a), n_a_lo1 = n_a_error + n_a_cross1,
-      n_a_lo = n_a_lo1 + n_a_cross2, n_b = y_1 * y_1, n_b_cross1 = y_1_lo * y_1,
-      n_b_cross2 = y_1 * y_1_lo, n_b_error = ksl_product_error(y_1, y_1, n_b),
-      n_b_lo1 = n_b_error + n_b_cross1, n_b_lo = n_b_lo1 + n_b_cross2, n_c = n_a + n_b,
-      n_c_error = ksl_sum_error(n_a, n_b, n_c), n_c_lo1 = n_c_error + n_a_lo,
-      n_c_lo = n_c_lo1 + n_b_lo, n_d = y_2 * y_2, n_d_cross1 = y_2_lo * y_2,
-      n_d_cross2 = y_2 * y_2_lo, n_d_error = ksl_product_error(y_2, y_2, n_d),
-      n_d_lo1 = n_d_error + n_d_cross1, n_d_lo = n_d_lo1 + n_d_cross2, n_e = n_c + n_d,
-      n_e_error = ksl_sum_error(n_c, n_d, n_e), n_e_lo1 = n_e_error + n_c_lo,
-      n_e_lo = n_e_lo1 + n_d_lo, n_of_n_e = n_e + n_e_lo,
-      n_of_n_e_lo = ksl_sum_error(n_e, n_e_lo, n_of_n_e), n = sqrt(n_of_n_e), n_product = n * n,
+      n_a_cross = n_a_cross1 + n_a_cross2, n_b = y_1 * y_1, n_b_cross1 = y_1_lo * y_1,
+      n_b_cross2 = y_1 * y_1_lo, n_b_cross = n_b_cross1 + n_b_cross2, n_c = n_a + n_b,
+      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+      n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
+      n_c_cross = n_a_cross + n_b_cross, n_c_lo1 = n_c_left_rest + n_c_right_rest,
+      n_c_lo = n_c_lo1 + n_c_cross, n_d = y_2 * y_2, n_d_cross1 = y_2_lo * y_2,
+      n_d_cross2 = y_2 * y_2_lo, n_d_cross = n_d_cross1 + n_d_cross2, n_e = n_c + n_d,
+      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
+      n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
+      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo2 = n_e_lo1 + n_d_cross,
+      n_e_lo = n_e_lo2 + n_c_lo, n_of_n_e = n_e + n_e_lo, n_of_n_e_right = n_of_n_e - n_e,
+      n_of_n_e_left = n_of_n_e - n_of_n_e_right, n_of_n_e_left_rest = n_e - n_of_n_e_left,
+      n_of_n_e_right_rest = n_e_lo - n_of_n_e_right,
+      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e), n_product = n * n,
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r = 1.0 < s ? 2.409919865102884e-181 : r_b;
-  const double cross_of_n = n + n_lo, cross_of_n_lo = ksl_sum_error(n, n_lo, cross_of_n),
-      cross = cross_of_n * r, cross_inverse = 1.0 / r, cross_back = cross * cross_inverse,
+  const double cross_of_n = n + n_lo, cross_of_n_right = cross_of_n - n,
+      cross_of_n_left = cross_of_n - cross_of_n_right, cross_of_n_left_rest = n - cross_of_n_left,
+      cross_of_n_right_rest = n_lo - cross_of_n_right,
+      cross_of_n_lo = cross_of_n_left_rest + cross_of_n_right_rest, cross = cross_of_n * r,
+      cross_inverse = 1.0 / r, cross_back = cross * cross_inverse,
       cross_lost = cross_of_n - cross_back, cross_rest = cross_lost + cross_of_n_lo,
       cross_small = cross_rest * r, cross_lo = cross_lost == 0.0 ? 0.0 : cross_small;
-  const double dot__a = scaled_s1_0 * scaled_s2_0,
-      dot__a_lo = ksl_product_error(scaled_s1_0, scaled_s2_0, dot__a),
-      dot__b = scaled_s1_1 * scaled_s2_1,
-      dot__b_lo = ksl_product_error(scaled_s1_1, scaled_s2_1, dot__b), dot__c = dot__a + dot__b,
-      dot__c_error = ksl_sum_error(dot__a, dot__b, dot__c), dot__c_lo1 = dot__c_error + dot__a_lo,
-      dot__c_lo = dot__c_lo1 + dot__b_lo, dot__d = scaled_s1_2 * scaled_s2_2,
-      dot__d_lo = ksl_product_error(scaled_s1_2, scaled_s2_2, dot__d), dot_ = dot__c + dot__d,
-      dot__error = ksl_sum_error(dot__c, dot__d, dot_), dot__lo1 = dot__error + dot__c_lo,
-      dot__lo = dot__lo1 + dot__d_lo;
-  const double angle_of_cross = cross + cross_lo,
-      angle_of_cross_lo = ksl_sum_error(cross, cross_lo, angle_of_cross),
-      angle_of_dot_ = dot_ + dot__lo,
-      angle_of_dot__lo = ksl_sum_error(dot_, dot__lo, angle_of_dot_),
+  const double dot__a = scaled_s1_0 * scaled_s2_0, dot__b = scaled_s1_1 * scaled_s2_1,
+      dot__c = dot__a + dot__b, dot__c_right = dot__c - dot__a, dot__c_left = dot__c - dot__c_right,
+      dot__c_left_rest = ksl_product_rest(scaled_s1_0, scaled_s2_0, dot__a, dot__c_left),
+      dot__c_right_rest = ksl_product_rest(scaled_s1_1, scaled_s2_1, dot__b, dot__c_right),
+      dot__c_lo = dot__c_left_rest + dot__c_right_rest, dot__d = scaled_s1_2 * scaled_s2_2,
+      dot_ = dot__c + dot__d, dot__right = dot_ - dot__c, dot__left = dot_ - dot__right,
+      dot__left_rest = dot__c - dot__left,
+      dot__right_rest = ksl_product_rest(scaled_s1_2, scaled_s2_2, dot__d, dot__right),
+      dot__lo1 = dot__left_rest + dot__right_rest, dot__lo = dot__lo1 + dot__c_lo;
+  const double angle_of_cross = cross + cross_lo, angle_of_cross_right = angle_of_cross - cross,
+      angle_of_cross_left = angle_of_cross - angle_of_cross_right,
+      angle_of_cross_left_rest = cross - angle_of_cross_left,
+      angle_of_cross_right_rest = cross_lo - angle_of_cross_right,
+      angle_of_cross_lo = angle_of_cross_left_rest + angle_of_cross_right_rest,
+      angle_of_dot_ = dot_ + dot__lo, angle_of_dot__right = angle_of_dot_ - dot_,
+      angle_of_dot__left = angle_of_dot_ - angle_of_dot__right,
+      angle_of_dot__left_rest = dot_ - angle_of_dot__left,
+      angle_of_dot__right_rest = dot__lo - angle_of_dot__right,
+      angle_of_dot__lo = angle_of_dot__left_rest + angle_of_dot__right_rest,
       angle = atan2(angle_of_cross, angle_of_dot_),
-      angle_cross0 = angle_of_dot_ * angle_of_cross_lo,
-      angle_cross1 = angle_of_cross * angle_of_dot__lo, angle_cross = angle_cross0 - angle_cross1,
-      angle_square0 = angle_of_dot_ * angle_of_dot_,
-      angle_square1 = angle_of_cross * angle_of_cross, angle_square = angle_square0 + angle_square1,
-      angle_lo = angle_cross / angle_square;
-  const double angle_total = angle + angle_lo,
-      angle_rounded = angle_total == angle_total ? angle_total : angle;
-  return angle_rounded;
+      angle_cross1 = angle_of_dot_ * angle_of_cross_lo,
+      angle_cross2 = angle_of_cross * angle_of_dot__lo,
+      angle_square1 = angle_of_dot_ * angle_of_dot_,
+      angle_square2 = angle_of_cross * angle_of_cross, angle_cross = angle_cross1 - angle_cross2,
+      angle_square = angle_square1 + angle_square2, angle_lo = angle_cross / angle_square;
+  const double angle_rounded = angle + angle_lo,
+      angle_final = angle_rounded == angle_rounded ? angle_rounded : angle;
+  return angle_final;
 }
 
 /* v1·v2.
    v1, v2: vector.
-   3 mul, 7 add, 3 product error, 2 sum error.
-   Error <= u |result| + 10 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   3 mul, 11 add, 3 product rest.
+   Error <= u |result| + 11 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline double ksl_dot_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
-  const double dot_a = v1->x * v2->x, dot_a_lo = ksl_product_error(v1->x, v2->x, dot_a),
-      dot_b = v1->y * v2->y, dot_b_lo = ksl_product_error(v1->y, v2->y, dot_b),
-      dot_c = dot_a + dot_b, dot_c_error = ksl_sum_error(dot_a, dot_b, dot_c),
-      dot_c_lo1 = dot_c_error + dot_a_lo, dot_c_lo = dot_c_lo1 + dot_b_lo, dot_d = v1->z * v2->z,
-      dot_d_lo = ksl_product_error(v1->z, v2->z, dot_d), dot = dot_c + dot_d,
-      dot_error = ksl_sum_error(dot_c, dot_d, dot), dot_lo1 = dot_error + dot_c_lo,
-      dot_lo = dot_lo1 + dot_d_lo;
+  const double dot_a = v1->x * v2->x, dot_b = v1->y * v2->y, dot_c = dot_a + dot_b,
+      dot_c_right = dot_c - dot_a, dot_c_left = dot_c - dot_c_right,
+      dot_c_left_rest = ksl_product_rest(v1->x, v2->x, dot_a, dot_c_left),
+      dot_c_right_rest = ksl_product_rest(v1->y, v2->y, dot_b, dot_c_right),
+      dot_c_lo = dot_c_left_rest + dot_c_right_rest, dot_d = v1->z * v2->z, dot = dot_c + dot_d,
+      dot_right = dot - dot_c, dot_left = dot - dot_right, dot_left_rest = dot_c - dot_left,
+      dot_right_rest = ksl_product_rest(v1->z, v2->z, dot_d, dot_right),
+      dot_lo1 = dot_left_rest + dot_right_rest, dot_lo = dot_lo1 + dot_c_lo;
   const double dot_rounded = dot + dot_lo;
   return dot_rounded;
 }
@@ -513,36 +615,39 @@ static inline void ksl_product_ainvv_accurate(const double k, const ksl_vec3_t *
       vo_2_product_error = ksl_product_error(vo_2, k, vo_2_product),
       vo_2_rest = v->z - vo_2_product, vo_2_exact = vo_2_rest - vo_2_product_error,
       vo_2_lo = vo_2_exact / k;
-  const double vo_0_total = vo_0 + vo_0_lo,
-      vo_0_rounded = vo_0_total == vo_0_total ? vo_0_total : vo_0;
-  const double vo_1_total = vo_1 + vo_1_lo,
-      vo_1_rounded = vo_1_total == vo_1_total ? vo_1_total : vo_1;
-  const double vo_2_total = vo_2 + vo_2_lo,
-      vo_2_rounded = vo_2_total == vo_2_total ? vo_2_total : vo_2;
-  vo->x = vo_0_rounded;
-  vo->y = vo_1_rounded;
-  vo->z = vo_2_rounded;
+  const double vo_0_rounded = vo_0 + vo_0_lo,
+      vo_0_final = vo_0_rounded == vo_0_rounded ? vo_0_rounded : vo_0;
+  const double vo_1_rounded = vo_1 + vo_1_lo,
+      vo_1_final = vo_1_rounded == vo_1_rounded ? vo_1_rounded : vo_1;
+  const double vo_2_rounded = vo_2 + vo_2_lo,
+      vo_2_final = vo_2_rounded == vo_2_rounded ? vo_2_rounded : vo_2;
+  vo->x = vo_0_final;
+  vo->y = vo_1_final;
+  vo->z = vo_2_final;
 }
 
 /* vo = v1 × v2.  Exactly zero for v1 = v2, unless products overflow.
    v1, v2, vo: vector.
-   6 mul, 12 add, 6 product error, 3 sum error.
-   Error <= u |result| + 4 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+   6 mul, 15 add, 6 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_cross_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t *v2,
     ksl_vec3_t *vo) {
-  const double vo_0a = v1->y * v2->z, vo_0a_lo = ksl_product_error(v1->y, v2->z, vo_0a),
-      vo_0b = v1->z * v2->y, vo_0b_lo = ksl_product_error(v1->z, v2->y, vo_0b),
-      vo_0 = vo_0a - vo_0b, vo_0_error = ksl_difference_error(vo_0a, vo_0b, vo_0),
-      vo_0_lo1 = vo_0_error + vo_0a_lo, vo_0_lo = vo_0_lo1 - vo_0b_lo;
-  const double vo_1a = v1->z * v2->x, vo_1a_lo = ksl_product_error(v1->z, v2->x, vo_1a),
-      vo_1b = v1->x * v2->z, vo_1b_lo = ksl_product_error(v1->x, v2->z, vo_1b),
-      vo_1 = vo_1a - vo_1b, vo_1_error = ksl_difference_error(vo_1a, vo_1b, vo_1),
-      vo_1_lo1 = vo_1_error + vo_1a_lo, vo_1_lo = vo_1_lo1 - vo_1b_lo;
-  const double vo_2a = v1->x * v2->y, vo_2a_lo = ksl_product_error(v1->x, v2->y, vo_2a),
-      vo_2b = v1->y * v2->x, vo_2b_lo = ksl_product_error(v1->y, v2->x, vo_2b),
-      vo_2 = vo_2a - vo_2b, vo_2_error = ksl_difference_error(vo_2a, vo_2b, vo_2),
-      vo_2_lo1 = vo_2_error + vo_2a_lo, vo_2_lo = vo_2_lo1 - vo_2b_lo;
+  const double vo_0a = v1->y * v2->z, vo_0b = v1->z * v2->y, vo_0 = vo_0a - vo_0b,
+      vo_0_right = vo_0a - vo_0, vo_0_left = vo_0 + vo_0_right,
+      vo_0_left_rest = ksl_product_rest(v1->y, v2->z, vo_0a, vo_0_left),
+      vo_0_right_rest = ksl_product_rest(v1->z, v2->y, vo_0b, vo_0_right),
+      vo_0_lo = vo_0_left_rest - vo_0_right_rest;
+  const double vo_1a = v1->z * v2->x, vo_1b = v1->x * v2->z, vo_1 = vo_1a - vo_1b,
+      vo_1_right = vo_1a - vo_1, vo_1_left = vo_1 + vo_1_right,
+      vo_1_left_rest = ksl_product_rest(v1->z, v2->x, vo_1a, vo_1_left),
+      vo_1_right_rest = ksl_product_rest(v1->x, v2->z, vo_1b, vo_1_right),
+      vo_1_lo = vo_1_left_rest - vo_1_right_rest;
+  const double vo_2a = v1->x * v2->y, vo_2b = v1->y * v2->x, vo_2 = vo_2a - vo_2b,
+      vo_2_right = vo_2a - vo_2, vo_2_left = vo_2 + vo_2_right,
+      vo_2_left_rest = ksl_product_rest(v1->x, v2->y, vo_2a, vo_2_left),
+      vo_2_right_rest = ksl_product_rest(v1->y, v2->x, vo_2b, vo_2_right),
+      vo_2_lo = vo_2_left_rest - vo_2_right_rest;
   const double vo_0_rounded = vo_0 + vo_0_lo;
   const double vo_1_rounded = vo_1 + vo_1_lo;
   const double vo_2_rounded = vo_2 + vo_2_lo;
@@ -553,23 +658,26 @@ static inline void ksl_cross_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t 
 
 /* vo = v1 × (-v2).
    v1, v2, vo: vector.
-   6 mul, 12 add, 6 product error, 3 sum error.
-   Error <= u |result| + 4 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+   6 mul, 15 add, 6 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_cross_vvinv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t *v2,
     ksl_vec3_t *vo) {
-  const double vo_0a = v1->z * v2->y, vo_0a_lo = ksl_product_error(v1->z, v2->y, vo_0a),
-      vo_0b = v1->y * v2->z, vo_0b_lo = ksl_product_error(v1->y, v2->z, vo_0b),
-      vo_0 = vo_0a - vo_0b, vo_0_error = ksl_difference_error(vo_0a, vo_0b, vo_0),
-      vo_0_lo1 = vo_0_error + vo_0a_lo, vo_0_lo = vo_0_lo1 - vo_0b_lo;
-  const double vo_1a = v1->x * v2->z, vo_1a_lo = ksl_product_error(v1->x, v2->z, vo_1a),
-      vo_1b = v1->z * v2->x, vo_1b_lo = ksl_product_error(v1->z, v2->x, vo_1b),
-      vo_1 = vo_1a - vo_1b, vo_1_error = ksl_difference_error(vo_1a, vo_1b, vo_1),
-      vo_1_lo1 = vo_1_error + vo_1a_lo, vo_1_lo = vo_1_lo1 - vo_1b_lo;
-  const double vo_2a = v1->y * v2->x, vo_2a_lo = ksl_product_error(v1->y, v2->x, vo_2a),
-      vo_2b = v1->x * v2->y, vo_2b_lo = ksl_product_error(v1->x, v2->y, vo_2b),
-      vo_2 = vo_2a - vo_2b, vo_2_error = ksl_difference_error(vo_2a, vo_2b, vo_2),
-      vo_2_lo1 = vo_2_error + vo_2a_lo, vo_2_lo = vo_2_lo1 - vo_2b_lo;
+  const double vo_0a = v1->z * v2->y, vo_0b = v1->y * v2->z, vo_0 = vo_0a - vo_0b,
+      vo_0_right = vo_0a - vo_0, vo_0_left = vo_0 + vo_0_right,
+      vo_0_left_rest = ksl_product_rest(v1->z, v2->y, vo_0a, vo_0_left),
+      vo_0_right_rest = ksl_product_rest(v1->y, v2->z, vo_0b, vo_0_right),
+      vo_0_lo = vo_0_left_rest - vo_0_right_rest;
+  const double vo_1a = v1->x * v2->z, vo_1b = v1->z * v2->x, vo_1 = vo_1a - vo_1b,
+      vo_1_right = vo_1a - vo_1, vo_1_left = vo_1 + vo_1_right,
+      vo_1_left_rest = ksl_product_rest(v1->x, v2->z, vo_1a, vo_1_left),
+      vo_1_right_rest = ksl_product_rest(v1->z, v2->x, vo_1b, vo_1_right),
+      vo_1_lo = vo_1_left_rest - vo_1_right_rest;
+  const double vo_2a = v1->y * v2->x, vo_2b = v1->x * v2->y, vo_2 = vo_2a - vo_2b,
+      vo_2_right = vo_2a - vo_2, vo_2_left = vo_2 + vo_2_right,
+      vo_2_left_rest = ksl_product_rest(v1->y, v2->x, vo_2a, vo_2_left),
+      vo_2_right_rest = ksl_product_rest(v1->x, v2->y, vo_2b, vo_2_right),
+      vo_2_lo = vo_2_left_rest - vo_2_right_rest;
   const double vo_0_rounded = vo_0 + vo_0_lo;
   const double vo_1_rounded = vo_1 + vo_1_lo;
   const double vo_2_rounded = vo_2 + vo_2_lo;
@@ -580,10 +688,12 @@ static inline void ksl_cross_vvinv_accurate(const ksl_vec3_t *v1, const ksl_vec3
 
 /* vo = v + k e_x.
    v, vo: vector; k: number.
-   2 add, 1 sum error.
+   7 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvx_accurate(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = v->x + k, vo_0_lo = ksl_sum_error(v->x, k, vo_0);
+  const double vo_0 = v->x + k, vo_0_right = vo_0 - v->x, vo_0_left = vo_0 - vo_0_right,
+      vo_0_left_rest = v->x - vo_0_left, vo_0_right_rest = k - vo_0_right,
+      vo_0_lo = vo_0_left_rest + vo_0_right_rest;
   const double vo_0_rounded = vo_0 + vo_0_lo;
   const double v_y = v->y;
   const double v_z = v->z;
@@ -594,10 +704,12 @@ static inline void ksl_add_vvx_accurate(const ksl_vec3_t *v, const double k, ksl
 
 /* vo = v - k e_x.
    v, vo: vector; k: number.
-   2 add, 1 sum error.
+   7 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvxinv_accurate(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = v->x - k, vo_0_lo = ksl_difference_error(v->x, k, vo_0);
+  const double vo_0 = v->x - k, vo_0_right = v->x - vo_0, vo_0_left = vo_0 + vo_0_right,
+      vo_0_left_rest = v->x - vo_0_left, vo_0_right_rest = k - vo_0_right,
+      vo_0_lo = vo_0_left_rest - vo_0_right_rest;
   const double vo_0_rounded = vo_0 + vo_0_lo;
   const double v_y = v->y;
   const double v_z = v->z;
@@ -608,10 +720,12 @@ static inline void ksl_add_vvxinv_accurate(const ksl_vec3_t *v, const double k, 
 
 /* vo = v + k e_y.
    v, vo: vector; k: number.
-   2 add, 1 sum error.
+   7 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvy_accurate(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
-  const double vo_1 = v->y + k, vo_1_lo = ksl_sum_error(v->y, k, vo_1);
+  const double vo_1 = v->y + k, vo_1_right = vo_1 - v->y, vo_1_left = vo_1 - vo_1_right,
+      vo_1_left_rest = v->y - vo_1_left, vo_1_right_rest = k - vo_1_right,
+      vo_1_lo = vo_1_left_rest + vo_1_right_rest;
   const double vo_1_rounded = vo_1 + vo_1_lo;
   const double v_x = v->x;
   const double v_z = v->z;
@@ -622,10 +736,12 @@ static inline void ksl_add_vvy_accurate(const ksl_vec3_t *v, const double k, ksl
 
 /* vo = v - k e_y.
    v, vo: vector; k: number.
-   2 add, 1 sum error.
+   7 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvyinv_accurate(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
-  const double vo_1 = v->y - k, vo_1_lo = ksl_difference_error(v->y, k, vo_1);
+  const double vo_1 = v->y - k, vo_1_right = v->y - vo_1, vo_1_left = vo_1 + vo_1_right,
+      vo_1_left_rest = v->y - vo_1_left, vo_1_right_rest = k - vo_1_right,
+      vo_1_lo = vo_1_left_rest - vo_1_right_rest;
   const double vo_1_rounded = vo_1 + vo_1_lo;
   const double v_x = v->x;
   const double v_z = v->z;
@@ -636,10 +752,12 @@ static inline void ksl_add_vvyinv_accurate(const ksl_vec3_t *v, const double k, 
 
 /* vo = v + k e_z.
    v, vo: vector; k: number.
-   2 add, 1 sum error.
+   7 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvz_accurate(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
-  const double vo_2 = v->z + k, vo_2_lo = ksl_sum_error(v->z, k, vo_2);
+  const double vo_2 = v->z + k, vo_2_right = vo_2 - v->z, vo_2_left = vo_2 - vo_2_right,
+      vo_2_left_rest = v->z - vo_2_left, vo_2_right_rest = k - vo_2_right,
+      vo_2_lo = vo_2_left_rest + vo_2_right_rest;
   const double vo_2_rounded = vo_2 + vo_2_lo;
   const double v_x = v->x;
   const double v_y = v->y;
@@ -650,10 +768,12 @@ static inline void ksl_add_vvz_accurate(const ksl_vec3_t *v, const double k, ksl
 
 /* vo = v - k e_z.
    v, vo: vector; k: number.
-   2 add, 1 sum error.
+   7 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_vvzinv_accurate(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
-  const double vo_2 = v->z - k, vo_2_lo = ksl_difference_error(v->z, k, vo_2);
+  const double vo_2 = v->z - k, vo_2_right = v->z - vo_2, vo_2_left = vo_2 + vo_2_right,
+      vo_2_left_rest = v->z - vo_2_left, vo_2_right_rest = k - vo_2_right,
+      vo_2_lo = vo_2_left_rest - vo_2_right_rest;
   const double vo_2_rounded = vo_2 + vo_2_lo;
   const double v_x = v->x;
   const double v_y = v->y;

@@ -6,285 +6,289 @@ def vec3_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float64] | None = 
     """self = a self.
 
     (3),()->(3).  self: vector; a: number.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def axpy_vv(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """y = a x + y.
 
     (),(3),(3)->(3).  a: number; x, y: vector.
-    3 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    3 mul, 18 add, 3 product rest.  Error <= u |result| + 3 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def xpy_vv(x: ArrayLike, y: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """y = x + y.
 
     (3),(3)->(3).  x, y: vector.
-    3 add.  Error <= u |result|, barring over- and underflow.
+    21 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def nxpy_vv(x: ArrayLike, y: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """y = -x + y.
 
     (3),(3)->(3).  x, y: vector.
-    3 add.  Error <= u |result|, barring over- and underflow.
+    21 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_av(a: ArrayLike, vi: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = a vi.
 
     (),(3)->(3).  a: number; vi, vo: vector.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v1 + v2.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    3 add.  Error <= u |result|, barring over- and underflow.
+    21 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def subtract_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v1 - v2.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    3 add.  Error <= u |result|, barring over- and underflow.
+    21 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def vec3_scaled(v: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = k v.
 
     (3),()->(3).  v, vo: vector; k: number.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def vec3_l2norm(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """|v| = sqrt(v·v).
 
     (3)->().  v: vector; norm: number.
-    7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select.
+    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 3 abs, 6 less, 3 equal, 9
+    select.
     """
 
 def vec3_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """self = self / |self|; the zero vector stays zero.
 
     (3)->(3).  self: vector.
-    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.
+    25 mul, 62 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+    select.
     """
 
 def vec3_normalized(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v / |v|; the zero vector stays zero.
 
     (3)->(3).  v, vo: vector.
-    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.
+    25 mul, 62 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+    select.
     """
 
 def angle_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
 
     (3),(3)->().  v1, v2: vector; angle: number.
-    22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 14 less, 14 select.
+    41 mul, 95 add, 1 product error, 12 product rest, 4 div, 1 sqrt, 1 atan2, 9 abs, 14 less, 6
+    equal, 20 select.
     """
 
 def dot_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """v1·v2.
 
     (3),(3)->().  v1, v2: vector; dot: number.
-    3 mul, 2 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    3 mul, 11 add, 3 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_avinv(k: ArrayLike, v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = k (-v).
 
     (),(3)->(3).  k: number; v, vo: vector.
-    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error, 6 neg.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_ainvv(k: ArrayLike, v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v / k.
 
     (),(3)->(3).  k: number; v, vo: vector.
-    3 div.
+    3 mul, 9 add, 3 product error, 6 div, 3 equal, 3 select.
     """
 
 def cross_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v1 × v2.  Exactly zero for v1 = v2, unless products overflow.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    6 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def cross_vvinv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v1 × (-v2).
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    6 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def add_vvx(v: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v + k e_x.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    7 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_vvxinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v - k e_x.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    7 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_vvy(v: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v + k e_y.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    7 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_vvyinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v - k e_y.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    7 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_vvz(v: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v + k e_z.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    7 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_vvzinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v - k e_z.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    7 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def mat3x3_determinant(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """det R.
 
     (3,3)->().  R: rotation or other 3×3 matrix; det: number.
-    9 mul, 5 add.  Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    12 mul, 26 add, 9 product rest.  Error <= u |result| + 28 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def SE3_invert(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """self = self^-1 = [R^T | -R^T t].
 
     (3,4)->(3,4).  self: displacement [R | t], R rotation, t in m.
-    9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of
-    the expanded formula; barring over- and underflow.
+    9 mul, 33 add, 9 product rest, 6 neg.  Error <= u |result| + (R: 0, t: 11) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def SE3_inverted(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D^-1 = [R^T | -R^T t].
 
     (3,4)->(3,4).  D, Do: displacement [R | t], R rotation, t in m.
-    9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of
-    the expanded formula; barring over- and underflow.
+    9 mul, 33 add, 9 product rest, 6 neg.  Error <= u |result| + (R: 0, t: 11) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_drv(R: ArrayLike, v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R v.
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    9 mul, 33 add, 9 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_drvinv(R: ArrayLike, v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R (-v).
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add, 3 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    9 mul, 33 add, 9 product rest, 6 neg.  Error <= u |result| + 11 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_drinvv(R: ArrayLike, v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R^T v.
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    9 mul, 33 add, 9 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_drinvvinv(R: ArrayLike, v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R^T (-v).
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add, 3 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    9 mul, 33 add, 9 product rest, 6 neg.  Error <= u |result| + 11 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_dv(D: ArrayLike, v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R v + t.
 
     (3,4),(3)->(3).  D: displacement [R | t], R rotation, t in m; v, vo: vector.
-    9 mul, 9 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    9 mul, 54 add, 9 product rest.  Error <= u |result| + 15 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_dinvv(D: ArrayLike, v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R^T (v - t).
 
     (3,4),(3)->(3).  D: displacement [R | t], R rotation, t in m; v, vo: vector.
-    9 mul, 9 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    18 mul, 60 add, 9 product rest.  Error <= u |result| + 18 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_drdr(R1: ArrayLike, R2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = R1 R2.
 
     (3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    27 mul, 99 add, 27 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def product_drdrinv(R1: ArrayLike, R2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = R1 R2^T.
 
     (3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    27 mul, 99 add, 27 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def product_drinvdr(R1: ArrayLike, R2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = R1^T R2.
 
     (3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    27 mul, 99 add, 27 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def product_dd(D1: ArrayLike, D2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D1 D2 = [R1 R2 | R1 t2 + t1].
 
     (3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.
-    36 mul, 27 add.  Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    36 mul, 153 add, 36 product rest.  Error <= u |result| + (R: 11, t: 15) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddinv(D1: ArrayLike, D2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T.
 
     (3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.
-    36 mul, 27 add.  Error <= u |result| + (R: 2, t: 6) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    45 mul, 162 add, 36 product rest.  Error <= u |result| + (R: 11, t: 44) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_dinvd(D1: ArrayLike, D2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)].
 
     (3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.
-    36 mul, 27 add.  Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    45 mul, 159 add, 36 product rest.  Error <= u |result| + (R: 11, t: 18) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddr(D: ArrayLike, R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -292,8 +296,8 @@ def product_ddr(D: ArrayLike, R: ArrayLike, out: NDArray[np.float64] | None = ..
 
     (3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other
     3×3 matrix.
-    27 mul, 18 add.  Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    27 mul, 99 add, 27 product rest.  Error <= u |result| + (R: 11, t: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddrinv(D: ArrayLike, R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -301,344 +305,347 @@ def product_ddrinv(D: ArrayLike, R: ArrayLike, out: NDArray[np.float64] | None =
 
     (3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other
     3×3 matrix.
-    27 mul, 18 add.  Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    27 mul, 99 add, 27 product rest.  Error <= u |result| + (R: 11, t: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddt(D: ArrayLike, t: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [I | t].
 
     (3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.
-    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    9 mul, 54 add, 9 product rest.  Error <= u |result| + (R: 0, t: 15) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddtinv(D: ArrayLike, t: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [I | -t].
 
     (3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.
-    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    9 mul, 54 add, 9 product rest.  Error <= u |result| + (R: 0, t: 15) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_dinvdt(D: ArrayLike, t: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D^-1 [I | t] = [R^T | R^T (t - t_D)].
 
     (3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.
-    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    18 mul, 60 add, 9 product rest.  Error <= u |result| + (R: 0, t: 18) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_drvtx(R: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R (k e_x).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_drdrx(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = R R_x(θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_ddrx(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [R_x(θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + (R: 6, t: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddtx(D: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [I | k e_x].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    3 mul, 18 add, 3 product rest.  Error <= u |result| + (R: 0, t: 3) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_drvtxinv(R: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R (-k e_x).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error, 6 neg.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_drdrxinv(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = R R_x(-θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_ddrxinv(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + (R: 6, t: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddtxinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [I | -k e_x].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    3 mul, 18 add, 3 product rest.  Error <= u |result| + (R: 0, t: 5) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_drvty(R: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R (k e_y).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_drdry(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = R R_y(θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_ddry(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [R_y(θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + (R: 6, t: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddty(D: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [I | k e_y].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    3 mul, 18 add, 3 product rest.  Error <= u |result| + (R: 0, t: 3) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_drvtyinv(R: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R (-k e_y).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error, 6 neg.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_drdryinv(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = R R_y(-θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_ddryinv(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + (R: 6, t: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddtyinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [I | -k e_y].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    3 mul, 18 add, 3 product rest.  Error <= u |result| + (R: 0, t: 5) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_drvtz(R: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R (k e_z).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_drdrz(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = R R_z(θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_ddrz(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [R_z(θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + (R: 6, t: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddtz(D: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [I | k e_z].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    3 mul, 18 add, 3 product rest.  Error <= u |result| + (R: 0, t: 3) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_drvtzinv(R: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R (-k e_z).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error, 6 neg.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_drdrzinv(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = R R_z(-θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_ddrzinv(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    12 mul, 30 add, 12 product rest.  Error <= u |result| + (R: 6, t: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_ddtzinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D [I | -k e_z].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    3 mul, 18 add, 3 product rest.  Error <= u |result| + (R: 0, t: 5) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def screw_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """self = a self.
 
     (6),()->(6).  self: screw (v in m/s; ω in rad/s); a: number.
-    6 mul.  Error <= u |result|, barring over- and underflow.
+    6 mul, 6 add, 6 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def axpy_ss(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """y = a x + y.
 
     (),(6),(6)->(6).  a: number; x, y: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest.  Error <= u |result| + 3 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def xpy_ss(x: ArrayLike, y: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """y = x + y.
 
     (6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def nxpy_ss(x: ArrayLike, y: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """y = -x + y.
 
     (6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_as(a: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = a si.
 
     (),(6)->(6).  a: number; si, so: screw (v in m/s; ω in rad/s).
-    6 mul.  Error <= u |result|, barring over- and underflow.
+    6 mul, 6 add, 6 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = s1 + s2.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def subtract_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = s1 - s2.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def screw_norm(si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  si: screw (v in m/s; ω in rad/s); norm: number.
-    7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select.
+    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
+    select.
     """
 
 def screw_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """self = self / |self|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+    select.
     """
 
 def screw_normalized(si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = si / |si|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+    select.
     """
 
 def add_sst(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = (s1.lin + s2.lin ; s1.ang).
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    3 add.  Error <= u |result|, barring over- and underflow.
+    21 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_Adts(t: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = [Ad](t) si.
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest.  Error <= u |result| + (lin: 9, ang: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_Adtinvs(t: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = [Ad](t)^-1 si.
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest.  Error <= u |result| + (lin: 9, ang: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_Adtsinv(t: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = [Ad](t) (-si).
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 9, ang: 0) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_Adrs(R: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = [Ad](R) si.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def product_Adrinvs(R: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = [Ad](R)^-1 si.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def product_Adrsinv(R: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = [Ad](R) (-si).
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add, 6 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest, 12 neg.  Error <= u |result| + 11 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_Ads(D: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -646,8 +653,8 @@ def product_Ads(D: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None = .
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
     rad/s).
-    24 mul, 18 add.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    30 mul, 108 add, 24 product rest.  Error <= u |result| + (lin: 35, ang: 11) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_Adinvs(D: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -655,8 +662,8 @@ def product_Adinvs(D: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None 
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
     rad/s).
-    24 mul, 18 add.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    33 mul, 108 add, 24 product rest.  Error <= u |result| + (lin: 35, ang: 11) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_Adsinv(D: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -664,72 +671,72 @@ def product_Adsinv(D: ArrayLike, si: ArrayLike, out: NDArray[np.float64] | None 
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
     rad/s).
-    24 mul, 18 add, 6 neg.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    30 mul, 108 add, 24 product rest, 12 neg.  Error <= u |result| + (lin: 35, ang: 11) u^2 S, S
+    the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsrx(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = h_rx: column 3 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsry(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = h_ry: column 4 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsrz(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = h_rz: column 5 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsrxinv(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = -h_rx: -column 3 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsryinv(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = -h_ry: -column 4 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsrzinv(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = -h_rz: -column 5 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def Ad(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """M = [Ad](D).
 
     (3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-    18 mul, 9 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    18 mul, 45 add, 18 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def dot_cs(c: ArrayLike, s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """power = f·v + τ·ω, in W.
 
     (6),(6)->().  c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s); power: number.
-    6 mul, 5 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    6 mul, 29 add, 6 product rest.  Error <= u |result| + 19 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def cross_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -737,16 +744,16 @@ def cross_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float64] | None = ...
     overflow.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add.  Error <= u |result| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest.  Error <= u |result| + (lin: 12, ang: 6) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def cross_sst(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = (ω1×v2 ; 0).
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsra(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -754,8 +761,8 @@ def hsra(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float64] | None = ...) -
 
     (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
     m/s; ω in rad/s).
-    15 mul, 9 add.  Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    21 mul, 54 add, 15 product rest.  Error <= u |result| + (lin: 28, ang: 11) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsta(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -763,134 +770,137 @@ def hsta(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float64] | None = ...) -
 
     (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
     m/s; ω in rad/s).
-    9 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    9 mul, 33 add, 9 product rest.  Error <= u |result| + (lin: 11, ang: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def coscrew_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """self = a self.
 
     (6),()->(6).  self: coscrew (f in N; τ in N m); a: number.
-    6 mul.  Error <= u |result|, barring over- and underflow.
+    6 mul, 6 add, 6 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def axpy_cc(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """y = a x + y.
 
     (),(6),(6)->(6).  a: number; x, y: coscrew (f in N; τ in N m).
-    6 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest.  Error <= u |result| + 3 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def xpy_cc(x: ArrayLike, y: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """y = x + y.
 
     (6),(6)->(6).  x, y: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def nxpy_cc(x: ArrayLike, y: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """y = -x + y.
 
     (6),(6)->(6).  x, y: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_ac(a: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = a ci.
 
     (),(6)->(6).  a: number; ci, co: coscrew (f in N; τ in N m).
-    6 mul.  Error <= u |result|, barring over- and underflow.
+    6 mul, 6 add, 6 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_cc(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = c1 + c2.
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def subtract_cc(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = c1 - c2.
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def coscrew_norm(ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  ci: coscrew (f in N; τ in N m); norm: number.
-    7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select.
+    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
+    select.
     """
 
 def coscrew_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+    select.
     """
 
 def coscrew_normalized(ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+    select.
     """
 
 def add_cct(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = (c1.lin + c2.lin ; c1.ang).
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    3 add.  Error <= u |result|, barring over- and underflow.
+    21 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def product_CoAdtc(t: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = [Ad]*(t) ci.
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 6 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 9) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdtinvc(t: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = [Ad]*(t)^-1 ci.
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 6 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 9) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdtcinv(t: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = [Ad]*(t) (-ci).
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 0, ang: 9) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdrc(R: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = [Ad]*(R) ci.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdrinvc(R: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = [Ad]*(R)^-1 ci.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdrcinv(R: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = [Ad]*(R) (-ci).
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add, 6 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest, 12 neg.  Error <= u |result| + 11 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdc(D: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -898,8 +908,8 @@ def product_CoAdc(D: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | None =
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
     N m).
-    24 mul, 18 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    30 mul, 108 add, 24 product rest.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdinvc(D: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -907,8 +917,8 @@ def product_CoAdinvc(D: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | Non
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
     N m).
-    24 mul, 18 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    33 mul, 108 add, 24 product rest.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdcinv(D: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -916,64 +926,64 @@ def product_CoAdcinv(D: ArrayLike, ci: ArrayLike, out: NDArray[np.float64] | Non
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
     N m).
-    24 mul, 18 add, 6 neg.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    30 mul, 108 add, 24 product rest, 12 neg.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S
+    the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hctx(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = h_tx: column 0 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hcty(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = h_ty: column 1 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hctz(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = h_tz: column 2 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hctxinv(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = -h_tx: -column 0 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hctyinv(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = -h_ty: -column 1 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hctzinv(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = -h_tz: -column 2 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def CoAd(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """M = [Ad]*(D).
 
     (3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-    18 mul, 9 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    18 mul, 45 add, 18 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def reciprocal_product(c: ArrayLike, x: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -981,24 +991,24 @@ def reciprocal_product(c: ArrayLike, x: ArrayLike, out: NDArray[np.float64] | No
 
     (6),(6)->().  c: coscrew (f in N; τ in N m); x: six components with the angular part on top;
     power: number.
-    6 mul, 5 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    6 mul, 29 add, 6 product rest.  Error <= u |result| + 19 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def cross_sc(s: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
 
     (6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add.  Error <= u |result| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest.  Error <= u |result| + (lin: 6, ang: 12) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def cross_sca(s: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = (0 ; ω×τ).
 
     (6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1006,8 +1016,8 @@ def constraint_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None =
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 6, ang: 26) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1015,8 +1025,8 @@ def constraint_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None =
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 6, ang: 26) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1024,8 +1034,8 @@ def constraint_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None =
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 6, ang: 26) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1033,8 +1043,8 @@ def constraint_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None =
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1042,8 +1052,8 @@ def constraint_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None =
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1051,8 +1061,8 @@ def constraint_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None =
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def working_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1060,8 +1070,8 @@ def working_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ..
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    9 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    15 mul, 24 add, 3 product error, 6 product rest.  Error <= u |result| + (lin: 0, ang: 11)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def working_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1069,8 +1079,8 @@ def working_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ..
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    9 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    15 mul, 24 add, 3 product error, 6 product rest.  Error <= u |result| + (lin: 0, ang: 11)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def working_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1078,8 +1088,8 @@ def working_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ..
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    9 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    15 mul, 24 add, 3 product error, 6 product rest.  Error <= u |result| + (lin: 0, ang: 11)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def working_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1087,7 +1097,7 @@ def working_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ..
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def working_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1095,7 +1105,7 @@ def working_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ..
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def working_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1103,89 +1113,93 @@ def working_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float64] | None = ..
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def quaternion_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """self = a self.
 
     (4),()->(4).  self: quaternion (w; x, y, z), the scalar first; a: number.
-    4 mul.  Error <= u |result|, barring over- and underflow.
+    4 mul, 4 add, 4 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def quaternion_norm(q: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """|q| = sqrt(w^2 + v·v).
 
     (4)->().  q: quaternion (w; x, y, z), the scalar first; norm: number.
-    9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select.
+    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
+    select.
     """
 
 def quaternion_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """self = self / |self|; zero stays zero.
 
     (4)->(4).  self: quaternion (w; x, y, z), the scalar first.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+    select.
     """
 
 def quaternion_normalized(q: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """qo = q / |q|; zero stays zero.
 
     (4)->(4).  q, qo: quaternion (w; x, y, z), the scalar first.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+    select.
     """
 
 def product_qq(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
 
     (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-    16 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    16 mul, 68 add, 16 product rest.  Error <= u |result| + 17 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def product_qconjq(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """qo = q1* q2, q1* the conjugate.
 
     (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-    16 mul, 12 add.  Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    16 mul, 68 add, 16 product rest.  Error <= u |result| + (w: 17, v: 12) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_qqconj(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """qo = q1 q2*, q2* the conjugate.
 
     (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-    16 mul, 12 add.  Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    16 mul, 68 add, 16 product rest.  Error <= u |result| + (w: 17, v: 12) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_qv(q: ArrayLike, v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R(q) v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-    18 mul, 12 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    30 mul, 78 add, 3 product error, 15 product rest.  Error <= u |result| + 49 u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_qconjv(q: ArrayLike, v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R(q)^T v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-    18 mul, 12 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    30 mul, 78 add, 3 product error, 15 product rest.  Error <= u |result| + 49 u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-    20 mul, 16 add, 1 div.
+    41 mul, 117 add, 11 product error, 24 product rest, 2 div, 9 equal, 9 select.
     """
 
 def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-    4 mul, 21 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
+    21 mul, 200 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
+    select.
     """
 
 def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -1193,7 +1207,8 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float64] | No
     angle = 0; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.
-    8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
+    22 mul, 56 add, 5 product error, 3 product rest, 9 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7
+    less, 7 equal, 20 select.
     """
 
 def quaternion_log(q: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1201,37 +1216,40 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArr
     it.
 
     (4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.
-    11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.
+    24 mul, 59 add, 6 product error, 3 product rest, 5 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7
+    less, 6 equal, 17 select.
     """
 
 def SO3_log(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    11 mul, 20 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
+    39 mul, 214 add, 6 product error, 3 product rest, 6 div, 1 sqrt, 1 atan2, 9 neg, 3 abs, 10
+    less, 9 equal, 48 select.
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    8 mul, 20 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
+    34 mul, 211 add, 5 product error, 3 product rest, 10 div, 1 sqrt, 1 atan2, 9 neg, 3 abs, 10
+    less, 10 equal, 51 select.
     """
 
 def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
-    51 mul, 42 add, 3 neg.  Error <= u |result| + 8 u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    84 mul, 276 add, 6 product error, 45 product rest, 6 neg.  Error <= u |result| + 68 u^2 S, S
+    the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def mat3x3_orthonormalized(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
-    51 mul, 42 add, 3 neg.  Error <= u |result| + 8 u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    84 mul, 276 add, 6 product error, 45 product rest, 6 neg.  Error <= u |result| + 68 u^2 S, S
+    the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def mat3x3_ldl(A: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -1239,14 +1257,14 @@ def mat3x3_ldl(A: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.f
     pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
 
     (3,3)->(),(3,3).  A, L: rotation or other 3×3 matrix; pivot: number.
-    4 mul, 4 add, 6 div, 6 less, 9 select.
+    16 mul, 72 add, 6 product error, 4 product rest, 12 div, 6 less, 6 equal, 21 select.
     """
 
 def mat3x3_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """x = A^-1 b, L of mat3x3_ldl with a positive pivot.
 
     (3,3),(3)->(3).  L: rotation or other 3×3 matrix; b, x: vector.
-    6 mul, 6 add, 3 div.
+    13 mul, 61 add, 3 product error, 6 product rest, 6 div, 3 equal, 3 select.
     """
 
 def mat3x3_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -1254,7 +1272,7 @@ def mat3x3_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float64] | No
     not above 8 u, A is singular or indefinite, and x not a number.
 
     (3,3),(3)->(),(3).  A: rotation or other 3×3 matrix; b, x: vector; pivot: number.
-    25 mul, 28 add, 12 div, 8 less, 13 select.
+    78 mul, 303 add, 12 product error, 25 product rest, 24 div, 8 less, 4 equal, 27 select.
     """
 
 def mat6x6_ldl(A: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -1262,7 +1280,7 @@ def mat6x6_ldl(A: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.f
     pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
 
     (6,6)->(),(6,6).  A, L: 6×6 operator; pivot: number.
-    35 mul, 35 add, 21 div, 15 less, 21 select.
+    121 mul, 452 add, 21 product error, 35 product rest, 42 div, 15 less, 21 equal, 57 select.
     """
 
 def mat6x6_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1270,7 +1288,7 @@ def mat6x6_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.float64] | None
 
     (6,6),(6)->(6).  L: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in
     rad/s).
-    30 mul, 30 add, 6 div.
+    61 mul, 253 add, 6 product error, 30 product rest, 12 div, 6 equal, 6 select.
     """
 
 def mat6x6_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -1279,7 +1297,7 @@ def mat6x6_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float64] | No
 
     (6,6),(6)->(),(6).  A: 6×6 operator; b: coscrew (f in N; τ in N m); pivot: number; x: screw
     (v in m/s; ω in rad/s).
-    131 mul, 137 add, 33 div, 17 less, 28 select.
+    390 mul, 1319 add, 33 product error, 131 product rest, 66 div, 17 less, 7 equal, 57 select.
     """
 
 def inertia_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1287,7 +1305,7 @@ def inertia_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float64] | None
 
     (10),()->(10).  self: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
     zz, xy, xz, yz in kg m^2); a: number.
-    10 mul.  Error <= u |result|, barring over- and underflow.
+    10 mul, 10 add, 10 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def add_BB(B1: ArrayLike, B2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1295,7 +1313,7 @@ def add_BB(B1: ArrayLike, B2: ArrayLike, out: NDArray[np.float64] | None = ...) 
 
     (10),(10)->(10).  B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin,
     xx, yy, zz, xy, xz, yz in kg m^2).
-    10 add.  Error <= u |result|, barring over- and underflow.
+    70 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def subtract_BB(B1: ArrayLike, B2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1303,7 +1321,7 @@ def subtract_BB(B1: ArrayLike, B2: ArrayLike, out: NDArray[np.float64] | None = 
 
     (10),(10)->(10).  B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin,
     xx, yy, zz, xy, xz, yz in kg m^2).
-    10 add.  Error <= u |result|, barring over- and underflow.
+    70 add.  Error <= u |result|, barring over- and underflow.
     """
 
 def inertia_from_com(m: ArrayLike, com: ArrayLike, Ic: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1312,8 +1330,8 @@ def inertia_from_com(m: ArrayLike, com: ArrayLike, Ic: ArrayLike, out: NDArray[n
 
     (),(3),(3,3)->(10).  m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial
     inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
-    9 mul, 9 add.  Error <= u |result| + (m: 0, h: 0, I: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    15 mul, 66 add, 3 product error, 9 product rest.  Error <= u |result| + (m: 0, h: 0, I: 15)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def inertia_com(B: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1321,7 +1339,7 @@ def inertia_com(B: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[
 
     (10)->(3).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
     xy, xz, yz in kg m^2); vo: vector.
-    3 div.
+    3 mul, 9 add, 3 product error, 6 div, 3 equal, 3 select.
     """
 
 def inertia_about_com(B: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1329,7 +1347,7 @@ def inertia_about_com(B: ArrayLike, out: NDArray[np.float64] | None = ...) -> ND
 
     (10)->(3,3).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
     xy, xz, yz in kg m^2); Ro: rotation or other 3×3 matrix.
-    6 mul, 9 add, 3 div.
+    15 mul, 69 add, 3 product error, 9 product rest, 6 div, 6 equal, 6 select.
     """
 
 def product_Bs(B: ArrayLike, s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1337,8 +1355,8 @@ def product_Bs(B: ArrayLike, s: ArrayLike, out: NDArray[np.float64] | None = ...
 
     (10),(6)->(6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
     zz, xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
-    24 mul, 18 add.  Error <= u |result| + (lin: 2, ang: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    24 mul, 102 add, 24 product rest.  Error <= u |result| + (lin: 11, ang: 19) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def inertia_energy(B: ArrayLike, s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1346,8 +1364,8 @@ def inertia_energy(B: ArrayLike, s: ArrayLike, out: NDArray[np.float64] | None =
 
     (10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
     xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy: number.
-    31 mul, 23 add.  Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    38 mul, 132 add, 1 product error, 30 product rest.  Error <= u |result| + 81 u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def inertia_shifted(t: ArrayLike, B: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1355,8 +1373,8 @@ def inertia_shifted(t: ArrayLike, B: ArrayLike, out: NDArray[np.float64] | None 
 
     (3),(10)->(10).  t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the
     origin, xx, yy, zz, xy, xz, yz in kg m^2).
-    15 mul, 18 add.  Error <= u |result| + (m: 0, h: 1, I: 5) u S, S the sum of the |terms| of
-    the expanded formula; barring over- and underflow.
+    21 mul, 120 add, 15 product rest.  Error <= u |result| + (m: 0, h: 3, I: 31) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def inertia_transformed(D: ArrayLike, B: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1364,8 +1382,8 @@ def inertia_transformed(D: ArrayLike, B: ArrayLike, out: NDArray[np.float64] | N
 
     (3,4),(10)->(10).  D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in
     kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
-    69 mul, 54 add.  Error <= u |result| + (m: 0, h: 3, I: 7) u S, S the sum of the |terms| of
-    the expanded formula; barring over- and underflow.
+    99 mul, 333 add, 69 product rest.  Error <= u |result| + (m: 0, h: 17, I: 119/2) u^2 S, S
+    the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def inertia_consistency(B: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1374,5 +1392,6 @@ def inertia_consistency(B: ArrayLike, out: NDArray[np.float64] | None = ...) -> 
 
     (10)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
     xz, yz in kg m^2); pivot: number.
-    13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select.
+    43 mul, 201 add, 10 product error, 13 product rest, 20 div, 6 neg, 9 less, 1 equal, 26
+    select.
     """

@@ -5,7 +5,7 @@ In double precision, accurate tier.
 """
 
 from numpy import absolute, float64, sqrt, where
-from coscrew._exact import difference_error, product_error, sum_error
+from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
 
 
@@ -38,29 +38,35 @@ def axpy_cc(a, x, y):
     """y = a x + y.
 
     (),(6),(6)->(6).  a: number; x, y: coscrew (f in N; τ in N m).
-    6 mul, 18 add, 6 product error, 6 sum error.  Error <= u |result| + 2 u^2 S, S the sum of
-    the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest.  Error <= u |result| + 3 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
     x_0, x_1, x_2, x_3, x_4, x_5 = x
     y_0, y_1, y_2, y_3, y_4, y_5 = y
     y_0_new_a = a * x_0
     y_0_new = y_0_new_a + y_0
-    y_0_new_lo = sum_error(y_0_new_a, y_0, y_0_new) + product_error(a, x_0, y_0_new_a)
+    y_0_new_right = y_0_new - y_0_new_a
+    y_0_new_lo = product_rest(a, x_0, y_0_new_a, y_0_new - y_0_new_right) + (y_0 - y_0_new_right)
     y_1_new_a = a * x_1
     y_1_new = y_1_new_a + y_1
-    y_1_new_lo = sum_error(y_1_new_a, y_1, y_1_new) + product_error(a, x_1, y_1_new_a)
+    y_1_new_right = y_1_new - y_1_new_a
+    y_1_new_lo = product_rest(a, x_1, y_1_new_a, y_1_new - y_1_new_right) + (y_1 - y_1_new_right)
     y_2_new_a = a * x_2
     y_2_new = y_2_new_a + y_2
-    y_2_new_lo = sum_error(y_2_new_a, y_2, y_2_new) + product_error(a, x_2, y_2_new_a)
+    y_2_new_right = y_2_new - y_2_new_a
+    y_2_new_lo = product_rest(a, x_2, y_2_new_a, y_2_new - y_2_new_right) + (y_2 - y_2_new_right)
     y_3_new_a = a * x_3
     y_3_new = y_3_new_a + y_3
-    y_3_new_lo = sum_error(y_3_new_a, y_3, y_3_new) + product_error(a, x_3, y_3_new_a)
+    y_3_new_right = y_3_new - y_3_new_a
+    y_3_new_lo = product_rest(a, x_3, y_3_new_a, y_3_new - y_3_new_right) + (y_3 - y_3_new_right)
     y_4_new_a = a * x_4
     y_4_new = y_4_new_a + y_4
-    y_4_new_lo = sum_error(y_4_new_a, y_4, y_4_new) + product_error(a, x_4, y_4_new_a)
+    y_4_new_right = y_4_new - y_4_new_a
+    y_4_new_lo = product_rest(a, x_4, y_4_new_a, y_4_new - y_4_new_right) + (y_4 - y_4_new_right)
     y_5_new_a = a * x_5
     y_5_new = y_5_new_a + y_5
-    y_5_new_lo = sum_error(y_5_new_a, y_5, y_5_new) + product_error(a, x_5, y_5_new_a)
+    y_5_new_right = y_5_new - y_5_new_a
+    y_5_new_lo = product_rest(a, x_5, y_5_new_a, y_5_new - y_5_new_right) + (y_5 - y_5_new_right)
     y_0_new_rounded = y_0_new + y_0_new_lo
     y_1_new_rounded = y_1_new + y_1_new_lo
     y_2_new_rounded = y_2_new + y_2_new_lo
@@ -76,22 +82,28 @@ def xpy_cc(x, y):
     """y = x + y.
 
     (6),(6)->(6).  x, y: coscrew (f in N; τ in N m).
-    12 add, 6 sum error.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
     x_0, x_1, x_2, x_3, x_4, x_5 = x
     y_0, y_1, y_2, y_3, y_4, y_5 = y
     y_0_new = x_0 + y_0
+    y_0_new_right = y_0_new - x_0
     y_1_new = x_1 + y_1
+    y_1_new_right = y_1_new - x_1
     y_2_new = x_2 + y_2
+    y_2_new_right = y_2_new - x_2
     y_3_new = x_3 + y_3
+    y_3_new_right = y_3_new - x_3
     y_4_new = x_4 + y_4
+    y_4_new_right = y_4_new - x_4
     y_5_new = x_5 + y_5
-    y_0_new_rounded = y_0_new + sum_error(x_0, y_0, y_0_new)
-    y_1_new_rounded = y_1_new + sum_error(x_1, y_1, y_1_new)
-    y_2_new_rounded = y_2_new + sum_error(x_2, y_2, y_2_new)
-    y_3_new_rounded = y_3_new + sum_error(x_3, y_3, y_3_new)
-    y_4_new_rounded = y_4_new + sum_error(x_4, y_4, y_4_new)
-    y_5_new_rounded = y_5_new + sum_error(x_5, y_5, y_5_new)
+    y_5_new_right = y_5_new - x_5
+    y_0_new_rounded = y_0_new + (x_0 - (y_0_new - y_0_new_right) + (y_0 - y_0_new_right))
+    y_1_new_rounded = y_1_new + (x_1 - (y_1_new - y_1_new_right) + (y_1 - y_1_new_right))
+    y_2_new_rounded = y_2_new + (x_2 - (y_2_new - y_2_new_right) + (y_2 - y_2_new_right))
+    y_3_new_rounded = y_3_new + (x_3 - (y_3_new - y_3_new_right) + (y_3 - y_3_new_right))
+    y_4_new_rounded = y_4_new + (x_4 - (y_4_new - y_4_new_right) + (y_4 - y_4_new_right))
+    y_5_new_rounded = y_5_new + (x_5 - (y_5_new - y_5_new_right) + (y_5 - y_5_new_right))
     return (y_0_new_rounded, y_1_new_rounded, y_2_new_rounded, y_3_new_rounded, y_4_new_rounded,
         y_5_new_rounded)
 
@@ -101,22 +113,28 @@ def nxpy_cc(x, y):
     """y = -x + y.
 
     (6),(6)->(6).  x, y: coscrew (f in N; τ in N m).
-    12 add, 6 sum error.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
     x_0, x_1, x_2, x_3, x_4, x_5 = x
     y_0, y_1, y_2, y_3, y_4, y_5 = y
     y_0_new = y_0 - x_0
+    y_0_new_right = y_0 - y_0_new
     y_1_new = y_1 - x_1
+    y_1_new_right = y_1 - y_1_new
     y_2_new = y_2 - x_2
+    y_2_new_right = y_2 - y_2_new
     y_3_new = y_3 - x_3
+    y_3_new_right = y_3 - y_3_new
     y_4_new = y_4 - x_4
+    y_4_new_right = y_4 - y_4_new
     y_5_new = y_5 - x_5
-    y_0_new_rounded = y_0_new + difference_error(y_0, x_0, y_0_new)
-    y_1_new_rounded = y_1_new + difference_error(y_1, x_1, y_1_new)
-    y_2_new_rounded = y_2_new + difference_error(y_2, x_2, y_2_new)
-    y_3_new_rounded = y_3_new + difference_error(y_3, x_3, y_3_new)
-    y_4_new_rounded = y_4_new + difference_error(y_4, x_4, y_4_new)
-    y_5_new_rounded = y_5_new + difference_error(y_5, x_5, y_5_new)
+    y_5_new_right = y_5 - y_5_new
+    y_0_new_rounded = y_0_new + (y_0 - (y_0_new + y_0_new_right) - (x_0 - y_0_new_right))
+    y_1_new_rounded = y_1_new + (y_1 - (y_1_new + y_1_new_right) - (x_1 - y_1_new_right))
+    y_2_new_rounded = y_2_new + (y_2 - (y_2_new + y_2_new_right) - (x_2 - y_2_new_right))
+    y_3_new_rounded = y_3_new + (y_3 - (y_3_new + y_3_new_right) - (x_3 - y_3_new_right))
+    y_4_new_rounded = y_4_new + (y_4 - (y_4_new + y_4_new_right) - (x_4 - y_4_new_right))
+    y_5_new_rounded = y_5_new + (y_5 - (y_5_new + y_5_new_right) - (x_5 - y_5_new_right))
     return (y_0_new_rounded, y_1_new_rounded, y_2_new_rounded, y_3_new_rounded, y_4_new_rounded,
         y_5_new_rounded)
 
@@ -149,22 +167,28 @@ def add_cc(c1, c2):
     """co = c1 + c2.
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    12 add, 6 sum error.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
     c1_0, c1_1, c1_2, c1_3, c1_4, c1_5 = c1
     c2_0, c2_1, c2_2, c2_3, c2_4, c2_5 = c2
     co_0 = c1_0 + c2_0
+    co_0_right = co_0 - c1_0
     co_1 = c1_1 + c2_1
+    co_1_right = co_1 - c1_1
     co_2 = c1_2 + c2_2
+    co_2_right = co_2 - c1_2
     co_3 = c1_3 + c2_3
+    co_3_right = co_3 - c1_3
     co_4 = c1_4 + c2_4
+    co_4_right = co_4 - c1_4
     co_5 = c1_5 + c2_5
-    co_0_rounded = co_0 + sum_error(c1_0, c2_0, co_0)
-    co_1_rounded = co_1 + sum_error(c1_1, c2_1, co_1)
-    co_2_rounded = co_2 + sum_error(c1_2, c2_2, co_2)
-    co_3_rounded = co_3 + sum_error(c1_3, c2_3, co_3)
-    co_4_rounded = co_4 + sum_error(c1_4, c2_4, co_4)
-    co_5_rounded = co_5 + sum_error(c1_5, c2_5, co_5)
+    co_5_right = co_5 - c1_5
+    co_0_rounded = co_0 + (c1_0 - (co_0 - co_0_right) + (c2_0 - co_0_right))
+    co_1_rounded = co_1 + (c1_1 - (co_1 - co_1_right) + (c2_1 - co_1_right))
+    co_2_rounded = co_2 + (c1_2 - (co_2 - co_2_right) + (c2_2 - co_2_right))
+    co_3_rounded = co_3 + (c1_3 - (co_3 - co_3_right) + (c2_3 - co_3_right))
+    co_4_rounded = co_4 + (c1_4 - (co_4 - co_4_right) + (c2_4 - co_4_right))
+    co_5_rounded = co_5 + (c1_5 - (co_5 - co_5_right) + (c2_5 - co_5_right))
     return (co_0_rounded, co_1_rounded, co_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -173,22 +197,28 @@ def subtract_cc(c1, c2):
     """co = c1 - c2.
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    12 add, 6 sum error.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
     c1_0, c1_1, c1_2, c1_3, c1_4, c1_5 = c1
     c2_0, c2_1, c2_2, c2_3, c2_4, c2_5 = c2
     co_0 = c1_0 - c2_0
+    co_0_right = c1_0 - co_0
     co_1 = c1_1 - c2_1
+    co_1_right = c1_1 - co_1
     co_2 = c1_2 - c2_2
+    co_2_right = c1_2 - co_2
     co_3 = c1_3 - c2_3
+    co_3_right = c1_3 - co_3
     co_4 = c1_4 - c2_4
+    co_4_right = c1_4 - co_4
     co_5 = c1_5 - c2_5
-    co_0_rounded = co_0 + difference_error(c1_0, c2_0, co_0)
-    co_1_rounded = co_1 + difference_error(c1_1, c2_1, co_1)
-    co_2_rounded = co_2 + difference_error(c1_2, c2_2, co_2)
-    co_3_rounded = co_3 + difference_error(c1_3, c2_3, co_3)
-    co_4_rounded = co_4 + difference_error(c1_4, c2_4, co_4)
-    co_5_rounded = co_5 + difference_error(c1_5, c2_5, co_5)
+    co_5_right = c1_5 - co_5
+    co_0_rounded = co_0 + (c1_0 - (co_0 + co_0_right) - (c2_0 - co_0_right))
+    co_1_rounded = co_1 + (c1_1 - (co_1 + co_1_right) - (c2_1 - co_1_right))
+    co_2_rounded = co_2 + (c1_2 - (co_2 + co_2_right) - (c2_2 - co_2_right))
+    co_3_rounded = co_3 + (c1_3 - (co_3 + co_3_right) - (c2_3 - co_3_right))
+    co_4_rounded = co_4 + (c1_4 - (co_4 + co_4_right) - (c2_4 - co_4_right))
+    co_5_rounded = co_5 + (c1_5 - (co_5 + co_5_right) - (c2_5 - co_5_right))
     return (co_0_rounded, co_1_rounded, co_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -197,7 +227,7 @@ def coscrew_norm(ci):
     """|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  ci: coscrew (f in N; τ in N m); norm: number.
-    10 mul, 15 add, 4 product error, 4 sum error, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
+    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
     select.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
@@ -220,25 +250,30 @@ def coscrew_norm(ci):
     n_a = y_0 * y_0
     n_b = y_1 * y_1
     n_c = n_a + n_b
-    n_c_lo = sum_error(n_a, n_b, n_c) + product_error(y_0, y_0, n_a) + product_error(y_1, y_1, n_b)
+    n_c_right = n_c - n_a
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_d = y_2 * y_2
     n_e = n_c + n_d
-    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
-    n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
+    n_e_right = n_e - n_c
+    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
+    n_e_lo = n_e_lo1 + n_c_lo
     n_of_n_e = n_e + n_e_lo
+    n_of_n_e_right = n_of_n_e - n_e
     n = sqrt(n_of_n_e)
     n_product = n * n
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + sum_error(n_e, n_e_lo, n_of_n_e)
+    n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
     r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
     r = where(1 < s, 2.409919865102884e-181, r_b)
     norm_of_n = n + n_lo
+    norm_of_n_right = norm_of_n - n
     norm = norm_of_n * r
     norm_lost = norm_of_n - norm * (1 / r)
-    norm_total = norm + where(norm_lost == 0, 0, (norm_lost + sum_error(n, n_lo, norm_of_n)) * r)
-    norm_rounded = where(norm_total == norm_total, norm_total, norm)
-    return norm_rounded
+    norm_small = (norm_lost + (n - (norm_of_n - norm_of_n_right) + (n_lo - norm_of_n_right))) * r
+    norm_lo = where(norm_lost == 0, 0, norm_small)
+    norm_rounded = norm + norm_lo
+    return where(norm_rounded == norm_rounded, norm_rounded, norm)
 
 
 @kernel("(6)->(6)")
@@ -246,7 +281,7 @@ def coscrew_normalize(self):
     """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
-    43 mul, 54 add, 10 product error, 10 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+    43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
     select.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
@@ -269,16 +304,19 @@ def coscrew_normalize(self):
     n_a = y_0 * y_0
     n_b = y_1 * y_1
     n_c = n_a + n_b
-    n_c_lo = sum_error(n_a, n_b, n_c) + product_error(y_0, y_0, n_a) + product_error(y_1, y_1, n_b)
+    n_c_right = n_c - n_a
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_d = y_2 * y_2
     n_e = n_c + n_d
-    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
-    n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
+    n_e_right = n_e - n_c
+    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
+    n_e_lo = n_e_lo1 + n_c_lo
     n_of_n_e = n_e + n_e_lo
+    n_of_n_e_right = n_of_n_e - n_e
     n = sqrt(n_of_n_e)
     n_product = n * n
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + sum_error(n_e, n_e_lo, n_of_n_e)
+    n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor = where(n == 0, 1, n)
     divisor_lo = where(n == 0, 0, n_lo)
@@ -291,7 +329,11 @@ def coscrew_normalize(self):
     enlarged_4 = self_4 * up
     enlarged_5 = self_5 * up
     quotient_0_of_divisor = divisor + divisor_lo
-    quotient_0_of_divisor_lo = sum_error(divisor, divisor_lo, quotient_0_of_divisor)
+    quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
+    quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
+    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
+    quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
+    quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
     quotient_0 = enlarged_0 / quotient_0_of_divisor
     quotient_0_product = quotient_0 * quotient_0_of_divisor
     quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
@@ -329,7 +371,11 @@ def coscrew_normalize(self):
     quotient_5_residual = quotient_5_exact - quotient_5 * quotient_0_of_divisor_lo
     quotient_5_lo = quotient_5_residual / quotient_0_of_divisor
     self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo
-    self_0_new_of_quotient_0_lo = sum_error(quotient_0, quotient_0_lo, self_0_new_of_quotient_0)
+    self_0_new_of_quotient_0_right = self_0_new_of_quotient_0 - quotient_0
+    self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right
+    self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left
+    self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right
+    self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest
     self_0_new = self_0_new_of_quotient_0 * down
     self_0_new_inverse = 1 / down
     self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * self_0_new_inverse
@@ -337,54 +383,72 @@ def coscrew_normalize(self):
     self_0_new_small = self_0_new_rest * down
     self_0_new_lo = where(self_0_new_lost == 0, 0, self_0_new_small)
     self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo
-    self_1_new_of_quotient_1_lo = sum_error(quotient_1, quotient_1_lo, self_1_new_of_quotient_1)
+    self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1
+    self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right
+    self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left
+    self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right
+    self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest
     self_1_new = self_1_new_of_quotient_1 * down
     self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * self_0_new_inverse
     self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo
     self_1_new_small = self_1_new_rest * down
     self_1_new_lo = where(self_1_new_lost == 0, 0, self_1_new_small)
     self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo
-    self_2_new_of_quotient_2_lo = sum_error(quotient_2, quotient_2_lo, self_2_new_of_quotient_2)
+    self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2
+    self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right
+    self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left
+    self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right
+    self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest
     self_2_new = self_2_new_of_quotient_2 * down
     self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * self_0_new_inverse
     self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo
     self_2_new_small = self_2_new_rest * down
     self_2_new_lo = where(self_2_new_lost == 0, 0, self_2_new_small)
     self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo
-    self_3_new_of_quotient_3_lo = sum_error(quotient_3, quotient_3_lo, self_3_new_of_quotient_3)
+    self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3
+    self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right
+    self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left
+    self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right
+    self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest
     self_3_new = self_3_new_of_quotient_3 * down
     self_3_new_lost = self_3_new_of_quotient_3 - self_3_new * self_0_new_inverse
     self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo
     self_3_new_small = self_3_new_rest * down
     self_3_new_lo = where(self_3_new_lost == 0, 0, self_3_new_small)
     self_4_new_of_quotient_4 = quotient_4 + quotient_4_lo
-    self_4_new_of_quotient_4_lo = sum_error(quotient_4, quotient_4_lo, self_4_new_of_quotient_4)
+    self_4_new_of_quotient_4_right = self_4_new_of_quotient_4 - quotient_4
+    self_4_new_of_quotient_4_left = self_4_new_of_quotient_4 - self_4_new_of_quotient_4_right
+    self_4_new_of_quotient_4_left_rest = quotient_4 - self_4_new_of_quotient_4_left
+    self_4_new_of_quotient_4_right_rest = quotient_4_lo - self_4_new_of_quotient_4_right
+    self_4_new_of_quotient_4_lo = self_4_new_of_quotient_4_left_rest + self_4_new_of_quotient_4_right_rest
     self_4_new = self_4_new_of_quotient_4 * down
     self_4_new_lost = self_4_new_of_quotient_4 - self_4_new * self_0_new_inverse
     self_4_new_rest = self_4_new_lost + self_4_new_of_quotient_4_lo
     self_4_new_small = self_4_new_rest * down
     self_4_new_lo = where(self_4_new_lost == 0, 0, self_4_new_small)
     self_5_new_of_quotient_5 = quotient_5 + quotient_5_lo
-    self_5_new_of_quotient_5_lo = sum_error(quotient_5, quotient_5_lo, self_5_new_of_quotient_5)
+    self_5_new_of_quotient_5_right = self_5_new_of_quotient_5 - quotient_5
+    self_5_new_of_quotient_5_left = self_5_new_of_quotient_5 - self_5_new_of_quotient_5_right
+    self_5_new_of_quotient_5_left_rest = quotient_5 - self_5_new_of_quotient_5_left
+    self_5_new_of_quotient_5_right_rest = quotient_5_lo - self_5_new_of_quotient_5_right
+    self_5_new_of_quotient_5_lo = self_5_new_of_quotient_5_left_rest + self_5_new_of_quotient_5_right_rest
     self_5_new = self_5_new_of_quotient_5 * down
     self_5_new_lost = self_5_new_of_quotient_5 - self_5_new * self_0_new_inverse
     self_5_new_rest = self_5_new_lost + self_5_new_of_quotient_5_lo
     self_5_new_small = self_5_new_rest * down
     self_5_new_lo = where(self_5_new_lost == 0, 0, self_5_new_small)
-    self_0_new_total = self_0_new + self_0_new_lo
-    self_0_new_rounded = where(self_0_new_total == self_0_new_total, self_0_new_total, self_0_new)
-    self_1_new_total = self_1_new + self_1_new_lo
-    self_1_new_rounded = where(self_1_new_total == self_1_new_total, self_1_new_total, self_1_new)
-    self_2_new_total = self_2_new + self_2_new_lo
-    self_2_new_rounded = where(self_2_new_total == self_2_new_total, self_2_new_total, self_2_new)
-    self_3_new_total = self_3_new + self_3_new_lo
-    self_3_new_rounded = where(self_3_new_total == self_3_new_total, self_3_new_total, self_3_new)
-    self_4_new_total = self_4_new + self_4_new_lo
-    self_4_new_rounded = where(self_4_new_total == self_4_new_total, self_4_new_total, self_4_new)
-    self_5_new_total = self_5_new + self_5_new_lo
-    self_5_new_rounded = where(self_5_new_total == self_5_new_total, self_5_new_total, self_5_new)
-    return (self_0_new_rounded, self_1_new_rounded, self_2_new_rounded, self_3_new_rounded,
-        self_4_new_rounded, self_5_new_rounded)
+    self_0_new_rounded = self_0_new + self_0_new_lo
+    self_1_new_rounded = self_1_new + self_1_new_lo
+    self_2_new_rounded = self_2_new + self_2_new_lo
+    self_3_new_rounded = self_3_new + self_3_new_lo
+    self_4_new_rounded = self_4_new + self_4_new_lo
+    self_5_new_rounded = self_5_new + self_5_new_lo
+    return (where(self_0_new_rounded == self_0_new_rounded, self_0_new_rounded, self_0_new),
+        where(self_1_new_rounded == self_1_new_rounded, self_1_new_rounded, self_1_new),
+        where(self_2_new_rounded == self_2_new_rounded, self_2_new_rounded, self_2_new),
+        where(self_3_new_rounded == self_3_new_rounded, self_3_new_rounded, self_3_new),
+        where(self_4_new_rounded == self_4_new_rounded, self_4_new_rounded, self_4_new),
+        where(self_5_new_rounded == self_5_new_rounded, self_5_new_rounded, self_5_new))
 
 
 @kernel("(6)->(6)")
@@ -392,7 +456,7 @@ def coscrew_normalized(ci):
     """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
-    43 mul, 54 add, 10 product error, 10 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+    43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
     select.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
@@ -415,16 +479,19 @@ def coscrew_normalized(ci):
     n_a = y_0 * y_0
     n_b = y_1 * y_1
     n_c = n_a + n_b
-    n_c_lo = sum_error(n_a, n_b, n_c) + product_error(y_0, y_0, n_a) + product_error(y_1, y_1, n_b)
+    n_c_right = n_c - n_a
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_d = y_2 * y_2
     n_e = n_c + n_d
-    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
-    n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
+    n_e_right = n_e - n_c
+    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
+    n_e_lo = n_e_lo1 + n_c_lo
     n_of_n_e = n_e + n_e_lo
+    n_of_n_e_right = n_of_n_e - n_e
     n = sqrt(n_of_n_e)
     n_product = n * n
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + sum_error(n_e, n_e_lo, n_of_n_e)
+    n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor = where(n == 0, 1, n)
     divisor_lo = where(n == 0, 0, n_lo)
@@ -437,7 +504,11 @@ def coscrew_normalized(ci):
     enlarged_4 = ci_4 * up
     enlarged_5 = ci_5 * up
     quotient_0_of_divisor = divisor + divisor_lo
-    quotient_0_of_divisor_lo = sum_error(divisor, divisor_lo, quotient_0_of_divisor)
+    quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
+    quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
+    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
+    quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
+    quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
     quotient_0 = enlarged_0 / quotient_0_of_divisor
     quotient_0_product = quotient_0 * quotient_0_of_divisor
     quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
@@ -475,49 +546,78 @@ def coscrew_normalized(ci):
     quotient_5_residual = quotient_5_exact - quotient_5 * quotient_0_of_divisor_lo
     quotient_5_lo = quotient_5_residual / quotient_0_of_divisor
     co_0_of_quotient_0 = quotient_0 + quotient_0_lo
+    co_0_of_quotient_0_right = co_0_of_quotient_0 - quotient_0
+    co_0_of_quotient_0_left_rest = quotient_0 - (co_0_of_quotient_0 - co_0_of_quotient_0_right)
+    co_0_of_quotient_0_right_rest = quotient_0_lo - co_0_of_quotient_0_right
+    co_0_of_quotient_0_lo = co_0_of_quotient_0_left_rest + co_0_of_quotient_0_right_rest
     co_0 = co_0_of_quotient_0 * down
     co_0_inverse = 1 / down
     co_0_lost = co_0_of_quotient_0 - co_0 * co_0_inverse
-    co_0_small = (co_0_lost + sum_error(quotient_0, quotient_0_lo, co_0_of_quotient_0)) * down
+    co_0_rest = co_0_lost + co_0_of_quotient_0_lo
+    co_0_small = co_0_rest * down
     co_0_lo = where(co_0_lost == 0, 0, co_0_small)
     co_1_of_quotient_1 = quotient_1 + quotient_1_lo
+    co_1_of_quotient_1_right = co_1_of_quotient_1 - quotient_1
+    co_1_of_quotient_1_left_rest = quotient_1 - (co_1_of_quotient_1 - co_1_of_quotient_1_right)
+    co_1_of_quotient_1_right_rest = quotient_1_lo - co_1_of_quotient_1_right
+    co_1_of_quotient_1_lo = co_1_of_quotient_1_left_rest + co_1_of_quotient_1_right_rest
     co_1 = co_1_of_quotient_1 * down
     co_1_lost = co_1_of_quotient_1 - co_1 * co_0_inverse
-    co_1_small = (co_1_lost + sum_error(quotient_1, quotient_1_lo, co_1_of_quotient_1)) * down
+    co_1_rest = co_1_lost + co_1_of_quotient_1_lo
+    co_1_small = co_1_rest * down
     co_1_lo = where(co_1_lost == 0, 0, co_1_small)
     co_2_of_quotient_2 = quotient_2 + quotient_2_lo
+    co_2_of_quotient_2_right = co_2_of_quotient_2 - quotient_2
+    co_2_of_quotient_2_left_rest = quotient_2 - (co_2_of_quotient_2 - co_2_of_quotient_2_right)
+    co_2_of_quotient_2_right_rest = quotient_2_lo - co_2_of_quotient_2_right
+    co_2_of_quotient_2_lo = co_2_of_quotient_2_left_rest + co_2_of_quotient_2_right_rest
     co_2 = co_2_of_quotient_2 * down
     co_2_lost = co_2_of_quotient_2 - co_2 * co_0_inverse
-    co_2_small = (co_2_lost + sum_error(quotient_2, quotient_2_lo, co_2_of_quotient_2)) * down
+    co_2_rest = co_2_lost + co_2_of_quotient_2_lo
+    co_2_small = co_2_rest * down
     co_2_lo = where(co_2_lost == 0, 0, co_2_small)
     co_3_of_quotient_3 = quotient_3 + quotient_3_lo
+    co_3_of_quotient_3_right = co_3_of_quotient_3 - quotient_3
+    co_3_of_quotient_3_left_rest = quotient_3 - (co_3_of_quotient_3 - co_3_of_quotient_3_right)
+    co_3_of_quotient_3_right_rest = quotient_3_lo - co_3_of_quotient_3_right
+    co_3_of_quotient_3_lo = co_3_of_quotient_3_left_rest + co_3_of_quotient_3_right_rest
     co_3 = co_3_of_quotient_3 * down
     co_3_lost = co_3_of_quotient_3 - co_3 * co_0_inverse
-    co_3_small = (co_3_lost + sum_error(quotient_3, quotient_3_lo, co_3_of_quotient_3)) * down
+    co_3_rest = co_3_lost + co_3_of_quotient_3_lo
+    co_3_small = co_3_rest * down
     co_3_lo = where(co_3_lost == 0, 0, co_3_small)
     co_4_of_quotient_4 = quotient_4 + quotient_4_lo
+    co_4_of_quotient_4_right = co_4_of_quotient_4 - quotient_4
+    co_4_of_quotient_4_left_rest = quotient_4 - (co_4_of_quotient_4 - co_4_of_quotient_4_right)
+    co_4_of_quotient_4_right_rest = quotient_4_lo - co_4_of_quotient_4_right
+    co_4_of_quotient_4_lo = co_4_of_quotient_4_left_rest + co_4_of_quotient_4_right_rest
     co_4 = co_4_of_quotient_4 * down
     co_4_lost = co_4_of_quotient_4 - co_4 * co_0_inverse
-    co_4_small = (co_4_lost + sum_error(quotient_4, quotient_4_lo, co_4_of_quotient_4)) * down
+    co_4_rest = co_4_lost + co_4_of_quotient_4_lo
+    co_4_small = co_4_rest * down
     co_4_lo = where(co_4_lost == 0, 0, co_4_small)
     co_5_of_quotient_5 = quotient_5 + quotient_5_lo
+    co_5_of_quotient_5_right = co_5_of_quotient_5 - quotient_5
+    co_5_of_quotient_5_left_rest = quotient_5 - (co_5_of_quotient_5 - co_5_of_quotient_5_right)
+    co_5_of_quotient_5_right_rest = quotient_5_lo - co_5_of_quotient_5_right
+    co_5_of_quotient_5_lo = co_5_of_quotient_5_left_rest + co_5_of_quotient_5_right_rest
     co_5 = co_5_of_quotient_5 * down
     co_5_lost = co_5_of_quotient_5 - co_5 * co_0_inverse
-    co_5_small = (co_5_lost + sum_error(quotient_5, quotient_5_lo, co_5_of_quotient_5)) * down
+    co_5_rest = co_5_lost + co_5_of_quotient_5_lo
+    co_5_small = co_5_rest * down
     co_5_lo = where(co_5_lost == 0, 0, co_5_small)
-    co_0_total = co_0 + co_0_lo
-    co_0_rounded = where(co_0_total == co_0_total, co_0_total, co_0)
-    co_1_total = co_1 + co_1_lo
-    co_1_rounded = where(co_1_total == co_1_total, co_1_total, co_1)
-    co_2_total = co_2 + co_2_lo
-    co_2_rounded = where(co_2_total == co_2_total, co_2_total, co_2)
-    co_3_total = co_3 + co_3_lo
-    co_3_rounded = where(co_3_total == co_3_total, co_3_total, co_3)
-    co_4_total = co_4 + co_4_lo
-    co_4_rounded = where(co_4_total == co_4_total, co_4_total, co_4)
-    co_5_total = co_5 + co_5_lo
-    co_5_rounded = where(co_5_total == co_5_total, co_5_total, co_5)
-    return (co_0_rounded, co_1_rounded, co_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+    co_0_rounded = co_0 + co_0_lo
+    co_1_rounded = co_1 + co_1_lo
+    co_2_rounded = co_2 + co_2_lo
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (where(co_0_rounded == co_0_rounded, co_0_rounded, co_0),
+        where(co_1_rounded == co_1_rounded, co_1_rounded, co_1),
+        where(co_2_rounded == co_2_rounded, co_2_rounded, co_2),
+        where(co_3_rounded == co_3_rounded, co_3_rounded, co_3),
+        where(co_4_rounded == co_4_rounded, co_4_rounded, co_4),
+        where(co_5_rounded == co_5_rounded, co_5_rounded, co_5))
 
 
 @kernel("(6),(6)->(6)")
@@ -525,16 +625,19 @@ def add_cct(c1, c2):
     """co = (c1.lin + c2.lin ; c1.ang).
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    6 add, 3 sum error.  Error <= u |result|, barring over- and underflow.
+    21 add.  Error <= u |result|, barring over- and underflow.
     """
     c1_0, c1_1, c1_2, c1_3, c1_4, c1_5 = c1
     c2_0, c2_1, c2_2, c2_3, c2_4, c2_5 = c2
     co_0 = c1_0 + c2_0
+    co_0_right = co_0 - c1_0
     co_1 = c1_1 + c2_1
+    co_1_right = co_1 - c1_1
     co_2 = c1_2 + c2_2
-    co_0_rounded = co_0 + sum_error(c1_0, c2_0, co_0)
-    co_1_rounded = co_1 + sum_error(c1_1, c2_1, co_1)
-    co_2_rounded = co_2 + sum_error(c1_2, c2_2, co_2)
+    co_2_right = co_2 - c1_2
+    co_0_rounded = co_0 + (c1_0 - (co_0 - co_0_right) + (c2_0 - co_0_right))
+    co_1_rounded = co_1 + (c1_1 - (co_1 - co_1_right) + (c2_1 - co_1_right))
+    co_2_rounded = co_2 + (c1_2 - (co_2 - co_2_right) + (c2_2 - co_2_right))
     return (co_0_rounded, co_1_rounded, co_2_rounded, c1_3, c1_4, c1_5)
 
 
@@ -543,32 +646,38 @@ def product_CoAdtc(t, ci):
     """co = [Ad]*(t) ci.
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 18 add, 6 product error, 6 sum error.  Error <= u |result| + (lin: 0, ang: 7) u^2 S,
-    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 9) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
     t_0, t_1, t_2 = t
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     co_3a = t_1 * ci_2
     co_3b = t_2 * ci_1
     co_3c = co_3a - co_3b
-    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + product_error(t_1, ci_2, co_3a)
-    co_3c_lo = co_3c_lo1 - product_error(t_2, ci_1, co_3b)
+    co_3c_right = co_3a - co_3c
+    co_3c_left_rest = product_rest(t_1, ci_2, co_3a, co_3c + co_3c_right)
+    co_3c_lo = co_3c_left_rest - product_rest(t_2, ci_1, co_3b, co_3c_right)
     co_3 = co_3c + ci_3
-    co_3_lo = sum_error(co_3c, ci_3, co_3) + co_3c_lo
+    co_3_right = co_3 - co_3c
+    co_3_lo = co_3c - (co_3 - co_3_right) + (ci_3 - co_3_right) + co_3c_lo
     co_4a = t_2 * ci_0
     co_4b = t_0 * ci_2
     co_4c = co_4a - co_4b
-    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + product_error(t_2, ci_0, co_4a)
-    co_4c_lo = co_4c_lo1 - product_error(t_0, ci_2, co_4b)
+    co_4c_right = co_4a - co_4c
+    co_4c_left_rest = product_rest(t_2, ci_0, co_4a, co_4c + co_4c_right)
+    co_4c_lo = co_4c_left_rest - product_rest(t_0, ci_2, co_4b, co_4c_right)
     co_4 = co_4c + ci_4
-    co_4_lo = sum_error(co_4c, ci_4, co_4) + co_4c_lo
+    co_4_right = co_4 - co_4c
+    co_4_lo = co_4c - (co_4 - co_4_right) + (ci_4 - co_4_right) + co_4c_lo
     co_5a = t_0 * ci_1
     co_5b = t_1 * ci_0
     co_5c = co_5a - co_5b
-    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + product_error(t_0, ci_1, co_5a)
-    co_5c_lo = co_5c_lo1 - product_error(t_1, ci_0, co_5b)
+    co_5c_right = co_5a - co_5c
+    co_5c_left_rest = product_rest(t_0, ci_1, co_5a, co_5c + co_5c_right)
+    co_5c_lo = co_5c_left_rest - product_rest(t_1, ci_0, co_5b, co_5c_right)
     co_5 = co_5c + ci_5
-    co_5_lo = sum_error(co_5c, ci_5, co_5) + co_5c_lo
+    co_5_right = co_5 - co_5c
+    co_5_lo = co_5c - (co_5 - co_5_right) + (ci_5 - co_5_right) + co_5c_lo
     co_3_rounded = co_3 + co_3_lo
     co_4_rounded = co_4 + co_4_lo
     co_5_rounded = co_5 + co_5_lo
@@ -580,32 +689,38 @@ def product_CoAdtinvc(t, ci):
     """co = [Ad]*(t)^-1 ci.
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 18 add, 6 product error, 6 sum error.  Error <= u |result| + (lin: 0, ang: 7) u^2 S,
-    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 9) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
     t_0, t_1, t_2 = t
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     co_3a = t_2 * ci_1
     co_3b = t_1 * ci_2
     co_3c = co_3a - co_3b
-    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + product_error(t_2, ci_1, co_3a)
-    co_3c_lo = co_3c_lo1 - product_error(t_1, ci_2, co_3b)
+    co_3c_right = co_3a - co_3c
+    co_3c_left_rest = product_rest(t_2, ci_1, co_3a, co_3c + co_3c_right)
+    co_3c_lo = co_3c_left_rest - product_rest(t_1, ci_2, co_3b, co_3c_right)
     co_3 = co_3c + ci_3
-    co_3_lo = sum_error(co_3c, ci_3, co_3) + co_3c_lo
+    co_3_right = co_3 - co_3c
+    co_3_lo = co_3c - (co_3 - co_3_right) + (ci_3 - co_3_right) + co_3c_lo
     co_4a = t_0 * ci_2
     co_4b = t_2 * ci_0
     co_4c = co_4a - co_4b
-    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + product_error(t_0, ci_2, co_4a)
-    co_4c_lo = co_4c_lo1 - product_error(t_2, ci_0, co_4b)
+    co_4c_right = co_4a - co_4c
+    co_4c_left_rest = product_rest(t_0, ci_2, co_4a, co_4c + co_4c_right)
+    co_4c_lo = co_4c_left_rest - product_rest(t_2, ci_0, co_4b, co_4c_right)
     co_4 = co_4c + ci_4
-    co_4_lo = sum_error(co_4c, ci_4, co_4) + co_4c_lo
+    co_4_right = co_4 - co_4c
+    co_4_lo = co_4c - (co_4 - co_4_right) + (ci_4 - co_4_right) + co_4c_lo
     co_5a = t_1 * ci_0
     co_5b = t_0 * ci_1
     co_5c = co_5a - co_5b
-    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + product_error(t_1, ci_0, co_5a)
-    co_5c_lo = co_5c_lo1 - product_error(t_0, ci_1, co_5b)
+    co_5c_right = co_5a - co_5c
+    co_5c_left_rest = product_rest(t_1, ci_0, co_5a, co_5c + co_5c_right)
+    co_5c_lo = co_5c_left_rest - product_rest(t_0, ci_1, co_5b, co_5c_right)
     co_5 = co_5c + ci_5
-    co_5_lo = sum_error(co_5c, ci_5, co_5) + co_5c_lo
+    co_5_right = co_5 - co_5c
+    co_5_lo = co_5c - (co_5 - co_5_right) + (ci_5 - co_5_right) + co_5c_lo
     co_3_rounded = co_3 + co_3_lo
     co_4_rounded = co_4 + co_4_lo
     co_5_rounded = co_5 + co_5_lo
@@ -617,8 +732,8 @@ def product_CoAdtcinv(t, ci):
     """co = [Ad]*(t) (-ci).
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 18 add, 6 product error, 6 sum error, 3 neg.  Error <= u |result| + (lin: 0, ang: 7)
-    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 0, ang: 9) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     t_0, t_1, t_2 = t
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
@@ -628,24 +743,30 @@ def product_CoAdtcinv(t, ci):
     co_3a = t_2 * ci_1
     co_3b = t_1 * ci_2
     co_3c = co_3a - co_3b
-    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + product_error(t_2, ci_1, co_3a)
-    co_3c_lo = co_3c_lo1 - product_error(t_1, ci_2, co_3b)
+    co_3c_right = co_3a - co_3c
+    co_3c_left_rest = product_rest(t_2, ci_1, co_3a, co_3c + co_3c_right)
+    co_3c_lo = co_3c_left_rest - product_rest(t_1, ci_2, co_3b, co_3c_right)
     co_3 = co_3c - ci_3
-    co_3_lo = difference_error(co_3c, ci_3, co_3) + co_3c_lo
+    co_3_right = co_3c - co_3
+    co_3_lo = co_3c - (co_3 + co_3_right) - (ci_3 - co_3_right) + co_3c_lo
     co_4a = t_0 * ci_2
     co_4b = t_2 * ci_0
     co_4c = co_4a - co_4b
-    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + product_error(t_0, ci_2, co_4a)
-    co_4c_lo = co_4c_lo1 - product_error(t_2, ci_0, co_4b)
+    co_4c_right = co_4a - co_4c
+    co_4c_left_rest = product_rest(t_0, ci_2, co_4a, co_4c + co_4c_right)
+    co_4c_lo = co_4c_left_rest - product_rest(t_2, ci_0, co_4b, co_4c_right)
     co_4 = co_4c - ci_4
-    co_4_lo = difference_error(co_4c, ci_4, co_4) + co_4c_lo
+    co_4_right = co_4c - co_4
+    co_4_lo = co_4c - (co_4 + co_4_right) - (ci_4 - co_4_right) + co_4c_lo
     co_5a = t_1 * ci_0
     co_5b = t_0 * ci_1
     co_5c = co_5a - co_5b
-    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + product_error(t_1, ci_0, co_5a)
-    co_5c_lo = co_5c_lo1 - product_error(t_0, ci_1, co_5b)
+    co_5c_right = co_5a - co_5c
+    co_5c_left_rest = product_rest(t_1, ci_0, co_5a, co_5c + co_5c_right)
+    co_5c_lo = co_5c_left_rest - product_rest(t_0, ci_1, co_5b, co_5c_right)
     co_5 = co_5c - ci_5
-    co_5_lo = difference_error(co_5c, ci_5, co_5) + co_5c_lo
+    co_5_right = co_5c - co_5
+    co_5_lo = co_5c - (co_5 + co_5_right) - (ci_5 - co_5_right) + co_5c_lo
     co_3_rounded = co_3 + co_3_lo
     co_4_rounded = co_4 + co_4_lo
     co_5_rounded = co_5 + co_5_lo
@@ -657,65 +778,77 @@ def product_CoAdrc(R, ci):
     """co = [Ad]*(R) ci.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 42 add, 18 product error, 12 sum error.  Error <= u |result| + 10 u^2 S, S the sum
-    of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     co_0a = R_00 * ci_0
     co_0b = R_01 * ci_1
     co_0c = co_0a + co_0b
-    co_0c_lo1 = sum_error(co_0a, co_0b, co_0c) + product_error(R_00, ci_0, co_0a)
-    co_0c_lo = co_0c_lo1 + product_error(R_01, ci_1, co_0b)
+    co_0c_right = co_0c - co_0a
+    co_0c_left_rest = product_rest(R_00, ci_0, co_0a, co_0c - co_0c_right)
+    co_0c_lo = co_0c_left_rest + product_rest(R_01, ci_1, co_0b, co_0c_right)
     co_0d = R_02 * ci_2
     co_0 = co_0c + co_0d
-    co_0_lo1 = sum_error(co_0c, co_0d, co_0) + co_0c_lo
-    co_0_lo = co_0_lo1 + product_error(R_02, ci_2, co_0d)
+    co_0_right = co_0 - co_0c
+    co_0_lo1 = co_0c - (co_0 - co_0_right) + product_rest(R_02, ci_2, co_0d, co_0_right)
+    co_0_lo = co_0_lo1 + co_0c_lo
     co_1a = R_10 * ci_0
     co_1b = R_11 * ci_1
     co_1c = co_1a + co_1b
-    co_1c_lo1 = sum_error(co_1a, co_1b, co_1c) + product_error(R_10, ci_0, co_1a)
-    co_1c_lo = co_1c_lo1 + product_error(R_11, ci_1, co_1b)
+    co_1c_right = co_1c - co_1a
+    co_1c_left_rest = product_rest(R_10, ci_0, co_1a, co_1c - co_1c_right)
+    co_1c_lo = co_1c_left_rest + product_rest(R_11, ci_1, co_1b, co_1c_right)
     co_1d = R_12 * ci_2
     co_1 = co_1c + co_1d
-    co_1_lo1 = sum_error(co_1c, co_1d, co_1) + co_1c_lo
-    co_1_lo = co_1_lo1 + product_error(R_12, ci_2, co_1d)
+    co_1_right = co_1 - co_1c
+    co_1_lo1 = co_1c - (co_1 - co_1_right) + product_rest(R_12, ci_2, co_1d, co_1_right)
+    co_1_lo = co_1_lo1 + co_1c_lo
     co_2a = R_20 * ci_0
     co_2b = R_21 * ci_1
     co_2c = co_2a + co_2b
-    co_2c_lo1 = sum_error(co_2a, co_2b, co_2c) + product_error(R_20, ci_0, co_2a)
-    co_2c_lo = co_2c_lo1 + product_error(R_21, ci_1, co_2b)
+    co_2c_right = co_2c - co_2a
+    co_2c_left_rest = product_rest(R_20, ci_0, co_2a, co_2c - co_2c_right)
+    co_2c_lo = co_2c_left_rest + product_rest(R_21, ci_1, co_2b, co_2c_right)
     co_2d = R_22 * ci_2
     co_2 = co_2c + co_2d
-    co_2_lo1 = sum_error(co_2c, co_2d, co_2) + co_2c_lo
-    co_2_lo = co_2_lo1 + product_error(R_22, ci_2, co_2d)
+    co_2_right = co_2 - co_2c
+    co_2_lo1 = co_2c - (co_2 - co_2_right) + product_rest(R_22, ci_2, co_2d, co_2_right)
+    co_2_lo = co_2_lo1 + co_2c_lo
     co_3a = R_00 * ci_3
     co_3b = R_01 * ci_4
     co_3c = co_3a + co_3b
-    co_3c_lo1 = sum_error(co_3a, co_3b, co_3c) + product_error(R_00, ci_3, co_3a)
-    co_3c_lo = co_3c_lo1 + product_error(R_01, ci_4, co_3b)
+    co_3c_right = co_3c - co_3a
+    co_3c_left_rest = product_rest(R_00, ci_3, co_3a, co_3c - co_3c_right)
+    co_3c_lo = co_3c_left_rest + product_rest(R_01, ci_4, co_3b, co_3c_right)
     co_3d = R_02 * ci_5
     co_3 = co_3c + co_3d
-    co_3_lo1 = sum_error(co_3c, co_3d, co_3) + co_3c_lo
-    co_3_lo = co_3_lo1 + product_error(R_02, ci_5, co_3d)
+    co_3_right = co_3 - co_3c
+    co_3_lo1 = co_3c - (co_3 - co_3_right) + product_rest(R_02, ci_5, co_3d, co_3_right)
+    co_3_lo = co_3_lo1 + co_3c_lo
     co_4a = R_10 * ci_3
     co_4b = R_11 * ci_4
     co_4c = co_4a + co_4b
-    co_4c_lo1 = sum_error(co_4a, co_4b, co_4c) + product_error(R_10, ci_3, co_4a)
-    co_4c_lo = co_4c_lo1 + product_error(R_11, ci_4, co_4b)
+    co_4c_right = co_4c - co_4a
+    co_4c_left_rest = product_rest(R_10, ci_3, co_4a, co_4c - co_4c_right)
+    co_4c_lo = co_4c_left_rest + product_rest(R_11, ci_4, co_4b, co_4c_right)
     co_4d = R_12 * ci_5
     co_4 = co_4c + co_4d
-    co_4_lo1 = sum_error(co_4c, co_4d, co_4) + co_4c_lo
-    co_4_lo = co_4_lo1 + product_error(R_12, ci_5, co_4d)
+    co_4_right = co_4 - co_4c
+    co_4_lo1 = co_4c - (co_4 - co_4_right) + product_rest(R_12, ci_5, co_4d, co_4_right)
+    co_4_lo = co_4_lo1 + co_4c_lo
     co_5a = R_20 * ci_3
     co_5b = R_21 * ci_4
     co_5c = co_5a + co_5b
-    co_5c_lo1 = sum_error(co_5a, co_5b, co_5c) + product_error(R_20, ci_3, co_5a)
-    co_5c_lo = co_5c_lo1 + product_error(R_21, ci_4, co_5b)
+    co_5c_right = co_5c - co_5a
+    co_5c_left_rest = product_rest(R_20, ci_3, co_5a, co_5c - co_5c_right)
+    co_5c_lo = co_5c_left_rest + product_rest(R_21, ci_4, co_5b, co_5c_right)
     co_5d = R_22 * ci_5
     co_5 = co_5c + co_5d
-    co_5_lo1 = sum_error(co_5c, co_5d, co_5) + co_5c_lo
-    co_5_lo = co_5_lo1 + product_error(R_22, ci_5, co_5d)
+    co_5_right = co_5 - co_5c
+    co_5_lo1 = co_5c - (co_5 - co_5_right) + product_rest(R_22, ci_5, co_5d, co_5_right)
+    co_5_lo = co_5_lo1 + co_5c_lo
     co_0_rounded = co_0 + co_0_lo
     co_1_rounded = co_1 + co_1_lo
     co_2_rounded = co_2 + co_2_lo
@@ -730,65 +863,77 @@ def product_CoAdrinvc(R, ci):
     """co = [Ad]*(R)^-1 ci.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 42 add, 18 product error, 12 sum error.  Error <= u |result| + 10 u^2 S, S the sum
-    of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     co_0a = R_00 * ci_0
     co_0b = R_10 * ci_1
     co_0c = co_0a + co_0b
-    co_0c_lo1 = sum_error(co_0a, co_0b, co_0c) + product_error(R_00, ci_0, co_0a)
-    co_0c_lo = co_0c_lo1 + product_error(R_10, ci_1, co_0b)
+    co_0c_right = co_0c - co_0a
+    co_0c_left_rest = product_rest(R_00, ci_0, co_0a, co_0c - co_0c_right)
+    co_0c_lo = co_0c_left_rest + product_rest(R_10, ci_1, co_0b, co_0c_right)
     co_0d = R_20 * ci_2
     co_0 = co_0c + co_0d
-    co_0_lo1 = sum_error(co_0c, co_0d, co_0) + co_0c_lo
-    co_0_lo = co_0_lo1 + product_error(R_20, ci_2, co_0d)
+    co_0_right = co_0 - co_0c
+    co_0_lo1 = co_0c - (co_0 - co_0_right) + product_rest(R_20, ci_2, co_0d, co_0_right)
+    co_0_lo = co_0_lo1 + co_0c_lo
     co_1a = R_01 * ci_0
     co_1b = R_11 * ci_1
     co_1c = co_1a + co_1b
-    co_1c_lo1 = sum_error(co_1a, co_1b, co_1c) + product_error(R_01, ci_0, co_1a)
-    co_1c_lo = co_1c_lo1 + product_error(R_11, ci_1, co_1b)
+    co_1c_right = co_1c - co_1a
+    co_1c_left_rest = product_rest(R_01, ci_0, co_1a, co_1c - co_1c_right)
+    co_1c_lo = co_1c_left_rest + product_rest(R_11, ci_1, co_1b, co_1c_right)
     co_1d = R_21 * ci_2
     co_1 = co_1c + co_1d
-    co_1_lo1 = sum_error(co_1c, co_1d, co_1) + co_1c_lo
-    co_1_lo = co_1_lo1 + product_error(R_21, ci_2, co_1d)
+    co_1_right = co_1 - co_1c
+    co_1_lo1 = co_1c - (co_1 - co_1_right) + product_rest(R_21, ci_2, co_1d, co_1_right)
+    co_1_lo = co_1_lo1 + co_1c_lo
     co_2a = R_02 * ci_0
     co_2b = R_12 * ci_1
     co_2c = co_2a + co_2b
-    co_2c_lo1 = sum_error(co_2a, co_2b, co_2c) + product_error(R_02, ci_0, co_2a)
-    co_2c_lo = co_2c_lo1 + product_error(R_12, ci_1, co_2b)
+    co_2c_right = co_2c - co_2a
+    co_2c_left_rest = product_rest(R_02, ci_0, co_2a, co_2c - co_2c_right)
+    co_2c_lo = co_2c_left_rest + product_rest(R_12, ci_1, co_2b, co_2c_right)
     co_2d = R_22 * ci_2
     co_2 = co_2c + co_2d
-    co_2_lo1 = sum_error(co_2c, co_2d, co_2) + co_2c_lo
-    co_2_lo = co_2_lo1 + product_error(R_22, ci_2, co_2d)
+    co_2_right = co_2 - co_2c
+    co_2_lo1 = co_2c - (co_2 - co_2_right) + product_rest(R_22, ci_2, co_2d, co_2_right)
+    co_2_lo = co_2_lo1 + co_2c_lo
     co_3a = R_00 * ci_3
     co_3b = R_10 * ci_4
     co_3c = co_3a + co_3b
-    co_3c_lo1 = sum_error(co_3a, co_3b, co_3c) + product_error(R_00, ci_3, co_3a)
-    co_3c_lo = co_3c_lo1 + product_error(R_10, ci_4, co_3b)
+    co_3c_right = co_3c - co_3a
+    co_3c_left_rest = product_rest(R_00, ci_3, co_3a, co_3c - co_3c_right)
+    co_3c_lo = co_3c_left_rest + product_rest(R_10, ci_4, co_3b, co_3c_right)
     co_3d = R_20 * ci_5
     co_3 = co_3c + co_3d
-    co_3_lo1 = sum_error(co_3c, co_3d, co_3) + co_3c_lo
-    co_3_lo = co_3_lo1 + product_error(R_20, ci_5, co_3d)
+    co_3_right = co_3 - co_3c
+    co_3_lo1 = co_3c - (co_3 - co_3_right) + product_rest(R_20, ci_5, co_3d, co_3_right)
+    co_3_lo = co_3_lo1 + co_3c_lo
     co_4a = R_01 * ci_3
     co_4b = R_11 * ci_4
     co_4c = co_4a + co_4b
-    co_4c_lo1 = sum_error(co_4a, co_4b, co_4c) + product_error(R_01, ci_3, co_4a)
-    co_4c_lo = co_4c_lo1 + product_error(R_11, ci_4, co_4b)
+    co_4c_right = co_4c - co_4a
+    co_4c_left_rest = product_rest(R_01, ci_3, co_4a, co_4c - co_4c_right)
+    co_4c_lo = co_4c_left_rest + product_rest(R_11, ci_4, co_4b, co_4c_right)
     co_4d = R_21 * ci_5
     co_4 = co_4c + co_4d
-    co_4_lo1 = sum_error(co_4c, co_4d, co_4) + co_4c_lo
-    co_4_lo = co_4_lo1 + product_error(R_21, ci_5, co_4d)
+    co_4_right = co_4 - co_4c
+    co_4_lo1 = co_4c - (co_4 - co_4_right) + product_rest(R_21, ci_5, co_4d, co_4_right)
+    co_4_lo = co_4_lo1 + co_4c_lo
     co_5a = R_02 * ci_3
     co_5b = R_12 * ci_4
     co_5c = co_5a + co_5b
-    co_5c_lo1 = sum_error(co_5a, co_5b, co_5c) + product_error(R_02, ci_3, co_5a)
-    co_5c_lo = co_5c_lo1 + product_error(R_12, ci_4, co_5b)
+    co_5c_right = co_5c - co_5a
+    co_5c_left_rest = product_rest(R_02, ci_3, co_5a, co_5c - co_5c_right)
+    co_5c_lo = co_5c_left_rest + product_rest(R_12, ci_4, co_5b, co_5c_right)
     co_5d = R_22 * ci_5
     co_5 = co_5c + co_5d
-    co_5_lo1 = sum_error(co_5c, co_5d, co_5) + co_5c_lo
-    co_5_lo = co_5_lo1 + product_error(R_22, ci_5, co_5d)
+    co_5_right = co_5 - co_5c
+    co_5_lo1 = co_5c - (co_5 - co_5_right) + product_rest(R_22, ci_5, co_5d, co_5_right)
+    co_5_lo = co_5_lo1 + co_5c_lo
     co_0_rounded = co_0 + co_0_lo
     co_1_rounded = co_1 + co_1_lo
     co_2_rounded = co_2 + co_2_lo
@@ -803,75 +948,87 @@ def product_CoAdrcinv(R, ci):
     """co = [Ad]*(R) (-ci).
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 42 add, 18 product error, 12 sum error, 12 neg.  Error <= u |result| + 10 u^2 S, S
-    the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest, 12 neg.  Error <= u |result| + 11 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     co_0a = R_00 * ci_0
     co_0b = R_01 * ci_1
     co_0c = co_0a + co_0b
-    co_0c_lo1 = sum_error(co_0a, co_0b, co_0c) + product_error(R_00, ci_0, co_0a)
-    co_0c_lo = co_0c_lo1 + product_error(R_01, ci_1, co_0b)
+    co_0c_right = co_0c - co_0a
+    co_0c_left_rest = product_rest(R_00, ci_0, co_0a, co_0c - co_0c_right)
+    co_0c_lo = co_0c_left_rest + product_rest(R_01, ci_1, co_0b, co_0c_right)
     co_0d = R_02 * ci_2
     co_0e = co_0c + co_0d
-    co_0e_lo1 = sum_error(co_0c, co_0d, co_0e) + co_0c_lo
-    co_0e_lo = co_0e_lo1 + product_error(R_02, ci_2, co_0d)
+    co_0e_right = co_0e - co_0c
+    co_0e_lo1 = co_0c - (co_0e - co_0e_right) + product_rest(R_02, ci_2, co_0d, co_0e_right)
+    co_0e_lo = co_0e_lo1 + co_0c_lo
     co_0 = -co_0e
     co_0_lo = -co_0e_lo
     co_1a = R_10 * ci_0
     co_1b = R_11 * ci_1
     co_1c = co_1a + co_1b
-    co_1c_lo1 = sum_error(co_1a, co_1b, co_1c) + product_error(R_10, ci_0, co_1a)
-    co_1c_lo = co_1c_lo1 + product_error(R_11, ci_1, co_1b)
+    co_1c_right = co_1c - co_1a
+    co_1c_left_rest = product_rest(R_10, ci_0, co_1a, co_1c - co_1c_right)
+    co_1c_lo = co_1c_left_rest + product_rest(R_11, ci_1, co_1b, co_1c_right)
     co_1d = R_12 * ci_2
     co_1e = co_1c + co_1d
-    co_1e_lo1 = sum_error(co_1c, co_1d, co_1e) + co_1c_lo
-    co_1e_lo = co_1e_lo1 + product_error(R_12, ci_2, co_1d)
+    co_1e_right = co_1e - co_1c
+    co_1e_lo1 = co_1c - (co_1e - co_1e_right) + product_rest(R_12, ci_2, co_1d, co_1e_right)
+    co_1e_lo = co_1e_lo1 + co_1c_lo
     co_1 = -co_1e
     co_1_lo = -co_1e_lo
     co_2a = R_20 * ci_0
     co_2b = R_21 * ci_1
     co_2c = co_2a + co_2b
-    co_2c_lo1 = sum_error(co_2a, co_2b, co_2c) + product_error(R_20, ci_0, co_2a)
-    co_2c_lo = co_2c_lo1 + product_error(R_21, ci_1, co_2b)
+    co_2c_right = co_2c - co_2a
+    co_2c_left_rest = product_rest(R_20, ci_0, co_2a, co_2c - co_2c_right)
+    co_2c_lo = co_2c_left_rest + product_rest(R_21, ci_1, co_2b, co_2c_right)
     co_2d = R_22 * ci_2
     co_2e = co_2c + co_2d
-    co_2e_lo1 = sum_error(co_2c, co_2d, co_2e) + co_2c_lo
-    co_2e_lo = co_2e_lo1 + product_error(R_22, ci_2, co_2d)
+    co_2e_right = co_2e - co_2c
+    co_2e_lo1 = co_2c - (co_2e - co_2e_right) + product_rest(R_22, ci_2, co_2d, co_2e_right)
+    co_2e_lo = co_2e_lo1 + co_2c_lo
     co_2 = -co_2e
     co_2_lo = -co_2e_lo
     co_3a = R_00 * ci_3
     co_3b = R_01 * ci_4
     co_3c = co_3a + co_3b
-    co_3c_lo1 = sum_error(co_3a, co_3b, co_3c) + product_error(R_00, ci_3, co_3a)
-    co_3c_lo = co_3c_lo1 + product_error(R_01, ci_4, co_3b)
+    co_3c_right = co_3c - co_3a
+    co_3c_left_rest = product_rest(R_00, ci_3, co_3a, co_3c - co_3c_right)
+    co_3c_lo = co_3c_left_rest + product_rest(R_01, ci_4, co_3b, co_3c_right)
     co_3d = R_02 * ci_5
     co_3e = co_3c + co_3d
-    co_3e_lo1 = sum_error(co_3c, co_3d, co_3e) + co_3c_lo
-    co_3e_lo = co_3e_lo1 + product_error(R_02, ci_5, co_3d)
+    co_3e_right = co_3e - co_3c
+    co_3e_lo1 = co_3c - (co_3e - co_3e_right) + product_rest(R_02, ci_5, co_3d, co_3e_right)
+    co_3e_lo = co_3e_lo1 + co_3c_lo
     co_3 = -co_3e
     co_3_lo = -co_3e_lo
     co_4a = R_10 * ci_3
     co_4b = R_11 * ci_4
     co_4c = co_4a + co_4b
-    co_4c_lo1 = sum_error(co_4a, co_4b, co_4c) + product_error(R_10, ci_3, co_4a)
-    co_4c_lo = co_4c_lo1 + product_error(R_11, ci_4, co_4b)
+    co_4c_right = co_4c - co_4a
+    co_4c_left_rest = product_rest(R_10, ci_3, co_4a, co_4c - co_4c_right)
+    co_4c_lo = co_4c_left_rest + product_rest(R_11, ci_4, co_4b, co_4c_right)
     co_4d = R_12 * ci_5
     co_4e = co_4c + co_4d
-    co_4e_lo1 = sum_error(co_4c, co_4d, co_4e) + co_4c_lo
-    co_4e_lo = co_4e_lo1 + product_error(R_12, ci_5, co_4d)
+    co_4e_right = co_4e - co_4c
+    co_4e_lo1 = co_4c - (co_4e - co_4e_right) + product_rest(R_12, ci_5, co_4d, co_4e_right)
+    co_4e_lo = co_4e_lo1 + co_4c_lo
     co_4 = -co_4e
     co_4_lo = -co_4e_lo
     co_5a = R_20 * ci_3
     co_5b = R_21 * ci_4
     co_5c = co_5a + co_5b
-    co_5c_lo1 = sum_error(co_5a, co_5b, co_5c) + product_error(R_20, ci_3, co_5a)
-    co_5c_lo = co_5c_lo1 + product_error(R_21, ci_4, co_5b)
+    co_5c_right = co_5c - co_5a
+    co_5c_left_rest = product_rest(R_20, ci_3, co_5a, co_5c - co_5c_right)
+    co_5c_lo = co_5c_left_rest + product_rest(R_21, ci_4, co_5b, co_5c_right)
     co_5d = R_22 * ci_5
     co_5e = co_5c + co_5d
-    co_5e_lo1 = sum_error(co_5c, co_5d, co_5e) + co_5c_lo
-    co_5e_lo = co_5e_lo1 + product_error(R_22, ci_5, co_5d)
+    co_5e_right = co_5e - co_5c
+    co_5e_lo1 = co_5c - (co_5e - co_5e_right) + product_rest(R_22, ci_5, co_5d, co_5e_right)
+    co_5e_lo = co_5e_lo1 + co_5c_lo
     co_5 = -co_5e
     co_5_lo = -co_5e_lo
     co_0_rounded = co_0 + co_0_lo
@@ -889,92 +1046,110 @@ def product_CoAdc(D, ci):
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
     N m).
-    30 mul, 66 add, 24 product error, 18 sum error.  Error <= u |result| + (lin: 10, ang: 39)
-    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    30 mul, 108 add, 24 product rest.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     w_0a = D_00 * ci_0
     w_0b = D_01 * ci_1
     w_0c = w_0a + w_0b
-    w_0c_lo1 = sum_error(w_0a, w_0b, w_0c) + product_error(D_00, ci_0, w_0a)
-    w_0c_lo = w_0c_lo1 + product_error(D_01, ci_1, w_0b)
+    w_0c_right = w_0c - w_0a
+    w_0c_left_rest = product_rest(D_00, ci_0, w_0a, w_0c - w_0c_right)
+    w_0c_lo = w_0c_left_rest + product_rest(D_01, ci_1, w_0b, w_0c_right)
     w_0d = D_02 * ci_2
     w_0 = w_0c + w_0d
-    w_0_lo1 = sum_error(w_0c, w_0d, w_0) + w_0c_lo
-    w_0_lo = w_0_lo1 + product_error(D_02, ci_2, w_0d)
+    w_0_right = w_0 - w_0c
+    w_0_lo1 = w_0c - (w_0 - w_0_right) + product_rest(D_02, ci_2, w_0d, w_0_right)
+    w_0_lo = w_0_lo1 + w_0c_lo
     w_1a = D_10 * ci_0
     w_1b = D_11 * ci_1
     w_1c = w_1a + w_1b
-    w_1c_lo1 = sum_error(w_1a, w_1b, w_1c) + product_error(D_10, ci_0, w_1a)
-    w_1c_lo = w_1c_lo1 + product_error(D_11, ci_1, w_1b)
+    w_1c_right = w_1c - w_1a
+    w_1c_left_rest = product_rest(D_10, ci_0, w_1a, w_1c - w_1c_right)
+    w_1c_lo = w_1c_left_rest + product_rest(D_11, ci_1, w_1b, w_1c_right)
     w_1d = D_12 * ci_2
     w_1 = w_1c + w_1d
-    w_1_lo1 = sum_error(w_1c, w_1d, w_1) + w_1c_lo
-    w_1_lo = w_1_lo1 + product_error(D_12, ci_2, w_1d)
+    w_1_right = w_1 - w_1c
+    w_1_lo1 = w_1c - (w_1 - w_1_right) + product_rest(D_12, ci_2, w_1d, w_1_right)
+    w_1_lo = w_1_lo1 + w_1c_lo
     w_2a = D_20 * ci_0
     w_2b = D_21 * ci_1
     w_2c = w_2a + w_2b
-    w_2c_lo1 = sum_error(w_2a, w_2b, w_2c) + product_error(D_20, ci_0, w_2a)
-    w_2c_lo = w_2c_lo1 + product_error(D_21, ci_1, w_2b)
+    w_2c_right = w_2c - w_2a
+    w_2c_left_rest = product_rest(D_20, ci_0, w_2a, w_2c - w_2c_right)
+    w_2c_lo = w_2c_left_rest + product_rest(D_21, ci_1, w_2b, w_2c_right)
     w_2d = D_22 * ci_2
     w_2 = w_2c + w_2d
-    w_2_lo1 = sum_error(w_2c, w_2d, w_2) + w_2c_lo
-    w_2_lo = w_2_lo1 + product_error(D_22, ci_2, w_2d)
+    w_2_right = w_2 - w_2c
+    w_2_lo1 = w_2c - (w_2 - w_2_right) + product_rest(D_22, ci_2, w_2d, w_2_right)
+    w_2_lo = w_2_lo1 + w_2c_lo
     w_3a = D_00 * ci_3
     w_3b = D_01 * ci_4
     w_3c = w_3a + w_3b
-    w_3c_lo1 = sum_error(w_3a, w_3b, w_3c) + product_error(D_00, ci_3, w_3a)
-    w_3c_lo = w_3c_lo1 + product_error(D_01, ci_4, w_3b)
+    w_3c_right = w_3c - w_3a
+    w_3c_left_rest = product_rest(D_00, ci_3, w_3a, w_3c - w_3c_right)
+    w_3c_lo = w_3c_left_rest + product_rest(D_01, ci_4, w_3b, w_3c_right)
     w_3d = D_02 * ci_5
     w_3 = w_3c + w_3d
-    w_3_lo1 = sum_error(w_3c, w_3d, w_3) + w_3c_lo
-    w_3_lo = w_3_lo1 + product_error(D_02, ci_5, w_3d)
+    w_3_right = w_3 - w_3c
+    w_3_lo1 = w_3c - (w_3 - w_3_right) + product_rest(D_02, ci_5, w_3d, w_3_right)
+    w_3_lo = w_3_lo1 + w_3c_lo
     w_4a = D_10 * ci_3
     w_4b = D_11 * ci_4
     w_4c = w_4a + w_4b
-    w_4c_lo1 = sum_error(w_4a, w_4b, w_4c) + product_error(D_10, ci_3, w_4a)
-    w_4c_lo = w_4c_lo1 + product_error(D_11, ci_4, w_4b)
+    w_4c_right = w_4c - w_4a
+    w_4c_left_rest = product_rest(D_10, ci_3, w_4a, w_4c - w_4c_right)
+    w_4c_lo = w_4c_left_rest + product_rest(D_11, ci_4, w_4b, w_4c_right)
     w_4d = D_12 * ci_5
     w_4 = w_4c + w_4d
-    w_4_lo1 = sum_error(w_4c, w_4d, w_4) + w_4c_lo
-    w_4_lo = w_4_lo1 + product_error(D_12, ci_5, w_4d)
+    w_4_right = w_4 - w_4c
+    w_4_lo1 = w_4c - (w_4 - w_4_right) + product_rest(D_12, ci_5, w_4d, w_4_right)
+    w_4_lo = w_4_lo1 + w_4c_lo
     w_5a = D_20 * ci_3
     w_5b = D_21 * ci_4
     w_5c = w_5a + w_5b
-    w_5c_lo1 = sum_error(w_5a, w_5b, w_5c) + product_error(D_20, ci_3, w_5a)
-    w_5c_lo = w_5c_lo1 + product_error(D_21, ci_4, w_5b)
+    w_5c_right = w_5c - w_5a
+    w_5c_left_rest = product_rest(D_20, ci_3, w_5a, w_5c - w_5c_right)
+    w_5c_lo = w_5c_left_rest + product_rest(D_21, ci_4, w_5b, w_5c_right)
     w_5d = D_22 * ci_5
     w_5 = w_5c + w_5d
-    w_5_lo1 = sum_error(w_5c, w_5d, w_5) + w_5c_lo
-    w_5_lo = w_5_lo1 + product_error(D_22, ci_5, w_5d)
+    w_5_right = w_5 - w_5c
+    w_5_lo1 = w_5c - (w_5 - w_5_right) + product_rest(D_22, ci_5, w_5d, w_5_right)
+    w_5_lo = w_5_lo1 + w_5c_lo
     co_3a = D_13 * w_2
-    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
     co_3b = D_23 * w_1
     co_3c = co_3a - co_3b
-    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + co_3a_lo
-    co_3c_lo = co_3c_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_3c_right = co_3a - co_3c
+    co_3c_left_rest = product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
+    co_3c_lo1 = co_3c_left_rest - product_rest(D_23, w_1, co_3b, co_3c_right)
+    co_3c_lo = co_3c_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo)
     co_3 = co_3c + w_3
-    co_3_lo1 = sum_error(co_3c, w_3, co_3) + co_3c_lo
-    co_3_lo = co_3_lo1 + w_3_lo
+    co_3_right = co_3 - co_3c
+    co_3_lo2 = co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
+    co_3_lo = co_3_lo2 + co_3c_lo
     co_4a = D_23 * w_0
-    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
     co_4b = D_03 * w_2
     co_4c = co_4a - co_4b
-    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + co_4a_lo
-    co_4c_lo = co_4c_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_4c_right = co_4a - co_4c
+    co_4c_left_rest = product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
+    co_4c_lo1 = co_4c_left_rest - product_rest(D_03, w_2, co_4b, co_4c_right)
+    co_4c_lo = co_4c_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo)
     co_4 = co_4c + w_4
-    co_4_lo1 = sum_error(co_4c, w_4, co_4) + co_4c_lo
-    co_4_lo = co_4_lo1 + w_4_lo
+    co_4_right = co_4 - co_4c
+    co_4_lo2 = co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
+    co_4_lo = co_4_lo2 + co_4c_lo
     co_5a = D_03 * w_1
-    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
     co_5b = D_13 * w_0
     co_5c = co_5a - co_5b
-    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + co_5a_lo
-    co_5c_lo = co_5c_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    co_5c_right = co_5a - co_5c
+    co_5c_left_rest = product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
+    co_5c_lo1 = co_5c_left_rest - product_rest(D_13, w_0, co_5b, co_5c_right)
+    co_5c_lo = co_5c_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo)
     co_5 = co_5c + w_5
-    co_5_lo1 = sum_error(co_5c, w_5, co_5) + co_5c_lo
-    co_5_lo = co_5_lo1 + w_5_lo
+    co_5_right = co_5 - co_5c
+    co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
+    co_5_lo = co_5_lo2 + co_5c_lo
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo
@@ -990,86 +1165,110 @@ def product_CoAdinvc(D, ci):
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
     N m).
-    33 mul, 66 add, 24 product error, 18 sum error.  Error <= u |result| + (lin: 10, ang: 36)
-    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    33 mul, 108 add, 24 product rest.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     w_3a = D_23 * ci_1
     w_3b = D_13 * ci_2
     w_3c = w_3a - w_3b
-    w_3c_lo1 = difference_error(w_3a, w_3b, w_3c) + product_error(D_23, ci_1, w_3a)
-    w_3c_lo = w_3c_lo1 - product_error(D_13, ci_2, w_3b)
+    w_3c_right = w_3a - w_3c
+    w_3c_left_rest = product_rest(D_23, ci_1, w_3a, w_3c + w_3c_right)
+    w_3c_lo = w_3c_left_rest - product_rest(D_13, ci_2, w_3b, w_3c_right)
     w_3 = w_3c + ci_3
-    w_3_lo = sum_error(w_3c, ci_3, w_3) + w_3c_lo
+    w_3_right = w_3 - w_3c
+    w_3_lo = w_3c - (w_3 - w_3_right) + (ci_3 - w_3_right) + w_3c_lo
     w_4a = D_03 * ci_2
     w_4b = D_23 * ci_0
     w_4c = w_4a - w_4b
-    w_4c_lo1 = difference_error(w_4a, w_4b, w_4c) + product_error(D_03, ci_2, w_4a)
-    w_4c_lo = w_4c_lo1 - product_error(D_23, ci_0, w_4b)
+    w_4c_right = w_4a - w_4c
+    w_4c_left_rest = product_rest(D_03, ci_2, w_4a, w_4c + w_4c_right)
+    w_4c_lo = w_4c_left_rest - product_rest(D_23, ci_0, w_4b, w_4c_right)
     w_4 = w_4c + ci_4
-    w_4_lo = sum_error(w_4c, ci_4, w_4) + w_4c_lo
+    w_4_right = w_4 - w_4c
+    w_4_lo = w_4c - (w_4 - w_4_right) + (ci_4 - w_4_right) + w_4c_lo
     w_5a = D_13 * ci_0
     w_5b = D_03 * ci_1
     w_5c = w_5a - w_5b
-    w_5c_lo1 = difference_error(w_5a, w_5b, w_5c) + product_error(D_13, ci_0, w_5a)
-    w_5c_lo = w_5c_lo1 - product_error(D_03, ci_1, w_5b)
+    w_5c_right = w_5a - w_5c
+    w_5c_left_rest = product_rest(D_13, ci_0, w_5a, w_5c + w_5c_right)
+    w_5c_lo = w_5c_left_rest - product_rest(D_03, ci_1, w_5b, w_5c_right)
     w_5 = w_5c + ci_5
-    w_5_lo = sum_error(w_5c, ci_5, w_5) + w_5c_lo
+    w_5_right = w_5 - w_5c
+    w_5_lo = w_5c - (w_5 - w_5_right) + (ci_5 - w_5_right) + w_5c_lo
     co_0a = D_00 * ci_0
     co_0b = D_10 * ci_1
     co_0c = co_0a + co_0b
-    co_0c_lo1 = sum_error(co_0a, co_0b, co_0c) + product_error(D_00, ci_0, co_0a)
-    co_0c_lo = co_0c_lo1 + product_error(D_10, ci_1, co_0b)
+    co_0c_right = co_0c - co_0a
+    co_0c_left_rest = product_rest(D_00, ci_0, co_0a, co_0c - co_0c_right)
+    co_0c_lo = co_0c_left_rest + product_rest(D_10, ci_1, co_0b, co_0c_right)
     co_0d = D_20 * ci_2
     co_0 = co_0c + co_0d
-    co_0_lo1 = sum_error(co_0c, co_0d, co_0) + co_0c_lo
-    co_0_lo = co_0_lo1 + product_error(D_20, ci_2, co_0d)
+    co_0_right = co_0 - co_0c
+    co_0_lo1 = co_0c - (co_0 - co_0_right) + product_rest(D_20, ci_2, co_0d, co_0_right)
+    co_0_lo = co_0_lo1 + co_0c_lo
     co_1a = D_01 * ci_0
     co_1b = D_11 * ci_1
     co_1c = co_1a + co_1b
-    co_1c_lo1 = sum_error(co_1a, co_1b, co_1c) + product_error(D_01, ci_0, co_1a)
-    co_1c_lo = co_1c_lo1 + product_error(D_11, ci_1, co_1b)
+    co_1c_right = co_1c - co_1a
+    co_1c_left_rest = product_rest(D_01, ci_0, co_1a, co_1c - co_1c_right)
+    co_1c_lo = co_1c_left_rest + product_rest(D_11, ci_1, co_1b, co_1c_right)
     co_1d = D_21 * ci_2
     co_1 = co_1c + co_1d
-    co_1_lo1 = sum_error(co_1c, co_1d, co_1) + co_1c_lo
-    co_1_lo = co_1_lo1 + product_error(D_21, ci_2, co_1d)
+    co_1_right = co_1 - co_1c
+    co_1_lo1 = co_1c - (co_1 - co_1_right) + product_rest(D_21, ci_2, co_1d, co_1_right)
+    co_1_lo = co_1_lo1 + co_1c_lo
     co_2a = D_02 * ci_0
     co_2b = D_12 * ci_1
     co_2c = co_2a + co_2b
-    co_2c_lo1 = sum_error(co_2a, co_2b, co_2c) + product_error(D_02, ci_0, co_2a)
-    co_2c_lo = co_2c_lo1 + product_error(D_12, ci_1, co_2b)
+    co_2c_right = co_2c - co_2a
+    co_2c_left_rest = product_rest(D_02, ci_0, co_2a, co_2c - co_2c_right)
+    co_2c_lo = co_2c_left_rest + product_rest(D_12, ci_1, co_2b, co_2c_right)
     co_2d = D_22 * ci_2
     co_2 = co_2c + co_2d
-    co_2_lo1 = sum_error(co_2c, co_2d, co_2) + co_2c_lo
-    co_2_lo = co_2_lo1 + product_error(D_22, ci_2, co_2d)
+    co_2_right = co_2 - co_2c
+    co_2_lo1 = co_2c - (co_2 - co_2_right) + product_rest(D_22, ci_2, co_2d, co_2_right)
+    co_2_lo = co_2_lo1 + co_2c_lo
     co_3a = D_00 * w_3
     co_3b = D_10 * w_4
     co_3c = co_3a + co_3b
-    co_3c_lo1 = sum_error(co_3a, co_3b, co_3c) + (product_error(D_00, w_3, co_3a) + D_00 * w_3_lo)
-    co_3c_lo = co_3c_lo1 + (product_error(D_10, w_4, co_3b) + D_10 * w_4_lo)
+    co_3c_right = co_3c - co_3a
+    co_3c_left_rest = product_rest(D_00, w_3, co_3a, co_3c - co_3c_right)
+    co_3c_lo1 = co_3c_left_rest + product_rest(D_10, w_4, co_3b, co_3c_right)
+    co_3c_lo = co_3c_lo1 + (D_00 * w_3_lo + D_10 * w_4_lo)
     co_3d = D_20 * w_5
     co_3 = co_3c + co_3d
-    co_3_lo1 = sum_error(co_3c, co_3d, co_3) + co_3c_lo
-    co_3_lo = co_3_lo1 + (product_error(D_20, w_5, co_3d) + D_20 * w_5_lo)
+    co_3_right = co_3 - co_3c
+    co_3_lo1 = co_3c - (co_3 - co_3_right) + product_rest(D_20, w_5, co_3d, co_3_right)
+    co_3_lo2 = co_3_lo1 + D_20 * w_5_lo
+    co_3_lo = co_3_lo2 + co_3c_lo
     co_4a = D_01 * w_3
     co_4b = D_11 * w_4
     co_4c = co_4a + co_4b
-    co_4c_lo1 = sum_error(co_4a, co_4b, co_4c) + (product_error(D_01, w_3, co_4a) + D_01 * w_3_lo)
-    co_4c_lo = co_4c_lo1 + (product_error(D_11, w_4, co_4b) + D_11 * w_4_lo)
+    co_4c_right = co_4c - co_4a
+    co_4c_left_rest = product_rest(D_01, w_3, co_4a, co_4c - co_4c_right)
+    co_4c_lo1 = co_4c_left_rest + product_rest(D_11, w_4, co_4b, co_4c_right)
+    co_4c_lo = co_4c_lo1 + (D_01 * w_3_lo + D_11 * w_4_lo)
     co_4d = D_21 * w_5
     co_4 = co_4c + co_4d
-    co_4_lo1 = sum_error(co_4c, co_4d, co_4) + co_4c_lo
-    co_4_lo = co_4_lo1 + (product_error(D_21, w_5, co_4d) + D_21 * w_5_lo)
+    co_4_right = co_4 - co_4c
+    co_4_lo1 = co_4c - (co_4 - co_4_right) + product_rest(D_21, w_5, co_4d, co_4_right)
+    co_4_lo2 = co_4_lo1 + D_21 * w_5_lo
+    co_4_lo = co_4_lo2 + co_4c_lo
     co_5a = D_02 * w_3
     co_5b = D_12 * w_4
     co_5c = co_5a + co_5b
-    co_5c_lo1 = sum_error(co_5a, co_5b, co_5c) + (product_error(D_02, w_3, co_5a) + D_02 * w_3_lo)
-    co_5c_lo = co_5c_lo1 + (product_error(D_12, w_4, co_5b) + D_12 * w_4_lo)
+    co_5c_right = co_5c - co_5a
+    co_5c_left_rest = product_rest(D_02, w_3, co_5a, co_5c - co_5c_right)
+    co_5c_lo1 = co_5c_left_rest + product_rest(D_12, w_4, co_5b, co_5c_right)
+    co_5c_lo = co_5c_lo1 + (D_02 * w_3_lo + D_12 * w_4_lo)
     co_5d = D_22 * w_5
     co_5 = co_5c + co_5d
-    co_5_lo1 = sum_error(co_5c, co_5d, co_5) + co_5c_lo
-    co_5_lo = co_5_lo1 + (product_error(D_22, w_5, co_5d) + D_22 * w_5_lo)
+    co_5_right = co_5 - co_5c
+    co_5_lo1 = co_5c - (co_5 - co_5_right) + product_rest(D_22, w_5, co_5d, co_5_right)
+    co_5_lo2 = co_5_lo1 + D_22 * w_5_lo
+    co_5_lo = co_5_lo2 + co_5c_lo
     co_0_rounded = co_0 + co_0_lo
     co_1_rounded = co_1 + co_1_lo
     co_2_rounded = co_2 + co_2_lo
@@ -1085,105 +1284,122 @@ def product_CoAdcinv(D, ci):
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
     N m).
-    30 mul, 66 add, 24 product error, 18 sum error, 12 neg.  Error <= u |result| + (lin: 10,
-    ang: 39) u^2 S, S the sum of the |terms| of the expanded formula; barring over- and
-    underflow.
+    30 mul, 108 add, 24 product rest, 12 neg.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S
+    the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     w_0a = D_00 * ci_0
     w_0b = D_01 * ci_1
     w_0c = w_0a + w_0b
-    w_0c_lo1 = sum_error(w_0a, w_0b, w_0c) + product_error(D_00, ci_0, w_0a)
-    w_0c_lo = w_0c_lo1 + product_error(D_01, ci_1, w_0b)
+    w_0c_right = w_0c - w_0a
+    w_0c_left_rest = product_rest(D_00, ci_0, w_0a, w_0c - w_0c_right)
+    w_0c_lo = w_0c_left_rest + product_rest(D_01, ci_1, w_0b, w_0c_right)
     w_0d = D_02 * ci_2
     w_0e = w_0c + w_0d
-    w_0e_lo1 = sum_error(w_0c, w_0d, w_0e) + w_0c_lo
-    w_0e_lo = w_0e_lo1 + product_error(D_02, ci_2, w_0d)
+    w_0e_right = w_0e - w_0c
+    w_0e_lo1 = w_0c - (w_0e - w_0e_right) + product_rest(D_02, ci_2, w_0d, w_0e_right)
+    w_0e_lo = w_0e_lo1 + w_0c_lo
     w_0 = -w_0e
     w_0_lo = -w_0e_lo
     w_1a = D_10 * ci_0
     w_1b = D_11 * ci_1
     w_1c = w_1a + w_1b
-    w_1c_lo1 = sum_error(w_1a, w_1b, w_1c) + product_error(D_10, ci_0, w_1a)
-    w_1c_lo = w_1c_lo1 + product_error(D_11, ci_1, w_1b)
+    w_1c_right = w_1c - w_1a
+    w_1c_left_rest = product_rest(D_10, ci_0, w_1a, w_1c - w_1c_right)
+    w_1c_lo = w_1c_left_rest + product_rest(D_11, ci_1, w_1b, w_1c_right)
     w_1d = D_12 * ci_2
     w_1e = w_1c + w_1d
-    w_1e_lo1 = sum_error(w_1c, w_1d, w_1e) + w_1c_lo
-    w_1e_lo = w_1e_lo1 + product_error(D_12, ci_2, w_1d)
+    w_1e_right = w_1e - w_1c
+    w_1e_lo1 = w_1c - (w_1e - w_1e_right) + product_rest(D_12, ci_2, w_1d, w_1e_right)
+    w_1e_lo = w_1e_lo1 + w_1c_lo
     w_1 = -w_1e
     w_1_lo = -w_1e_lo
     w_2a = D_20 * ci_0
     w_2b = D_21 * ci_1
     w_2c = w_2a + w_2b
-    w_2c_lo1 = sum_error(w_2a, w_2b, w_2c) + product_error(D_20, ci_0, w_2a)
-    w_2c_lo = w_2c_lo1 + product_error(D_21, ci_1, w_2b)
+    w_2c_right = w_2c - w_2a
+    w_2c_left_rest = product_rest(D_20, ci_0, w_2a, w_2c - w_2c_right)
+    w_2c_lo = w_2c_left_rest + product_rest(D_21, ci_1, w_2b, w_2c_right)
     w_2d = D_22 * ci_2
     w_2e = w_2c + w_2d
-    w_2e_lo1 = sum_error(w_2c, w_2d, w_2e) + w_2c_lo
-    w_2e_lo = w_2e_lo1 + product_error(D_22, ci_2, w_2d)
+    w_2e_right = w_2e - w_2c
+    w_2e_lo1 = w_2c - (w_2e - w_2e_right) + product_rest(D_22, ci_2, w_2d, w_2e_right)
+    w_2e_lo = w_2e_lo1 + w_2c_lo
     w_2 = -w_2e
     w_2_lo = -w_2e_lo
     w_3a = D_00 * ci_3
     w_3b = D_01 * ci_4
     w_3c = w_3a + w_3b
-    w_3c_lo1 = sum_error(w_3a, w_3b, w_3c) + product_error(D_00, ci_3, w_3a)
-    w_3c_lo = w_3c_lo1 + product_error(D_01, ci_4, w_3b)
+    w_3c_right = w_3c - w_3a
+    w_3c_left_rest = product_rest(D_00, ci_3, w_3a, w_3c - w_3c_right)
+    w_3c_lo = w_3c_left_rest + product_rest(D_01, ci_4, w_3b, w_3c_right)
     w_3d = D_02 * ci_5
     w_3e = w_3c + w_3d
-    w_3e_lo1 = sum_error(w_3c, w_3d, w_3e) + w_3c_lo
-    w_3e_lo = w_3e_lo1 + product_error(D_02, ci_5, w_3d)
+    w_3e_right = w_3e - w_3c
+    w_3e_lo1 = w_3c - (w_3e - w_3e_right) + product_rest(D_02, ci_5, w_3d, w_3e_right)
+    w_3e_lo = w_3e_lo1 + w_3c_lo
     w_3 = -w_3e
     w_3_lo = -w_3e_lo
     w_4a = D_10 * ci_3
     w_4b = D_11 * ci_4
     w_4c = w_4a + w_4b
-    w_4c_lo1 = sum_error(w_4a, w_4b, w_4c) + product_error(D_10, ci_3, w_4a)
-    w_4c_lo = w_4c_lo1 + product_error(D_11, ci_4, w_4b)
+    w_4c_right = w_4c - w_4a
+    w_4c_left_rest = product_rest(D_10, ci_3, w_4a, w_4c - w_4c_right)
+    w_4c_lo = w_4c_left_rest + product_rest(D_11, ci_4, w_4b, w_4c_right)
     w_4d = D_12 * ci_5
     w_4e = w_4c + w_4d
-    w_4e_lo1 = sum_error(w_4c, w_4d, w_4e) + w_4c_lo
-    w_4e_lo = w_4e_lo1 + product_error(D_12, ci_5, w_4d)
+    w_4e_right = w_4e - w_4c
+    w_4e_lo1 = w_4c - (w_4e - w_4e_right) + product_rest(D_12, ci_5, w_4d, w_4e_right)
+    w_4e_lo = w_4e_lo1 + w_4c_lo
     w_4 = -w_4e
     w_4_lo = -w_4e_lo
     w_5a = D_20 * ci_3
     w_5b = D_21 * ci_4
     w_5c = w_5a + w_5b
-    w_5c_lo1 = sum_error(w_5a, w_5b, w_5c) + product_error(D_20, ci_3, w_5a)
-    w_5c_lo = w_5c_lo1 + product_error(D_21, ci_4, w_5b)
+    w_5c_right = w_5c - w_5a
+    w_5c_left_rest = product_rest(D_20, ci_3, w_5a, w_5c - w_5c_right)
+    w_5c_lo = w_5c_left_rest + product_rest(D_21, ci_4, w_5b, w_5c_right)
     w_5d = D_22 * ci_5
     w_5e = w_5c + w_5d
-    w_5e_lo1 = sum_error(w_5c, w_5d, w_5e) + w_5c_lo
-    w_5e_lo = w_5e_lo1 + product_error(D_22, ci_5, w_5d)
+    w_5e_right = w_5e - w_5c
+    w_5e_lo1 = w_5c - (w_5e - w_5e_right) + product_rest(D_22, ci_5, w_5d, w_5e_right)
+    w_5e_lo = w_5e_lo1 + w_5c_lo
     w_5 = -w_5e
     w_5_lo = -w_5e_lo
     co_3a = D_13 * w_2
-    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
     co_3b = D_23 * w_1
     co_3c = co_3a - co_3b
-    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + co_3a_lo
-    co_3c_lo = co_3c_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_3c_right = co_3a - co_3c
+    co_3c_left_rest = product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
+    co_3c_lo1 = co_3c_left_rest - product_rest(D_23, w_1, co_3b, co_3c_right)
+    co_3c_lo = co_3c_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo)
     co_3 = co_3c + w_3
-    co_3_lo1 = sum_error(co_3c, w_3, co_3) + co_3c_lo
-    co_3_lo = co_3_lo1 + w_3_lo
+    co_3_right = co_3 - co_3c
+    co_3_lo2 = co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
+    co_3_lo = co_3_lo2 + co_3c_lo
     co_4a = D_23 * w_0
-    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
     co_4b = D_03 * w_2
     co_4c = co_4a - co_4b
-    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + co_4a_lo
-    co_4c_lo = co_4c_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_4c_right = co_4a - co_4c
+    co_4c_left_rest = product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
+    co_4c_lo1 = co_4c_left_rest - product_rest(D_03, w_2, co_4b, co_4c_right)
+    co_4c_lo = co_4c_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo)
     co_4 = co_4c + w_4
-    co_4_lo1 = sum_error(co_4c, w_4, co_4) + co_4c_lo
-    co_4_lo = co_4_lo1 + w_4_lo
+    co_4_right = co_4 - co_4c
+    co_4_lo2 = co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
+    co_4_lo = co_4_lo2 + co_4c_lo
     co_5a = D_03 * w_1
-    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
     co_5b = D_13 * w_0
     co_5c = co_5a - co_5b
-    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + co_5a_lo
-    co_5c_lo = co_5c_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    co_5c_right = co_5a - co_5c
+    co_5c_left_rest = product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
+    co_5c_lo1 = co_5c_left_rest - product_rest(D_13, w_0, co_5b, co_5c_right)
+    co_5c_lo = co_5c_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo)
     co_5 = co_5c + w_5
-    co_5_lo1 = sum_error(co_5c, w_5, co_5) + co_5c_lo
-    co_5_lo = co_5_lo1 + w_5_lo
+    co_5_right = co_5 - co_5c
+    co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
+    co_5_lo = co_5_lo2 + co_5c_lo
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo
@@ -1198,25 +1414,28 @@ def hctx(D):
     """co = h_tx: column 0 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 12 add, 6 product error, 3 sum error.  Error <= u |result| + (lin: 0, ang: 4) u^2 S,
-    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     co_3a = D_20 * D_13
     co_3b = D_10 * D_23
     co_3 = co_3a - co_3b
-    co_3_lo1 = difference_error(co_3a, co_3b, co_3) + product_error(D_20, D_13, co_3a)
-    co_3_lo = co_3_lo1 - product_error(D_10, D_23, co_3b)
+    co_3_right = co_3a - co_3
+    co_3_left_rest = product_rest(D_20, D_13, co_3a, co_3 + co_3_right)
+    co_3_lo = co_3_left_rest - product_rest(D_10, D_23, co_3b, co_3_right)
     co_4a = D_00 * D_23
     co_4b = D_20 * D_03
     co_4 = co_4a - co_4b
-    co_4_lo1 = difference_error(co_4a, co_4b, co_4) + product_error(D_00, D_23, co_4a)
-    co_4_lo = co_4_lo1 - product_error(D_20, D_03, co_4b)
+    co_4_right = co_4a - co_4
+    co_4_left_rest = product_rest(D_00, D_23, co_4a, co_4 + co_4_right)
+    co_4_lo = co_4_left_rest - product_rest(D_20, D_03, co_4b, co_4_right)
     co_5a = D_10 * D_03
     co_5b = D_00 * D_13
     co_5 = co_5a - co_5b
-    co_5_lo1 = difference_error(co_5a, co_5b, co_5) + product_error(D_10, D_03, co_5a)
-    co_5_lo = co_5_lo1 - product_error(D_00, D_13, co_5b)
+    co_5_right = co_5a - co_5
+    co_5_left_rest = product_rest(D_10, D_03, co_5a, co_5 + co_5_right)
+    co_5_lo = co_5_left_rest - product_rest(D_00, D_13, co_5b, co_5_right)
     co_3_rounded = co_3 + co_3_lo
     co_4_rounded = co_4 + co_4_lo
     co_5_rounded = co_5 + co_5_lo
@@ -1228,25 +1447,28 @@ def hcty(D):
     """co = h_ty: column 1 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 12 add, 6 product error, 3 sum error.  Error <= u |result| + (lin: 0, ang: 4) u^2 S,
-    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     co_3a = D_21 * D_13
     co_3b = D_11 * D_23
     co_3 = co_3a - co_3b
-    co_3_lo1 = difference_error(co_3a, co_3b, co_3) + product_error(D_21, D_13, co_3a)
-    co_3_lo = co_3_lo1 - product_error(D_11, D_23, co_3b)
+    co_3_right = co_3a - co_3
+    co_3_left_rest = product_rest(D_21, D_13, co_3a, co_3 + co_3_right)
+    co_3_lo = co_3_left_rest - product_rest(D_11, D_23, co_3b, co_3_right)
     co_4a = D_01 * D_23
     co_4b = D_21 * D_03
     co_4 = co_4a - co_4b
-    co_4_lo1 = difference_error(co_4a, co_4b, co_4) + product_error(D_01, D_23, co_4a)
-    co_4_lo = co_4_lo1 - product_error(D_21, D_03, co_4b)
+    co_4_right = co_4a - co_4
+    co_4_left_rest = product_rest(D_01, D_23, co_4a, co_4 + co_4_right)
+    co_4_lo = co_4_left_rest - product_rest(D_21, D_03, co_4b, co_4_right)
     co_5a = D_11 * D_03
     co_5b = D_01 * D_13
     co_5 = co_5a - co_5b
-    co_5_lo1 = difference_error(co_5a, co_5b, co_5) + product_error(D_11, D_03, co_5a)
-    co_5_lo = co_5_lo1 - product_error(D_01, D_13, co_5b)
+    co_5_right = co_5a - co_5
+    co_5_left_rest = product_rest(D_11, D_03, co_5a, co_5 + co_5_right)
+    co_5_lo = co_5_left_rest - product_rest(D_01, D_13, co_5b, co_5_right)
     co_3_rounded = co_3 + co_3_lo
     co_4_rounded = co_4 + co_4_lo
     co_5_rounded = co_5 + co_5_lo
@@ -1258,25 +1480,28 @@ def hctz(D):
     """co = h_tz: column 2 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 12 add, 6 product error, 3 sum error.  Error <= u |result| + (lin: 0, ang: 4) u^2 S,
-    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     co_3a = D_22 * D_13
     co_3b = D_12 * D_23
     co_3 = co_3a - co_3b
-    co_3_lo1 = difference_error(co_3a, co_3b, co_3) + product_error(D_22, D_13, co_3a)
-    co_3_lo = co_3_lo1 - product_error(D_12, D_23, co_3b)
+    co_3_right = co_3a - co_3
+    co_3_left_rest = product_rest(D_22, D_13, co_3a, co_3 + co_3_right)
+    co_3_lo = co_3_left_rest - product_rest(D_12, D_23, co_3b, co_3_right)
     co_4a = D_02 * D_23
     co_4b = D_22 * D_03
     co_4 = co_4a - co_4b
-    co_4_lo1 = difference_error(co_4a, co_4b, co_4) + product_error(D_02, D_23, co_4a)
-    co_4_lo = co_4_lo1 - product_error(D_22, D_03, co_4b)
+    co_4_right = co_4a - co_4
+    co_4_left_rest = product_rest(D_02, D_23, co_4a, co_4 + co_4_right)
+    co_4_lo = co_4_left_rest - product_rest(D_22, D_03, co_4b, co_4_right)
     co_5a = D_12 * D_03
     co_5b = D_02 * D_13
     co_5 = co_5a - co_5b
-    co_5_lo1 = difference_error(co_5a, co_5b, co_5) + product_error(D_12, D_03, co_5a)
-    co_5_lo = co_5_lo1 - product_error(D_02, D_13, co_5b)
+    co_5_right = co_5a - co_5
+    co_5_left_rest = product_rest(D_12, D_03, co_5a, co_5 + co_5_right)
+    co_5_lo = co_5_left_rest - product_rest(D_02, D_13, co_5b, co_5_right)
     co_3_rounded = co_3 + co_3_lo
     co_4_rounded = co_4 + co_4_lo
     co_5_rounded = co_5 + co_5_lo
@@ -1288,8 +1513,8 @@ def hctxinv(D):
     """co = -h_tx: -column 0 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 12 add, 6 product error, 3 sum error, 3 neg.  Error <= u |result| + (lin: 0, ang: 4)
-    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     co_0 = -D_00
@@ -1298,18 +1523,21 @@ def hctxinv(D):
     co_3a = D_10 * D_23
     co_3b = D_20 * D_13
     co_3 = co_3a - co_3b
-    co_3_lo1 = difference_error(co_3a, co_3b, co_3) + product_error(D_10, D_23, co_3a)
-    co_3_lo = co_3_lo1 - product_error(D_20, D_13, co_3b)
+    co_3_right = co_3a - co_3
+    co_3_left_rest = product_rest(D_10, D_23, co_3a, co_3 + co_3_right)
+    co_3_lo = co_3_left_rest - product_rest(D_20, D_13, co_3b, co_3_right)
     co_4a = D_20 * D_03
     co_4b = D_00 * D_23
     co_4 = co_4a - co_4b
-    co_4_lo1 = difference_error(co_4a, co_4b, co_4) + product_error(D_20, D_03, co_4a)
-    co_4_lo = co_4_lo1 - product_error(D_00, D_23, co_4b)
+    co_4_right = co_4a - co_4
+    co_4_left_rest = product_rest(D_20, D_03, co_4a, co_4 + co_4_right)
+    co_4_lo = co_4_left_rest - product_rest(D_00, D_23, co_4b, co_4_right)
     co_5a = D_00 * D_13
     co_5b = D_10 * D_03
     co_5 = co_5a - co_5b
-    co_5_lo1 = difference_error(co_5a, co_5b, co_5) + product_error(D_00, D_13, co_5a)
-    co_5_lo = co_5_lo1 - product_error(D_10, D_03, co_5b)
+    co_5_right = co_5a - co_5
+    co_5_left_rest = product_rest(D_00, D_13, co_5a, co_5 + co_5_right)
+    co_5_lo = co_5_left_rest - product_rest(D_10, D_03, co_5b, co_5_right)
     co_3_rounded = co_3 + co_3_lo
     co_4_rounded = co_4 + co_4_lo
     co_5_rounded = co_5 + co_5_lo
@@ -1321,8 +1549,8 @@ def hctyinv(D):
     """co = -h_ty: -column 1 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 12 add, 6 product error, 3 sum error, 3 neg.  Error <= u |result| + (lin: 0, ang: 4)
-    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     co_0 = -D_01
@@ -1331,18 +1559,21 @@ def hctyinv(D):
     co_3a = D_11 * D_23
     co_3b = D_21 * D_13
     co_3 = co_3a - co_3b
-    co_3_lo1 = difference_error(co_3a, co_3b, co_3) + product_error(D_11, D_23, co_3a)
-    co_3_lo = co_3_lo1 - product_error(D_21, D_13, co_3b)
+    co_3_right = co_3a - co_3
+    co_3_left_rest = product_rest(D_11, D_23, co_3a, co_3 + co_3_right)
+    co_3_lo = co_3_left_rest - product_rest(D_21, D_13, co_3b, co_3_right)
     co_4a = D_21 * D_03
     co_4b = D_01 * D_23
     co_4 = co_4a - co_4b
-    co_4_lo1 = difference_error(co_4a, co_4b, co_4) + product_error(D_21, D_03, co_4a)
-    co_4_lo = co_4_lo1 - product_error(D_01, D_23, co_4b)
+    co_4_right = co_4a - co_4
+    co_4_left_rest = product_rest(D_21, D_03, co_4a, co_4 + co_4_right)
+    co_4_lo = co_4_left_rest - product_rest(D_01, D_23, co_4b, co_4_right)
     co_5a = D_01 * D_13
     co_5b = D_11 * D_03
     co_5 = co_5a - co_5b
-    co_5_lo1 = difference_error(co_5a, co_5b, co_5) + product_error(D_01, D_13, co_5a)
-    co_5_lo = co_5_lo1 - product_error(D_11, D_03, co_5b)
+    co_5_right = co_5a - co_5
+    co_5_left_rest = product_rest(D_01, D_13, co_5a, co_5 + co_5_right)
+    co_5_lo = co_5_left_rest - product_rest(D_11, D_03, co_5b, co_5_right)
     co_3_rounded = co_3 + co_3_lo
     co_4_rounded = co_4 + co_4_lo
     co_5_rounded = co_5 + co_5_lo
@@ -1354,8 +1585,8 @@ def hctzinv(D):
     """co = -h_tz: -column 2 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 12 add, 6 product error, 3 sum error, 3 neg.  Error <= u |result| + (lin: 0, ang: 4)
-    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     co_0 = -D_02
@@ -1364,18 +1595,21 @@ def hctzinv(D):
     co_3a = D_12 * D_23
     co_3b = D_22 * D_13
     co_3 = co_3a - co_3b
-    co_3_lo1 = difference_error(co_3a, co_3b, co_3) + product_error(D_12, D_23, co_3a)
-    co_3_lo = co_3_lo1 - product_error(D_22, D_13, co_3b)
+    co_3_right = co_3a - co_3
+    co_3_left_rest = product_rest(D_12, D_23, co_3a, co_3 + co_3_right)
+    co_3_lo = co_3_left_rest - product_rest(D_22, D_13, co_3b, co_3_right)
     co_4a = D_22 * D_03
     co_4b = D_02 * D_23
     co_4 = co_4a - co_4b
-    co_4_lo1 = difference_error(co_4a, co_4b, co_4) + product_error(D_22, D_03, co_4a)
-    co_4_lo = co_4_lo1 - product_error(D_02, D_23, co_4b)
+    co_4_right = co_4a - co_4
+    co_4_left_rest = product_rest(D_22, D_03, co_4a, co_4 + co_4_right)
+    co_4_lo = co_4_left_rest - product_rest(D_02, D_23, co_4b, co_4_right)
     co_5a = D_02 * D_13
     co_5b = D_12 * D_03
     co_5 = co_5a - co_5b
-    co_5_lo1 = difference_error(co_5a, co_5b, co_5) + product_error(D_02, D_13, co_5a)
-    co_5_lo = co_5_lo1 - product_error(D_12, D_03, co_5b)
+    co_5_right = co_5a - co_5
+    co_5_left_rest = product_rest(D_02, D_13, co_5a, co_5 + co_5_right)
+    co_5_lo = co_5_left_rest - product_rest(D_12, D_03, co_5b, co_5_right)
     co_3_rounded = co_3 + co_3_lo
     co_4_rounded = co_4 + co_4_lo
     co_5_rounded = co_5 + co_5_lo
@@ -1387,55 +1621,64 @@ def CoAd(D):
     """M = [Ad]*(D).
 
     (3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-    18 mul, 36 add, 18 product error, 9 sum error.  Error <= u |result| + 4 u^2 S, S the sum of
-    the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 45 add, 18 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     M_30a = D_20 * D_13
     M_30b = D_10 * D_23
     M_30 = M_30a - M_30b
-    M_30_lo1 = difference_error(M_30a, M_30b, M_30) + product_error(D_20, D_13, M_30a)
-    M_30_lo = M_30_lo1 - product_error(D_10, D_23, M_30b)
+    M_30_right = M_30a - M_30
+    M_30_left_rest = product_rest(D_20, D_13, M_30a, M_30 + M_30_right)
+    M_30_lo = M_30_left_rest - product_rest(D_10, D_23, M_30b, M_30_right)
     M_31a = D_21 * D_13
     M_31b = D_11 * D_23
     M_31 = M_31a - M_31b
-    M_31_lo1 = difference_error(M_31a, M_31b, M_31) + product_error(D_21, D_13, M_31a)
-    M_31_lo = M_31_lo1 - product_error(D_11, D_23, M_31b)
+    M_31_right = M_31a - M_31
+    M_31_left_rest = product_rest(D_21, D_13, M_31a, M_31 + M_31_right)
+    M_31_lo = M_31_left_rest - product_rest(D_11, D_23, M_31b, M_31_right)
     M_32a = D_22 * D_13
     M_32b = D_12 * D_23
     M_32 = M_32a - M_32b
-    M_32_lo1 = difference_error(M_32a, M_32b, M_32) + product_error(D_22, D_13, M_32a)
-    M_32_lo = M_32_lo1 - product_error(D_12, D_23, M_32b)
+    M_32_right = M_32a - M_32
+    M_32_left_rest = product_rest(D_22, D_13, M_32a, M_32 + M_32_right)
+    M_32_lo = M_32_left_rest - product_rest(D_12, D_23, M_32b, M_32_right)
     M_40a = D_00 * D_23
     M_40b = D_20 * D_03
     M_40 = M_40a - M_40b
-    M_40_lo1 = difference_error(M_40a, M_40b, M_40) + product_error(D_00, D_23, M_40a)
-    M_40_lo = M_40_lo1 - product_error(D_20, D_03, M_40b)
+    M_40_right = M_40a - M_40
+    M_40_left_rest = product_rest(D_00, D_23, M_40a, M_40 + M_40_right)
+    M_40_lo = M_40_left_rest - product_rest(D_20, D_03, M_40b, M_40_right)
     M_41a = D_01 * D_23
     M_41b = D_21 * D_03
     M_41 = M_41a - M_41b
-    M_41_lo1 = difference_error(M_41a, M_41b, M_41) + product_error(D_01, D_23, M_41a)
-    M_41_lo = M_41_lo1 - product_error(D_21, D_03, M_41b)
+    M_41_right = M_41a - M_41
+    M_41_left_rest = product_rest(D_01, D_23, M_41a, M_41 + M_41_right)
+    M_41_lo = M_41_left_rest - product_rest(D_21, D_03, M_41b, M_41_right)
     M_42a = D_02 * D_23
     M_42b = D_22 * D_03
     M_42 = M_42a - M_42b
-    M_42_lo1 = difference_error(M_42a, M_42b, M_42) + product_error(D_02, D_23, M_42a)
-    M_42_lo = M_42_lo1 - product_error(D_22, D_03, M_42b)
+    M_42_right = M_42a - M_42
+    M_42_left_rest = product_rest(D_02, D_23, M_42a, M_42 + M_42_right)
+    M_42_lo = M_42_left_rest - product_rest(D_22, D_03, M_42b, M_42_right)
     M_50a = D_10 * D_03
     M_50b = D_00 * D_13
     M_50 = M_50a - M_50b
-    M_50_lo1 = difference_error(M_50a, M_50b, M_50) + product_error(D_10, D_03, M_50a)
-    M_50_lo = M_50_lo1 - product_error(D_00, D_13, M_50b)
+    M_50_right = M_50a - M_50
+    M_50_left_rest = product_rest(D_10, D_03, M_50a, M_50 + M_50_right)
+    M_50_lo = M_50_left_rest - product_rest(D_00, D_13, M_50b, M_50_right)
     M_51a = D_11 * D_03
     M_51b = D_01 * D_13
     M_51 = M_51a - M_51b
-    M_51_lo1 = difference_error(M_51a, M_51b, M_51) + product_error(D_11, D_03, M_51a)
-    M_51_lo = M_51_lo1 - product_error(D_01, D_13, M_51b)
+    M_51_right = M_51a - M_51
+    M_51_left_rest = product_rest(D_11, D_03, M_51a, M_51 + M_51_right)
+    M_51_lo = M_51_left_rest - product_rest(D_01, D_13, M_51b, M_51_right)
     M_52a = D_12 * D_03
     M_52b = D_02 * D_13
     M_52 = M_52a - M_52b
-    M_52_lo1 = difference_error(M_52a, M_52b, M_52) + product_error(D_12, D_03, M_52a)
-    M_52_lo = M_52_lo1 - product_error(D_02, D_13, M_52b)
+    M_52_right = M_52a - M_52
+    M_52_left_rest = product_rest(D_12, D_03, M_52a, M_52 + M_52_right)
+    M_52_lo = M_52_left_rest - product_rest(D_02, D_13, M_52b, M_52_right)
     M_30_rounded = M_30 + M_30_lo
     M_31_rounded = M_31 + M_31_lo
     M_32_rounded = M_32 + M_32_lo
@@ -1456,32 +1699,40 @@ def reciprocal_product(c, x):
 
     (6),(6)->().  c: coscrew (f in N; τ in N m); x: six components with the angular part on top;
     power: number.
-    6 mul, 16 add, 6 product error, 5 sum error.  Error <= u |result| + 18 u^2 S, S the sum of
-    the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 29 add, 6 product rest.  Error <= u |result| + 19 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
     c_0, c_1, c_2, c_3, c_4, c_5 = c
     x_0, x_1, x_2, x_3, x_4, x_5 = x
     power_a = c_0 * x_3
     power_b = c_1 * x_4
     power_c = power_a + power_b
-    power_c_lo1 = sum_error(power_a, power_b, power_c) + product_error(c_0, x_3, power_a)
-    power_c_lo = power_c_lo1 + product_error(c_1, x_4, power_b)
+    power_c_right = power_c - power_a
+    power_c_left_rest = product_rest(c_0, x_3, power_a, power_c - power_c_right)
+    power_c_lo = power_c_left_rest + product_rest(c_1, x_4, power_b, power_c_right)
     power_d = c_2 * x_5
     power_e = power_c + power_d
-    power_e_lo1 = sum_error(power_c, power_d, power_e) + power_c_lo
-    power_e_lo = power_e_lo1 + product_error(c_2, x_5, power_d)
+    power_e_right = power_e - power_c
+    power_e_right_rest = product_rest(c_2, x_5, power_d, power_e_right)
+    power_e_lo1 = power_c - (power_e - power_e_right) + power_e_right_rest
+    power_e_lo = power_e_lo1 + power_c_lo
     power_f = c_3 * x_0
     power_g = c_4 * x_1
     power_h = power_f + power_g
-    power_h_lo1 = sum_error(power_f, power_g, power_h) + product_error(c_3, x_0, power_f)
-    power_h_lo = power_h_lo1 + product_error(c_4, x_1, power_g)
+    power_h_right = power_h - power_f
+    power_h_left_rest = product_rest(c_3, x_0, power_f, power_h - power_h_right)
+    power_h_lo = power_h_left_rest + product_rest(c_4, x_1, power_g, power_h_right)
     power_i = c_5 * x_2
     power_j = power_h + power_i
-    power_j_lo1 = sum_error(power_h, power_i, power_j) + power_h_lo
-    power_j_lo = power_j_lo1 + product_error(c_5, x_2, power_i)
+    power_j_right = power_j - power_h
+    power_j_right_rest = product_rest(c_5, x_2, power_i, power_j_right)
+    power_j_lo1 = power_h - (power_j - power_j_right) + power_j_right_rest
+    power_j_lo = power_j_lo1 + power_h_lo
     power = power_e + power_j
-    power_lo1 = sum_error(power_e, power_j, power) + power_e_lo
-    power_lo = power_lo1 + power_j_lo
+    power_right = power - power_e
+    power_lo1 = power_e - (power - power_right) + (power_j - power_right)
+    power_lo2 = power_lo1 + power_j_lo
+    power_lo = power_lo2 + power_e_lo
     power_rounded = power + power_lo
     return power_rounded
 
@@ -1491,65 +1742,80 @@ def cross_sc(s, c):
     """co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
 
     (6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-    18 mul, 42 add, 18 product error, 12 sum error.  Error <= u |result| + (lin: 4, ang: 10) u^2
-    S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest.  Error <= u |result| + (lin: 6, ang: 12) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     c_0, c_1, c_2, c_3, c_4, c_5 = c
     co_0a = s_4 * c_2
     co_0b = s_5 * c_1
     co_0 = co_0a - co_0b
-    co_0_lo1 = difference_error(co_0a, co_0b, co_0) + product_error(s_4, c_2, co_0a)
-    co_0_lo = co_0_lo1 - product_error(s_5, c_1, co_0b)
+    co_0_right = co_0a - co_0
+    co_0_left_rest = product_rest(s_4, c_2, co_0a, co_0 + co_0_right)
+    co_0_lo = co_0_left_rest - product_rest(s_5, c_1, co_0b, co_0_right)
     co_1a = s_5 * c_0
     co_1b = s_3 * c_2
     co_1 = co_1a - co_1b
-    co_1_lo1 = difference_error(co_1a, co_1b, co_1) + product_error(s_5, c_0, co_1a)
-    co_1_lo = co_1_lo1 - product_error(s_3, c_2, co_1b)
+    co_1_right = co_1a - co_1
+    co_1_left_rest = product_rest(s_5, c_0, co_1a, co_1 + co_1_right)
+    co_1_lo = co_1_left_rest - product_rest(s_3, c_2, co_1b, co_1_right)
     co_2a = s_3 * c_1
     co_2b = s_4 * c_0
     co_2 = co_2a - co_2b
-    co_2_lo1 = difference_error(co_2a, co_2b, co_2) + product_error(s_3, c_1, co_2a)
-    co_2_lo = co_2_lo1 - product_error(s_4, c_0, co_2b)
+    co_2_right = co_2a - co_2
+    co_2_left_rest = product_rest(s_3, c_1, co_2a, co_2 + co_2_right)
+    co_2_lo = co_2_left_rest - product_rest(s_4, c_0, co_2b, co_2_right)
     co_3a = s_1 * c_2
     co_3b = s_2 * c_1
     co_3c = co_3a - co_3b
-    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + product_error(s_1, c_2, co_3a)
-    co_3c_lo = co_3c_lo1 - product_error(s_2, c_1, co_3b)
+    co_3c_right = co_3a - co_3c
+    co_3c_left_rest = product_rest(s_1, c_2, co_3a, co_3c + co_3c_right)
+    co_3c_lo = co_3c_left_rest - product_rest(s_2, c_1, co_3b, co_3c_right)
     co_3d = s_4 * c_5
     co_3e = s_5 * c_4
     co_3f = co_3d - co_3e
-    co_3f_lo1 = difference_error(co_3d, co_3e, co_3f) + product_error(s_4, c_5, co_3d)
-    co_3f_lo = co_3f_lo1 - product_error(s_5, c_4, co_3e)
+    co_3f_right = co_3d - co_3f
+    co_3f_left_rest = product_rest(s_4, c_5, co_3d, co_3f + co_3f_right)
+    co_3f_lo = co_3f_left_rest - product_rest(s_5, c_4, co_3e, co_3f_right)
     co_3 = co_3c + co_3f
-    co_3_lo1 = sum_error(co_3c, co_3f, co_3) + co_3c_lo
-    co_3_lo = co_3_lo1 + co_3f_lo
+    co_3_right = co_3 - co_3c
+    co_3_lo1 = co_3c - (co_3 - co_3_right) + (co_3f - co_3_right)
+    co_3_lo2 = co_3_lo1 + co_3f_lo
+    co_3_lo = co_3_lo2 + co_3c_lo
     co_4a = s_2 * c_0
     co_4b = s_0 * c_2
     co_4c = co_4a - co_4b
-    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + product_error(s_2, c_0, co_4a)
-    co_4c_lo = co_4c_lo1 - product_error(s_0, c_2, co_4b)
+    co_4c_right = co_4a - co_4c
+    co_4c_left_rest = product_rest(s_2, c_0, co_4a, co_4c + co_4c_right)
+    co_4c_lo = co_4c_left_rest - product_rest(s_0, c_2, co_4b, co_4c_right)
     co_4d = s_5 * c_3
     co_4e = s_3 * c_5
     co_4f = co_4d - co_4e
-    co_4f_lo1 = difference_error(co_4d, co_4e, co_4f) + product_error(s_5, c_3, co_4d)
-    co_4f_lo = co_4f_lo1 - product_error(s_3, c_5, co_4e)
+    co_4f_right = co_4d - co_4f
+    co_4f_left_rest = product_rest(s_5, c_3, co_4d, co_4f + co_4f_right)
+    co_4f_lo = co_4f_left_rest - product_rest(s_3, c_5, co_4e, co_4f_right)
     co_4 = co_4c + co_4f
-    co_4_lo1 = sum_error(co_4c, co_4f, co_4) + co_4c_lo
-    co_4_lo = co_4_lo1 + co_4f_lo
+    co_4_right = co_4 - co_4c
+    co_4_lo1 = co_4c - (co_4 - co_4_right) + (co_4f - co_4_right)
+    co_4_lo2 = co_4_lo1 + co_4f_lo
+    co_4_lo = co_4_lo2 + co_4c_lo
     co_5a = s_0 * c_1
     co_5b = s_1 * c_0
     co_5c = co_5a - co_5b
-    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + product_error(s_0, c_1, co_5a)
-    co_5c_lo = co_5c_lo1 - product_error(s_1, c_0, co_5b)
+    co_5c_right = co_5a - co_5c
+    co_5c_left_rest = product_rest(s_0, c_1, co_5a, co_5c + co_5c_right)
+    co_5c_lo = co_5c_left_rest - product_rest(s_1, c_0, co_5b, co_5c_right)
     co_5d = s_3 * c_4
     co_5e = s_4 * c_3
     co_5f = co_5d - co_5e
-    co_5f_lo1 = difference_error(co_5d, co_5e, co_5f) + product_error(s_3, c_4, co_5d)
-    co_5f_lo = co_5f_lo1 - product_error(s_4, c_3, co_5e)
+    co_5f_right = co_5d - co_5f
+    co_5f_left_rest = product_rest(s_3, c_4, co_5d, co_5f + co_5f_right)
+    co_5f_lo = co_5f_left_rest - product_rest(s_4, c_3, co_5e, co_5f_right)
     co_5 = co_5c + co_5f
-    co_5_lo1 = sum_error(co_5c, co_5f, co_5) + co_5c_lo
-    co_5_lo = co_5_lo1 + co_5f_lo
+    co_5_right = co_5 - co_5c
+    co_5_lo1 = co_5c - (co_5 - co_5_right) + (co_5f - co_5_right)
+    co_5_lo2 = co_5_lo1 + co_5f_lo
+    co_5_lo = co_5_lo2 + co_5c_lo
     co_0_rounded = co_0 + co_0_lo
     co_1_rounded = co_1 + co_1_lo
     co_2_rounded = co_2 + co_2_lo
@@ -1564,26 +1830,29 @@ def cross_sca(s, c):
     """co = (0 ; ω×τ).
 
     (6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-    6 mul, 12 add, 6 product error, 3 sum error.  Error <= u |result| + (lin: 0, ang: 4) u^2 S,
-    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     c_0, c_1, c_2, c_3, c_4, c_5 = c
     co_3a = s_4 * c_5
     co_3b = s_5 * c_4
     co_3 = co_3a - co_3b
-    co_3_lo1 = difference_error(co_3a, co_3b, co_3) + product_error(s_4, c_5, co_3a)
-    co_3_lo = co_3_lo1 - product_error(s_5, c_4, co_3b)
+    co_3_right = co_3a - co_3
+    co_3_left_rest = product_rest(s_4, c_5, co_3a, co_3 + co_3_right)
+    co_3_lo = co_3_left_rest - product_rest(s_5, c_4, co_3b, co_3_right)
     co_4a = s_5 * c_3
     co_4b = s_3 * c_5
     co_4 = co_4a - co_4b
-    co_4_lo1 = difference_error(co_4a, co_4b, co_4) + product_error(s_5, c_3, co_4a)
-    co_4_lo = co_4_lo1 - product_error(s_3, c_5, co_4b)
+    co_4_right = co_4a - co_4
+    co_4_left_rest = product_rest(s_5, c_3, co_4a, co_4 + co_4_right)
+    co_4_lo = co_4_left_rest - product_rest(s_3, c_5, co_4b, co_4_right)
     co_5a = s_3 * c_4
     co_5b = s_4 * c_3
     co_5 = co_5a - co_5b
-    co_5_lo1 = difference_error(co_5a, co_5b, co_5) + product_error(s_3, c_4, co_5a)
-    co_5_lo = co_5_lo1 - product_error(s_4, c_3, co_5b)
+    co_5_right = co_5a - co_5
+    co_5_left_rest = product_rest(s_3, c_4, co_5a, co_5 + co_5_right)
+    co_5_lo = co_5_left_rest - product_rest(s_4, c_3, co_5b, co_5_right)
     co_3_rounded = co_3 + co_3_lo
     co_4_rounded = co_4 + co_4_lo
     co_5_rounded = co_5 + co_5_lo
@@ -1596,80 +1865,95 @@ def constraint_ctx(D, c):
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    27 mul, 57 add, 21 product error, 15 sum error.  Error <= u |result| + (lin: 4, ang: 27) u^2
-    S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 6, ang: 26) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
     w_0a = D_01 * c_1
     w_0b = D_02 * c_2
     w_0 = w_0a + w_0b
-    w_0_lo1 = sum_error(w_0a, w_0b, w_0) + product_error(D_01, c_1, w_0a)
-    w_0_lo = w_0_lo1 + product_error(D_02, c_2, w_0b)
+    w_0_right = w_0 - w_0a
+    w_0_left_rest = product_rest(D_01, c_1, w_0a, w_0 - w_0_right)
+    w_0_lo = w_0_left_rest + product_rest(D_02, c_2, w_0b, w_0_right)
     w_1a = D_11 * c_1
     w_1b = D_12 * c_2
     w_1 = w_1a + w_1b
-    w_1_lo1 = sum_error(w_1a, w_1b, w_1) + product_error(D_11, c_1, w_1a)
-    w_1_lo = w_1_lo1 + product_error(D_12, c_2, w_1b)
+    w_1_right = w_1 - w_1a
+    w_1_left_rest = product_rest(D_11, c_1, w_1a, w_1 - w_1_right)
+    w_1_lo = w_1_left_rest + product_rest(D_12, c_2, w_1b, w_1_right)
     w_2a = D_21 * c_1
     w_2b = D_22 * c_2
     w_2 = w_2a + w_2b
-    w_2_lo1 = sum_error(w_2a, w_2b, w_2) + product_error(D_21, c_1, w_2a)
-    w_2_lo = w_2_lo1 + product_error(D_22, c_2, w_2b)
+    w_2_right = w_2 - w_2a
+    w_2_left_rest = product_rest(D_21, c_1, w_2a, w_2 - w_2_right)
+    w_2_lo = w_2_left_rest + product_rest(D_22, c_2, w_2b, w_2_right)
     w_3a = D_00 * c_3
     w_3b = D_01 * c_4
     w_3c = w_3a + w_3b
-    w_3c_lo1 = sum_error(w_3a, w_3b, w_3c) + product_error(D_00, c_3, w_3a)
-    w_3c_lo = w_3c_lo1 + product_error(D_01, c_4, w_3b)
+    w_3c_right = w_3c - w_3a
+    w_3c_left_rest = product_rest(D_00, c_3, w_3a, w_3c - w_3c_right)
+    w_3c_lo = w_3c_left_rest + product_rest(D_01, c_4, w_3b, w_3c_right)
     w_3d = D_02 * c_5
     w_3 = w_3c + w_3d
-    w_3_lo1 = sum_error(w_3c, w_3d, w_3) + w_3c_lo
-    w_3_lo = w_3_lo1 + product_error(D_02, c_5, w_3d)
+    w_3_right = w_3 - w_3c
+    w_3_lo1 = w_3c - (w_3 - w_3_right) + product_rest(D_02, c_5, w_3d, w_3_right)
+    w_3_lo = w_3_lo1 + w_3c_lo
     w_4a = D_10 * c_3
     w_4b = D_11 * c_4
     w_4c = w_4a + w_4b
-    w_4c_lo1 = sum_error(w_4a, w_4b, w_4c) + product_error(D_10, c_3, w_4a)
-    w_4c_lo = w_4c_lo1 + product_error(D_11, c_4, w_4b)
+    w_4c_right = w_4c - w_4a
+    w_4c_left_rest = product_rest(D_10, c_3, w_4a, w_4c - w_4c_right)
+    w_4c_lo = w_4c_left_rest + product_rest(D_11, c_4, w_4b, w_4c_right)
     w_4d = D_12 * c_5
     w_4 = w_4c + w_4d
-    w_4_lo1 = sum_error(w_4c, w_4d, w_4) + w_4c_lo
-    w_4_lo = w_4_lo1 + product_error(D_12, c_5, w_4d)
+    w_4_right = w_4 - w_4c
+    w_4_lo1 = w_4c - (w_4 - w_4_right) + product_rest(D_12, c_5, w_4d, w_4_right)
+    w_4_lo = w_4_lo1 + w_4c_lo
     w_5a = D_20 * c_3
     w_5b = D_21 * c_4
     w_5c = w_5a + w_5b
-    w_5c_lo1 = sum_error(w_5a, w_5b, w_5c) + product_error(D_20, c_3, w_5a)
-    w_5c_lo = w_5c_lo1 + product_error(D_21, c_4, w_5b)
+    w_5c_right = w_5c - w_5a
+    w_5c_left_rest = product_rest(D_20, c_3, w_5a, w_5c - w_5c_right)
+    w_5c_lo = w_5c_left_rest + product_rest(D_21, c_4, w_5b, w_5c_right)
     w_5d = D_22 * c_5
     w_5 = w_5c + w_5d
-    w_5_lo1 = sum_error(w_5c, w_5d, w_5) + w_5c_lo
-    w_5_lo = w_5_lo1 + product_error(D_22, c_5, w_5d)
+    w_5_right = w_5 - w_5c
+    w_5_lo1 = w_5c - (w_5 - w_5_right) + product_rest(D_22, c_5, w_5d, w_5_right)
+    w_5_lo = w_5_lo1 + w_5c_lo
     co_3a = D_13 * w_2
-    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
     co_3b = D_23 * w_1
     co_3c = co_3a - co_3b
-    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + co_3a_lo
-    co_3c_lo = co_3c_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_3c_right = co_3a - co_3c
+    co_3c_left_rest = product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
+    co_3c_lo1 = co_3c_left_rest - product_rest(D_23, w_1, co_3b, co_3c_right)
+    co_3c_lo = co_3c_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo)
     co_3 = co_3c + w_3
-    co_3_lo1 = sum_error(co_3c, w_3, co_3) + co_3c_lo
-    co_3_lo = co_3_lo1 + w_3_lo
+    co_3_right = co_3 - co_3c
+    co_3_lo2 = co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
+    co_3_lo = co_3_lo2 + co_3c_lo
     co_4a = D_23 * w_0
-    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
     co_4b = D_03 * w_2
     co_4c = co_4a - co_4b
-    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + co_4a_lo
-    co_4c_lo = co_4c_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_4c_right = co_4a - co_4c
+    co_4c_left_rest = product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
+    co_4c_lo1 = co_4c_left_rest - product_rest(D_03, w_2, co_4b, co_4c_right)
+    co_4c_lo = co_4c_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo)
     co_4 = co_4c + w_4
-    co_4_lo1 = sum_error(co_4c, w_4, co_4) + co_4c_lo
-    co_4_lo = co_4_lo1 + w_4_lo
+    co_4_right = co_4 - co_4c
+    co_4_lo2 = co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
+    co_4_lo = co_4_lo2 + co_4c_lo
     co_5a = D_03 * w_1
-    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
     co_5b = D_13 * w_0
     co_5c = co_5a - co_5b
-    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + co_5a_lo
-    co_5c_lo = co_5c_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    co_5c_right = co_5a - co_5c
+    co_5c_left_rest = product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
+    co_5c_lo1 = co_5c_left_rest - product_rest(D_13, w_0, co_5b, co_5c_right)
+    co_5c_lo = co_5c_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo)
     co_5 = co_5c + w_5
-    co_5_lo1 = sum_error(co_5c, w_5, co_5) + co_5c_lo
-    co_5_lo = co_5_lo1 + w_5_lo
+    co_5_right = co_5 - co_5c
+    co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
+    co_5_lo = co_5_lo2 + co_5c_lo
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo
@@ -1685,80 +1969,95 @@ def constraint_cty(D, c):
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    27 mul, 57 add, 21 product error, 15 sum error.  Error <= u |result| + (lin: 4, ang: 27) u^2
-    S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 6, ang: 26) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
     w_0a = D_00 * c_0
     w_0b = D_02 * c_2
     w_0 = w_0a + w_0b
-    w_0_lo1 = sum_error(w_0a, w_0b, w_0) + product_error(D_00, c_0, w_0a)
-    w_0_lo = w_0_lo1 + product_error(D_02, c_2, w_0b)
+    w_0_right = w_0 - w_0a
+    w_0_left_rest = product_rest(D_00, c_0, w_0a, w_0 - w_0_right)
+    w_0_lo = w_0_left_rest + product_rest(D_02, c_2, w_0b, w_0_right)
     w_1a = D_10 * c_0
     w_1b = D_12 * c_2
     w_1 = w_1a + w_1b
-    w_1_lo1 = sum_error(w_1a, w_1b, w_1) + product_error(D_10, c_0, w_1a)
-    w_1_lo = w_1_lo1 + product_error(D_12, c_2, w_1b)
+    w_1_right = w_1 - w_1a
+    w_1_left_rest = product_rest(D_10, c_0, w_1a, w_1 - w_1_right)
+    w_1_lo = w_1_left_rest + product_rest(D_12, c_2, w_1b, w_1_right)
     w_2a = D_20 * c_0
     w_2b = D_22 * c_2
     w_2 = w_2a + w_2b
-    w_2_lo1 = sum_error(w_2a, w_2b, w_2) + product_error(D_20, c_0, w_2a)
-    w_2_lo = w_2_lo1 + product_error(D_22, c_2, w_2b)
+    w_2_right = w_2 - w_2a
+    w_2_left_rest = product_rest(D_20, c_0, w_2a, w_2 - w_2_right)
+    w_2_lo = w_2_left_rest + product_rest(D_22, c_2, w_2b, w_2_right)
     w_3a = D_00 * c_3
     w_3b = D_01 * c_4
     w_3c = w_3a + w_3b
-    w_3c_lo1 = sum_error(w_3a, w_3b, w_3c) + product_error(D_00, c_3, w_3a)
-    w_3c_lo = w_3c_lo1 + product_error(D_01, c_4, w_3b)
+    w_3c_right = w_3c - w_3a
+    w_3c_left_rest = product_rest(D_00, c_3, w_3a, w_3c - w_3c_right)
+    w_3c_lo = w_3c_left_rest + product_rest(D_01, c_4, w_3b, w_3c_right)
     w_3d = D_02 * c_5
     w_3 = w_3c + w_3d
-    w_3_lo1 = sum_error(w_3c, w_3d, w_3) + w_3c_lo
-    w_3_lo = w_3_lo1 + product_error(D_02, c_5, w_3d)
+    w_3_right = w_3 - w_3c
+    w_3_lo1 = w_3c - (w_3 - w_3_right) + product_rest(D_02, c_5, w_3d, w_3_right)
+    w_3_lo = w_3_lo1 + w_3c_lo
     w_4a = D_10 * c_3
     w_4b = D_11 * c_4
     w_4c = w_4a + w_4b
-    w_4c_lo1 = sum_error(w_4a, w_4b, w_4c) + product_error(D_10, c_3, w_4a)
-    w_4c_lo = w_4c_lo1 + product_error(D_11, c_4, w_4b)
+    w_4c_right = w_4c - w_4a
+    w_4c_left_rest = product_rest(D_10, c_3, w_4a, w_4c - w_4c_right)
+    w_4c_lo = w_4c_left_rest + product_rest(D_11, c_4, w_4b, w_4c_right)
     w_4d = D_12 * c_5
     w_4 = w_4c + w_4d
-    w_4_lo1 = sum_error(w_4c, w_4d, w_4) + w_4c_lo
-    w_4_lo = w_4_lo1 + product_error(D_12, c_5, w_4d)
+    w_4_right = w_4 - w_4c
+    w_4_lo1 = w_4c - (w_4 - w_4_right) + product_rest(D_12, c_5, w_4d, w_4_right)
+    w_4_lo = w_4_lo1 + w_4c_lo
     w_5a = D_20 * c_3
     w_5b = D_21 * c_4
     w_5c = w_5a + w_5b
-    w_5c_lo1 = sum_error(w_5a, w_5b, w_5c) + product_error(D_20, c_3, w_5a)
-    w_5c_lo = w_5c_lo1 + product_error(D_21, c_4, w_5b)
+    w_5c_right = w_5c - w_5a
+    w_5c_left_rest = product_rest(D_20, c_3, w_5a, w_5c - w_5c_right)
+    w_5c_lo = w_5c_left_rest + product_rest(D_21, c_4, w_5b, w_5c_right)
     w_5d = D_22 * c_5
     w_5 = w_5c + w_5d
-    w_5_lo1 = sum_error(w_5c, w_5d, w_5) + w_5c_lo
-    w_5_lo = w_5_lo1 + product_error(D_22, c_5, w_5d)
+    w_5_right = w_5 - w_5c
+    w_5_lo1 = w_5c - (w_5 - w_5_right) + product_rest(D_22, c_5, w_5d, w_5_right)
+    w_5_lo = w_5_lo1 + w_5c_lo
     co_3a = D_13 * w_2
-    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
     co_3b = D_23 * w_1
     co_3c = co_3a - co_3b
-    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + co_3a_lo
-    co_3c_lo = co_3c_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_3c_right = co_3a - co_3c
+    co_3c_left_rest = product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
+    co_3c_lo1 = co_3c_left_rest - product_rest(D_23, w_1, co_3b, co_3c_right)
+    co_3c_lo = co_3c_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo)
     co_3 = co_3c + w_3
-    co_3_lo1 = sum_error(co_3c, w_3, co_3) + co_3c_lo
-    co_3_lo = co_3_lo1 + w_3_lo
+    co_3_right = co_3 - co_3c
+    co_3_lo2 = co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
+    co_3_lo = co_3_lo2 + co_3c_lo
     co_4a = D_23 * w_0
-    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
     co_4b = D_03 * w_2
     co_4c = co_4a - co_4b
-    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + co_4a_lo
-    co_4c_lo = co_4c_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_4c_right = co_4a - co_4c
+    co_4c_left_rest = product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
+    co_4c_lo1 = co_4c_left_rest - product_rest(D_03, w_2, co_4b, co_4c_right)
+    co_4c_lo = co_4c_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo)
     co_4 = co_4c + w_4
-    co_4_lo1 = sum_error(co_4c, w_4, co_4) + co_4c_lo
-    co_4_lo = co_4_lo1 + w_4_lo
+    co_4_right = co_4 - co_4c
+    co_4_lo2 = co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
+    co_4_lo = co_4_lo2 + co_4c_lo
     co_5a = D_03 * w_1
-    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
     co_5b = D_13 * w_0
     co_5c = co_5a - co_5b
-    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + co_5a_lo
-    co_5c_lo = co_5c_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    co_5c_right = co_5a - co_5c
+    co_5c_left_rest = product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
+    co_5c_lo1 = co_5c_left_rest - product_rest(D_13, w_0, co_5b, co_5c_right)
+    co_5c_lo = co_5c_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo)
     co_5 = co_5c + w_5
-    co_5_lo1 = sum_error(co_5c, w_5, co_5) + co_5c_lo
-    co_5_lo = co_5_lo1 + w_5_lo
+    co_5_right = co_5 - co_5c
+    co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
+    co_5_lo = co_5_lo2 + co_5c_lo
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo
@@ -1774,80 +2073,95 @@ def constraint_ctz(D, c):
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    27 mul, 57 add, 21 product error, 15 sum error.  Error <= u |result| + (lin: 4, ang: 27) u^2
-    S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 6, ang: 26) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
     w_0a = D_00 * c_0
     w_0b = D_01 * c_1
     w_0 = w_0a + w_0b
-    w_0_lo1 = sum_error(w_0a, w_0b, w_0) + product_error(D_00, c_0, w_0a)
-    w_0_lo = w_0_lo1 + product_error(D_01, c_1, w_0b)
+    w_0_right = w_0 - w_0a
+    w_0_left_rest = product_rest(D_00, c_0, w_0a, w_0 - w_0_right)
+    w_0_lo = w_0_left_rest + product_rest(D_01, c_1, w_0b, w_0_right)
     w_1a = D_10 * c_0
     w_1b = D_11 * c_1
     w_1 = w_1a + w_1b
-    w_1_lo1 = sum_error(w_1a, w_1b, w_1) + product_error(D_10, c_0, w_1a)
-    w_1_lo = w_1_lo1 + product_error(D_11, c_1, w_1b)
+    w_1_right = w_1 - w_1a
+    w_1_left_rest = product_rest(D_10, c_0, w_1a, w_1 - w_1_right)
+    w_1_lo = w_1_left_rest + product_rest(D_11, c_1, w_1b, w_1_right)
     w_2a = D_20 * c_0
     w_2b = D_21 * c_1
     w_2 = w_2a + w_2b
-    w_2_lo1 = sum_error(w_2a, w_2b, w_2) + product_error(D_20, c_0, w_2a)
-    w_2_lo = w_2_lo1 + product_error(D_21, c_1, w_2b)
+    w_2_right = w_2 - w_2a
+    w_2_left_rest = product_rest(D_20, c_0, w_2a, w_2 - w_2_right)
+    w_2_lo = w_2_left_rest + product_rest(D_21, c_1, w_2b, w_2_right)
     w_3a = D_00 * c_3
     w_3b = D_01 * c_4
     w_3c = w_3a + w_3b
-    w_3c_lo1 = sum_error(w_3a, w_3b, w_3c) + product_error(D_00, c_3, w_3a)
-    w_3c_lo = w_3c_lo1 + product_error(D_01, c_4, w_3b)
+    w_3c_right = w_3c - w_3a
+    w_3c_left_rest = product_rest(D_00, c_3, w_3a, w_3c - w_3c_right)
+    w_3c_lo = w_3c_left_rest + product_rest(D_01, c_4, w_3b, w_3c_right)
     w_3d = D_02 * c_5
     w_3 = w_3c + w_3d
-    w_3_lo1 = sum_error(w_3c, w_3d, w_3) + w_3c_lo
-    w_3_lo = w_3_lo1 + product_error(D_02, c_5, w_3d)
+    w_3_right = w_3 - w_3c
+    w_3_lo1 = w_3c - (w_3 - w_3_right) + product_rest(D_02, c_5, w_3d, w_3_right)
+    w_3_lo = w_3_lo1 + w_3c_lo
     w_4a = D_10 * c_3
     w_4b = D_11 * c_4
     w_4c = w_4a + w_4b
-    w_4c_lo1 = sum_error(w_4a, w_4b, w_4c) + product_error(D_10, c_3, w_4a)
-    w_4c_lo = w_4c_lo1 + product_error(D_11, c_4, w_4b)
+    w_4c_right = w_4c - w_4a
+    w_4c_left_rest = product_rest(D_10, c_3, w_4a, w_4c - w_4c_right)
+    w_4c_lo = w_4c_left_rest + product_rest(D_11, c_4, w_4b, w_4c_right)
     w_4d = D_12 * c_5
     w_4 = w_4c + w_4d
-    w_4_lo1 = sum_error(w_4c, w_4d, w_4) + w_4c_lo
-    w_4_lo = w_4_lo1 + product_error(D_12, c_5, w_4d)
+    w_4_right = w_4 - w_4c
+    w_4_lo1 = w_4c - (w_4 - w_4_right) + product_rest(D_12, c_5, w_4d, w_4_right)
+    w_4_lo = w_4_lo1 + w_4c_lo
     w_5a = D_20 * c_3
     w_5b = D_21 * c_4
     w_5c = w_5a + w_5b
-    w_5c_lo1 = sum_error(w_5a, w_5b, w_5c) + product_error(D_20, c_3, w_5a)
-    w_5c_lo = w_5c_lo1 + product_error(D_21, c_4, w_5b)
+    w_5c_right = w_5c - w_5a
+    w_5c_left_rest = product_rest(D_20, c_3, w_5a, w_5c - w_5c_right)
+    w_5c_lo = w_5c_left_rest + product_rest(D_21, c_4, w_5b, w_5c_right)
     w_5d = D_22 * c_5
     w_5 = w_5c + w_5d
-    w_5_lo1 = sum_error(w_5c, w_5d, w_5) + w_5c_lo
-    w_5_lo = w_5_lo1 + product_error(D_22, c_5, w_5d)
+    w_5_right = w_5 - w_5c
+    w_5_lo1 = w_5c - (w_5 - w_5_right) + product_rest(D_22, c_5, w_5d, w_5_right)
+    w_5_lo = w_5_lo1 + w_5c_lo
     co_3a = D_13 * w_2
-    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
     co_3b = D_23 * w_1
     co_3c = co_3a - co_3b
-    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + co_3a_lo
-    co_3c_lo = co_3c_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_3c_right = co_3a - co_3c
+    co_3c_left_rest = product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
+    co_3c_lo1 = co_3c_left_rest - product_rest(D_23, w_1, co_3b, co_3c_right)
+    co_3c_lo = co_3c_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo)
     co_3 = co_3c + w_3
-    co_3_lo1 = sum_error(co_3c, w_3, co_3) + co_3c_lo
-    co_3_lo = co_3_lo1 + w_3_lo
+    co_3_right = co_3 - co_3c
+    co_3_lo2 = co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
+    co_3_lo = co_3_lo2 + co_3c_lo
     co_4a = D_23 * w_0
-    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
     co_4b = D_03 * w_2
     co_4c = co_4a - co_4b
-    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + co_4a_lo
-    co_4c_lo = co_4c_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_4c_right = co_4a - co_4c
+    co_4c_left_rest = product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
+    co_4c_lo1 = co_4c_left_rest - product_rest(D_03, w_2, co_4b, co_4c_right)
+    co_4c_lo = co_4c_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo)
     co_4 = co_4c + w_4
-    co_4_lo1 = sum_error(co_4c, w_4, co_4) + co_4c_lo
-    co_4_lo = co_4_lo1 + w_4_lo
+    co_4_right = co_4 - co_4c
+    co_4_lo2 = co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
+    co_4_lo = co_4_lo2 + co_4c_lo
     co_5a = D_03 * w_1
-    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
     co_5b = D_13 * w_0
     co_5c = co_5a - co_5b
-    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + co_5a_lo
-    co_5c_lo = co_5c_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    co_5c_right = co_5a - co_5c
+    co_5c_left_rest = product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
+    co_5c_lo1 = co_5c_left_rest - product_rest(D_13, w_0, co_5b, co_5c_right)
+    co_5c_lo = co_5c_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo)
     co_5 = co_5c + w_5
-    co_5_lo1 = sum_error(co_5c, w_5, co_5) + co_5c_lo
-    co_5_lo = co_5_lo1 + w_5_lo
+    co_5_right = co_5 - co_5c
+    co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
+    co_5_lo = co_5_lo2 + co_5c_lo
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo
@@ -1863,80 +2177,95 @@ def constraint_crx(D, c):
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    27 mul, 57 add, 21 product error, 15 sum error.  Error <= u |result| + (lin: 10, ang: 39)
-    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
     w_0a = D_00 * c_0
     w_0b = D_01 * c_1
     w_0c = w_0a + w_0b
-    w_0c_lo1 = sum_error(w_0a, w_0b, w_0c) + product_error(D_00, c_0, w_0a)
-    w_0c_lo = w_0c_lo1 + product_error(D_01, c_1, w_0b)
+    w_0c_right = w_0c - w_0a
+    w_0c_left_rest = product_rest(D_00, c_0, w_0a, w_0c - w_0c_right)
+    w_0c_lo = w_0c_left_rest + product_rest(D_01, c_1, w_0b, w_0c_right)
     w_0d = D_02 * c_2
     w_0 = w_0c + w_0d
-    w_0_lo1 = sum_error(w_0c, w_0d, w_0) + w_0c_lo
-    w_0_lo = w_0_lo1 + product_error(D_02, c_2, w_0d)
+    w_0_right = w_0 - w_0c
+    w_0_lo1 = w_0c - (w_0 - w_0_right) + product_rest(D_02, c_2, w_0d, w_0_right)
+    w_0_lo = w_0_lo1 + w_0c_lo
     w_1a = D_10 * c_0
     w_1b = D_11 * c_1
     w_1c = w_1a + w_1b
-    w_1c_lo1 = sum_error(w_1a, w_1b, w_1c) + product_error(D_10, c_0, w_1a)
-    w_1c_lo = w_1c_lo1 + product_error(D_11, c_1, w_1b)
+    w_1c_right = w_1c - w_1a
+    w_1c_left_rest = product_rest(D_10, c_0, w_1a, w_1c - w_1c_right)
+    w_1c_lo = w_1c_left_rest + product_rest(D_11, c_1, w_1b, w_1c_right)
     w_1d = D_12 * c_2
     w_1 = w_1c + w_1d
-    w_1_lo1 = sum_error(w_1c, w_1d, w_1) + w_1c_lo
-    w_1_lo = w_1_lo1 + product_error(D_12, c_2, w_1d)
+    w_1_right = w_1 - w_1c
+    w_1_lo1 = w_1c - (w_1 - w_1_right) + product_rest(D_12, c_2, w_1d, w_1_right)
+    w_1_lo = w_1_lo1 + w_1c_lo
     w_2a = D_20 * c_0
     w_2b = D_21 * c_1
     w_2c = w_2a + w_2b
-    w_2c_lo1 = sum_error(w_2a, w_2b, w_2c) + product_error(D_20, c_0, w_2a)
-    w_2c_lo = w_2c_lo1 + product_error(D_21, c_1, w_2b)
+    w_2c_right = w_2c - w_2a
+    w_2c_left_rest = product_rest(D_20, c_0, w_2a, w_2c - w_2c_right)
+    w_2c_lo = w_2c_left_rest + product_rest(D_21, c_1, w_2b, w_2c_right)
     w_2d = D_22 * c_2
     w_2 = w_2c + w_2d
-    w_2_lo1 = sum_error(w_2c, w_2d, w_2) + w_2c_lo
-    w_2_lo = w_2_lo1 + product_error(D_22, c_2, w_2d)
+    w_2_right = w_2 - w_2c
+    w_2_lo1 = w_2c - (w_2 - w_2_right) + product_rest(D_22, c_2, w_2d, w_2_right)
+    w_2_lo = w_2_lo1 + w_2c_lo
     w_3a = D_01 * c_4
     w_3b = D_02 * c_5
     w_3 = w_3a + w_3b
-    w_3_lo1 = sum_error(w_3a, w_3b, w_3) + product_error(D_01, c_4, w_3a)
-    w_3_lo = w_3_lo1 + product_error(D_02, c_5, w_3b)
+    w_3_right = w_3 - w_3a
+    w_3_left_rest = product_rest(D_01, c_4, w_3a, w_3 - w_3_right)
+    w_3_lo = w_3_left_rest + product_rest(D_02, c_5, w_3b, w_3_right)
     w_4a = D_11 * c_4
     w_4b = D_12 * c_5
     w_4 = w_4a + w_4b
-    w_4_lo1 = sum_error(w_4a, w_4b, w_4) + product_error(D_11, c_4, w_4a)
-    w_4_lo = w_4_lo1 + product_error(D_12, c_5, w_4b)
+    w_4_right = w_4 - w_4a
+    w_4_left_rest = product_rest(D_11, c_4, w_4a, w_4 - w_4_right)
+    w_4_lo = w_4_left_rest + product_rest(D_12, c_5, w_4b, w_4_right)
     w_5a = D_21 * c_4
     w_5b = D_22 * c_5
     w_5 = w_5a + w_5b
-    w_5_lo1 = sum_error(w_5a, w_5b, w_5) + product_error(D_21, c_4, w_5a)
-    w_5_lo = w_5_lo1 + product_error(D_22, c_5, w_5b)
+    w_5_right = w_5 - w_5a
+    w_5_left_rest = product_rest(D_21, c_4, w_5a, w_5 - w_5_right)
+    w_5_lo = w_5_left_rest + product_rest(D_22, c_5, w_5b, w_5_right)
     co_3a = D_13 * w_2
-    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
     co_3b = D_23 * w_1
     co_3c = co_3a - co_3b
-    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + co_3a_lo
-    co_3c_lo = co_3c_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_3c_right = co_3a - co_3c
+    co_3c_left_rest = product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
+    co_3c_lo1 = co_3c_left_rest - product_rest(D_23, w_1, co_3b, co_3c_right)
+    co_3c_lo = co_3c_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo)
     co_3 = co_3c + w_3
-    co_3_lo1 = sum_error(co_3c, w_3, co_3) + co_3c_lo
-    co_3_lo = co_3_lo1 + w_3_lo
+    co_3_right = co_3 - co_3c
+    co_3_lo2 = co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
+    co_3_lo = co_3_lo2 + co_3c_lo
     co_4a = D_23 * w_0
-    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
     co_4b = D_03 * w_2
     co_4c = co_4a - co_4b
-    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + co_4a_lo
-    co_4c_lo = co_4c_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_4c_right = co_4a - co_4c
+    co_4c_left_rest = product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
+    co_4c_lo1 = co_4c_left_rest - product_rest(D_03, w_2, co_4b, co_4c_right)
+    co_4c_lo = co_4c_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo)
     co_4 = co_4c + w_4
-    co_4_lo1 = sum_error(co_4c, w_4, co_4) + co_4c_lo
-    co_4_lo = co_4_lo1 + w_4_lo
+    co_4_right = co_4 - co_4c
+    co_4_lo2 = co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
+    co_4_lo = co_4_lo2 + co_4c_lo
     co_5a = D_03 * w_1
-    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
     co_5b = D_13 * w_0
     co_5c = co_5a - co_5b
-    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + co_5a_lo
-    co_5c_lo = co_5c_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    co_5c_right = co_5a - co_5c
+    co_5c_left_rest = product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
+    co_5c_lo1 = co_5c_left_rest - product_rest(D_13, w_0, co_5b, co_5c_right)
+    co_5c_lo = co_5c_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo)
     co_5 = co_5c + w_5
-    co_5_lo1 = sum_error(co_5c, w_5, co_5) + co_5c_lo
-    co_5_lo = co_5_lo1 + w_5_lo
+    co_5_right = co_5 - co_5c
+    co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
+    co_5_lo = co_5_lo2 + co_5c_lo
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo
@@ -1952,80 +2281,95 @@ def constraint_cry(D, c):
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    27 mul, 57 add, 21 product error, 15 sum error.  Error <= u |result| + (lin: 10, ang: 39)
-    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
     w_0a = D_00 * c_0
     w_0b = D_01 * c_1
     w_0c = w_0a + w_0b
-    w_0c_lo1 = sum_error(w_0a, w_0b, w_0c) + product_error(D_00, c_0, w_0a)
-    w_0c_lo = w_0c_lo1 + product_error(D_01, c_1, w_0b)
+    w_0c_right = w_0c - w_0a
+    w_0c_left_rest = product_rest(D_00, c_0, w_0a, w_0c - w_0c_right)
+    w_0c_lo = w_0c_left_rest + product_rest(D_01, c_1, w_0b, w_0c_right)
     w_0d = D_02 * c_2
     w_0 = w_0c + w_0d
-    w_0_lo1 = sum_error(w_0c, w_0d, w_0) + w_0c_lo
-    w_0_lo = w_0_lo1 + product_error(D_02, c_2, w_0d)
+    w_0_right = w_0 - w_0c
+    w_0_lo1 = w_0c - (w_0 - w_0_right) + product_rest(D_02, c_2, w_0d, w_0_right)
+    w_0_lo = w_0_lo1 + w_0c_lo
     w_1a = D_10 * c_0
     w_1b = D_11 * c_1
     w_1c = w_1a + w_1b
-    w_1c_lo1 = sum_error(w_1a, w_1b, w_1c) + product_error(D_10, c_0, w_1a)
-    w_1c_lo = w_1c_lo1 + product_error(D_11, c_1, w_1b)
+    w_1c_right = w_1c - w_1a
+    w_1c_left_rest = product_rest(D_10, c_0, w_1a, w_1c - w_1c_right)
+    w_1c_lo = w_1c_left_rest + product_rest(D_11, c_1, w_1b, w_1c_right)
     w_1d = D_12 * c_2
     w_1 = w_1c + w_1d
-    w_1_lo1 = sum_error(w_1c, w_1d, w_1) + w_1c_lo
-    w_1_lo = w_1_lo1 + product_error(D_12, c_2, w_1d)
+    w_1_right = w_1 - w_1c
+    w_1_lo1 = w_1c - (w_1 - w_1_right) + product_rest(D_12, c_2, w_1d, w_1_right)
+    w_1_lo = w_1_lo1 + w_1c_lo
     w_2a = D_20 * c_0
     w_2b = D_21 * c_1
     w_2c = w_2a + w_2b
-    w_2c_lo1 = sum_error(w_2a, w_2b, w_2c) + product_error(D_20, c_0, w_2a)
-    w_2c_lo = w_2c_lo1 + product_error(D_21, c_1, w_2b)
+    w_2c_right = w_2c - w_2a
+    w_2c_left_rest = product_rest(D_20, c_0, w_2a, w_2c - w_2c_right)
+    w_2c_lo = w_2c_left_rest + product_rest(D_21, c_1, w_2b, w_2c_right)
     w_2d = D_22 * c_2
     w_2 = w_2c + w_2d
-    w_2_lo1 = sum_error(w_2c, w_2d, w_2) + w_2c_lo
-    w_2_lo = w_2_lo1 + product_error(D_22, c_2, w_2d)
+    w_2_right = w_2 - w_2c
+    w_2_lo1 = w_2c - (w_2 - w_2_right) + product_rest(D_22, c_2, w_2d, w_2_right)
+    w_2_lo = w_2_lo1 + w_2c_lo
     w_3a = D_00 * c_3
     w_3b = D_02 * c_5
     w_3 = w_3a + w_3b
-    w_3_lo1 = sum_error(w_3a, w_3b, w_3) + product_error(D_00, c_3, w_3a)
-    w_3_lo = w_3_lo1 + product_error(D_02, c_5, w_3b)
+    w_3_right = w_3 - w_3a
+    w_3_left_rest = product_rest(D_00, c_3, w_3a, w_3 - w_3_right)
+    w_3_lo = w_3_left_rest + product_rest(D_02, c_5, w_3b, w_3_right)
     w_4a = D_10 * c_3
     w_4b = D_12 * c_5
     w_4 = w_4a + w_4b
-    w_4_lo1 = sum_error(w_4a, w_4b, w_4) + product_error(D_10, c_3, w_4a)
-    w_4_lo = w_4_lo1 + product_error(D_12, c_5, w_4b)
+    w_4_right = w_4 - w_4a
+    w_4_left_rest = product_rest(D_10, c_3, w_4a, w_4 - w_4_right)
+    w_4_lo = w_4_left_rest + product_rest(D_12, c_5, w_4b, w_4_right)
     w_5a = D_20 * c_3
     w_5b = D_22 * c_5
     w_5 = w_5a + w_5b
-    w_5_lo1 = sum_error(w_5a, w_5b, w_5) + product_error(D_20, c_3, w_5a)
-    w_5_lo = w_5_lo1 + product_error(D_22, c_5, w_5b)
+    w_5_right = w_5 - w_5a
+    w_5_left_rest = product_rest(D_20, c_3, w_5a, w_5 - w_5_right)
+    w_5_lo = w_5_left_rest + product_rest(D_22, c_5, w_5b, w_5_right)
     co_3a = D_13 * w_2
-    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
     co_3b = D_23 * w_1
     co_3c = co_3a - co_3b
-    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + co_3a_lo
-    co_3c_lo = co_3c_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_3c_right = co_3a - co_3c
+    co_3c_left_rest = product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
+    co_3c_lo1 = co_3c_left_rest - product_rest(D_23, w_1, co_3b, co_3c_right)
+    co_3c_lo = co_3c_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo)
     co_3 = co_3c + w_3
-    co_3_lo1 = sum_error(co_3c, w_3, co_3) + co_3c_lo
-    co_3_lo = co_3_lo1 + w_3_lo
+    co_3_right = co_3 - co_3c
+    co_3_lo2 = co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
+    co_3_lo = co_3_lo2 + co_3c_lo
     co_4a = D_23 * w_0
-    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
     co_4b = D_03 * w_2
     co_4c = co_4a - co_4b
-    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + co_4a_lo
-    co_4c_lo = co_4c_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_4c_right = co_4a - co_4c
+    co_4c_left_rest = product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
+    co_4c_lo1 = co_4c_left_rest - product_rest(D_03, w_2, co_4b, co_4c_right)
+    co_4c_lo = co_4c_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo)
     co_4 = co_4c + w_4
-    co_4_lo1 = sum_error(co_4c, w_4, co_4) + co_4c_lo
-    co_4_lo = co_4_lo1 + w_4_lo
+    co_4_right = co_4 - co_4c
+    co_4_lo2 = co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
+    co_4_lo = co_4_lo2 + co_4c_lo
     co_5a = D_03 * w_1
-    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
     co_5b = D_13 * w_0
     co_5c = co_5a - co_5b
-    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + co_5a_lo
-    co_5c_lo = co_5c_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    co_5c_right = co_5a - co_5c
+    co_5c_left_rest = product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
+    co_5c_lo1 = co_5c_left_rest - product_rest(D_13, w_0, co_5b, co_5c_right)
+    co_5c_lo = co_5c_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo)
     co_5 = co_5c + w_5
-    co_5_lo1 = sum_error(co_5c, w_5, co_5) + co_5c_lo
-    co_5_lo = co_5_lo1 + w_5_lo
+    co_5_right = co_5 - co_5c
+    co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
+    co_5_lo = co_5_lo2 + co_5c_lo
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo
@@ -2041,80 +2385,95 @@ def constraint_crz(D, c):
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    27 mul, 57 add, 21 product error, 15 sum error.  Error <= u |result| + (lin: 10, ang: 39)
-    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
     w_0a = D_00 * c_0
     w_0b = D_01 * c_1
     w_0c = w_0a + w_0b
-    w_0c_lo1 = sum_error(w_0a, w_0b, w_0c) + product_error(D_00, c_0, w_0a)
-    w_0c_lo = w_0c_lo1 + product_error(D_01, c_1, w_0b)
+    w_0c_right = w_0c - w_0a
+    w_0c_left_rest = product_rest(D_00, c_0, w_0a, w_0c - w_0c_right)
+    w_0c_lo = w_0c_left_rest + product_rest(D_01, c_1, w_0b, w_0c_right)
     w_0d = D_02 * c_2
     w_0 = w_0c + w_0d
-    w_0_lo1 = sum_error(w_0c, w_0d, w_0) + w_0c_lo
-    w_0_lo = w_0_lo1 + product_error(D_02, c_2, w_0d)
+    w_0_right = w_0 - w_0c
+    w_0_lo1 = w_0c - (w_0 - w_0_right) + product_rest(D_02, c_2, w_0d, w_0_right)
+    w_0_lo = w_0_lo1 + w_0c_lo
     w_1a = D_10 * c_0
     w_1b = D_11 * c_1
     w_1c = w_1a + w_1b
-    w_1c_lo1 = sum_error(w_1a, w_1b, w_1c) + product_error(D_10, c_0, w_1a)
-    w_1c_lo = w_1c_lo1 + product_error(D_11, c_1, w_1b)
+    w_1c_right = w_1c - w_1a
+    w_1c_left_rest = product_rest(D_10, c_0, w_1a, w_1c - w_1c_right)
+    w_1c_lo = w_1c_left_rest + product_rest(D_11, c_1, w_1b, w_1c_right)
     w_1d = D_12 * c_2
     w_1 = w_1c + w_1d
-    w_1_lo1 = sum_error(w_1c, w_1d, w_1) + w_1c_lo
-    w_1_lo = w_1_lo1 + product_error(D_12, c_2, w_1d)
+    w_1_right = w_1 - w_1c
+    w_1_lo1 = w_1c - (w_1 - w_1_right) + product_rest(D_12, c_2, w_1d, w_1_right)
+    w_1_lo = w_1_lo1 + w_1c_lo
     w_2a = D_20 * c_0
     w_2b = D_21 * c_1
     w_2c = w_2a + w_2b
-    w_2c_lo1 = sum_error(w_2a, w_2b, w_2c) + product_error(D_20, c_0, w_2a)
-    w_2c_lo = w_2c_lo1 + product_error(D_21, c_1, w_2b)
+    w_2c_right = w_2c - w_2a
+    w_2c_left_rest = product_rest(D_20, c_0, w_2a, w_2c - w_2c_right)
+    w_2c_lo = w_2c_left_rest + product_rest(D_21, c_1, w_2b, w_2c_right)
     w_2d = D_22 * c_2
     w_2 = w_2c + w_2d
-    w_2_lo1 = sum_error(w_2c, w_2d, w_2) + w_2c_lo
-    w_2_lo = w_2_lo1 + product_error(D_22, c_2, w_2d)
+    w_2_right = w_2 - w_2c
+    w_2_lo1 = w_2c - (w_2 - w_2_right) + product_rest(D_22, c_2, w_2d, w_2_right)
+    w_2_lo = w_2_lo1 + w_2c_lo
     w_3a = D_00 * c_3
     w_3b = D_01 * c_4
     w_3 = w_3a + w_3b
-    w_3_lo1 = sum_error(w_3a, w_3b, w_3) + product_error(D_00, c_3, w_3a)
-    w_3_lo = w_3_lo1 + product_error(D_01, c_4, w_3b)
+    w_3_right = w_3 - w_3a
+    w_3_left_rest = product_rest(D_00, c_3, w_3a, w_3 - w_3_right)
+    w_3_lo = w_3_left_rest + product_rest(D_01, c_4, w_3b, w_3_right)
     w_4a = D_10 * c_3
     w_4b = D_11 * c_4
     w_4 = w_4a + w_4b
-    w_4_lo1 = sum_error(w_4a, w_4b, w_4) + product_error(D_10, c_3, w_4a)
-    w_4_lo = w_4_lo1 + product_error(D_11, c_4, w_4b)
+    w_4_right = w_4 - w_4a
+    w_4_left_rest = product_rest(D_10, c_3, w_4a, w_4 - w_4_right)
+    w_4_lo = w_4_left_rest + product_rest(D_11, c_4, w_4b, w_4_right)
     w_5a = D_20 * c_3
     w_5b = D_21 * c_4
     w_5 = w_5a + w_5b
-    w_5_lo1 = sum_error(w_5a, w_5b, w_5) + product_error(D_20, c_3, w_5a)
-    w_5_lo = w_5_lo1 + product_error(D_21, c_4, w_5b)
+    w_5_right = w_5 - w_5a
+    w_5_left_rest = product_rest(D_20, c_3, w_5a, w_5 - w_5_right)
+    w_5_lo = w_5_left_rest + product_rest(D_21, c_4, w_5b, w_5_right)
     co_3a = D_13 * w_2
-    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
     co_3b = D_23 * w_1
     co_3c = co_3a - co_3b
-    co_3c_lo1 = difference_error(co_3a, co_3b, co_3c) + co_3a_lo
-    co_3c_lo = co_3c_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_3c_right = co_3a - co_3c
+    co_3c_left_rest = product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
+    co_3c_lo1 = co_3c_left_rest - product_rest(D_23, w_1, co_3b, co_3c_right)
+    co_3c_lo = co_3c_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo)
     co_3 = co_3c + w_3
-    co_3_lo1 = sum_error(co_3c, w_3, co_3) + co_3c_lo
-    co_3_lo = co_3_lo1 + w_3_lo
+    co_3_right = co_3 - co_3c
+    co_3_lo2 = co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
+    co_3_lo = co_3_lo2 + co_3c_lo
     co_4a = D_23 * w_0
-    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
     co_4b = D_03 * w_2
     co_4c = co_4a - co_4b
-    co_4c_lo1 = difference_error(co_4a, co_4b, co_4c) + co_4a_lo
-    co_4c_lo = co_4c_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_4c_right = co_4a - co_4c
+    co_4c_left_rest = product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
+    co_4c_lo1 = co_4c_left_rest - product_rest(D_03, w_2, co_4b, co_4c_right)
+    co_4c_lo = co_4c_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo)
     co_4 = co_4c + w_4
-    co_4_lo1 = sum_error(co_4c, w_4, co_4) + co_4c_lo
-    co_4_lo = co_4_lo1 + w_4_lo
+    co_4_right = co_4 - co_4c
+    co_4_lo2 = co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
+    co_4_lo = co_4_lo2 + co_4c_lo
     co_5a = D_03 * w_1
-    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
     co_5b = D_13 * w_0
     co_5c = co_5a - co_5b
-    co_5c_lo1 = difference_error(co_5a, co_5b, co_5c) + co_5a_lo
-    co_5c_lo = co_5c_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    co_5c_right = co_5a - co_5c
+    co_5c_left_rest = product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
+    co_5c_lo1 = co_5c_left_rest - product_rest(D_13, w_0, co_5b, co_5c_right)
+    co_5c_lo = co_5c_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo)
     co_5 = co_5c + w_5
-    co_5_lo1 = sum_error(co_5c, w_5, co_5) + co_5c_lo
-    co_5_lo = co_5_lo1 + w_5_lo
+    co_5_right = co_5 - co_5c
+    co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
+    co_5_lo = co_5_lo2 + co_5c_lo
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo
@@ -2130,35 +2489,38 @@ def working_ctx(D, c):
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    15 mul, 21 add, 9 product error, 3 sum error.  Error <= u |result| + (lin: 0, ang: 9) u^2 S,
-    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    15 mul, 24 add, 3 product error, 6 product rest.  Error <= u |result| + (lin: 0, ang: 11)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
     w_0 = D_00 * c_0
-    w_0_lo = product_error(D_00, c_0, w_0)
     w_1 = D_10 * c_0
-    w_1_lo = product_error(D_10, c_0, w_1)
     w_2 = D_20 * c_0
     w_2_lo = product_error(D_20, c_0, w_2)
     co_3a = D_13 * w_2
-    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
+    w_1_lo = product_error(D_10, c_0, w_1)
     co_3b = D_23 * w_1
     co_3 = co_3a - co_3b
-    co_3_lo1 = difference_error(co_3a, co_3b, co_3) + co_3a_lo
-    co_3_lo = co_3_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_3_right = co_3a - co_3
+    co_3_left_rest = product_rest(D_13, w_2, co_3a, co_3 + co_3_right)
+    co_3_lo1 = co_3_left_rest - product_rest(D_23, w_1, co_3b, co_3_right)
+    co_3_lo = co_3_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo)
+    w_0_lo = product_error(D_00, c_0, w_0)
     co_4a = D_23 * w_0
-    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
     co_4b = D_03 * w_2
     co_4 = co_4a - co_4b
-    co_4_lo1 = difference_error(co_4a, co_4b, co_4) + co_4a_lo
-    co_4_lo = co_4_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_4_right = co_4a - co_4
+    co_4_left_rest = product_rest(D_23, w_0, co_4a, co_4 + co_4_right)
+    co_4_lo1 = co_4_left_rest - product_rest(D_03, w_2, co_4b, co_4_right)
+    co_4_lo = co_4_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo)
     co_5a = D_03 * w_1
-    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
     co_5b = D_13 * w_0
     co_5 = co_5a - co_5b
-    co_5_lo1 = difference_error(co_5a, co_5b, co_5) + co_5a_lo
-    co_5_lo = co_5_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    co_5_right = co_5a - co_5
+    co_5_left_rest = product_rest(D_03, w_1, co_5a, co_5 + co_5_right)
+    co_5_lo1 = co_5_left_rest - product_rest(D_13, w_0, co_5b, co_5_right)
+    co_5_lo = co_5_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo)
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo
@@ -2174,35 +2536,38 @@ def working_cty(D, c):
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    15 mul, 21 add, 9 product error, 3 sum error.  Error <= u |result| + (lin: 0, ang: 9) u^2 S,
-    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    15 mul, 24 add, 3 product error, 6 product rest.  Error <= u |result| + (lin: 0, ang: 11)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
     w_0 = D_01 * c_1
-    w_0_lo = product_error(D_01, c_1, w_0)
     w_1 = D_11 * c_1
-    w_1_lo = product_error(D_11, c_1, w_1)
     w_2 = D_21 * c_1
     w_2_lo = product_error(D_21, c_1, w_2)
     co_3a = D_13 * w_2
-    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
+    w_1_lo = product_error(D_11, c_1, w_1)
     co_3b = D_23 * w_1
     co_3 = co_3a - co_3b
-    co_3_lo1 = difference_error(co_3a, co_3b, co_3) + co_3a_lo
-    co_3_lo = co_3_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_3_right = co_3a - co_3
+    co_3_left_rest = product_rest(D_13, w_2, co_3a, co_3 + co_3_right)
+    co_3_lo1 = co_3_left_rest - product_rest(D_23, w_1, co_3b, co_3_right)
+    co_3_lo = co_3_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo)
+    w_0_lo = product_error(D_01, c_1, w_0)
     co_4a = D_23 * w_0
-    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
     co_4b = D_03 * w_2
     co_4 = co_4a - co_4b
-    co_4_lo1 = difference_error(co_4a, co_4b, co_4) + co_4a_lo
-    co_4_lo = co_4_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_4_right = co_4a - co_4
+    co_4_left_rest = product_rest(D_23, w_0, co_4a, co_4 + co_4_right)
+    co_4_lo1 = co_4_left_rest - product_rest(D_03, w_2, co_4b, co_4_right)
+    co_4_lo = co_4_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo)
     co_5a = D_03 * w_1
-    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
     co_5b = D_13 * w_0
     co_5 = co_5a - co_5b
-    co_5_lo1 = difference_error(co_5a, co_5b, co_5) + co_5a_lo
-    co_5_lo = co_5_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    co_5_right = co_5a - co_5
+    co_5_left_rest = product_rest(D_03, w_1, co_5a, co_5 + co_5_right)
+    co_5_lo1 = co_5_left_rest - product_rest(D_13, w_0, co_5b, co_5_right)
+    co_5_lo = co_5_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo)
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo
@@ -2218,35 +2583,38 @@ def working_ctz(D, c):
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    15 mul, 21 add, 9 product error, 3 sum error.  Error <= u |result| + (lin: 0, ang: 9) u^2 S,
-    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    15 mul, 24 add, 3 product error, 6 product rest.  Error <= u |result| + (lin: 0, ang: 11)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     c_0, c_1, c_2, c_3, c_4, c_5 = c
     w_0 = D_02 * c_2
-    w_0_lo = product_error(D_02, c_2, w_0)
     w_1 = D_12 * c_2
-    w_1_lo = product_error(D_12, c_2, w_1)
     w_2 = D_22 * c_2
     w_2_lo = product_error(D_22, c_2, w_2)
     co_3a = D_13 * w_2
-    co_3a_lo = product_error(D_13, w_2, co_3a) + D_13 * w_2_lo
+    w_1_lo = product_error(D_12, c_2, w_1)
     co_3b = D_23 * w_1
     co_3 = co_3a - co_3b
-    co_3_lo1 = difference_error(co_3a, co_3b, co_3) + co_3a_lo
-    co_3_lo = co_3_lo1 - (product_error(D_23, w_1, co_3b) + D_23 * w_1_lo)
+    co_3_right = co_3a - co_3
+    co_3_left_rest = product_rest(D_13, w_2, co_3a, co_3 + co_3_right)
+    co_3_lo1 = co_3_left_rest - product_rest(D_23, w_1, co_3b, co_3_right)
+    co_3_lo = co_3_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo)
+    w_0_lo = product_error(D_02, c_2, w_0)
     co_4a = D_23 * w_0
-    co_4a_lo = product_error(D_23, w_0, co_4a) + D_23 * w_0_lo
     co_4b = D_03 * w_2
     co_4 = co_4a - co_4b
-    co_4_lo1 = difference_error(co_4a, co_4b, co_4) + co_4a_lo
-    co_4_lo = co_4_lo1 - (product_error(D_03, w_2, co_4b) + D_03 * w_2_lo)
+    co_4_right = co_4a - co_4
+    co_4_left_rest = product_rest(D_23, w_0, co_4a, co_4 + co_4_right)
+    co_4_lo1 = co_4_left_rest - product_rest(D_03, w_2, co_4b, co_4_right)
+    co_4_lo = co_4_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo)
     co_5a = D_03 * w_1
-    co_5a_lo = product_error(D_03, w_1, co_5a) + D_03 * w_1_lo
     co_5b = D_13 * w_0
     co_5 = co_5a - co_5b
-    co_5_lo1 = difference_error(co_5a, co_5b, co_5) + co_5a_lo
-    co_5_lo = co_5_lo1 - (product_error(D_13, w_0, co_5b) + D_13 * w_0_lo)
+    co_5_right = co_5a - co_5
+    co_5_left_rest = product_rest(D_03, w_1, co_5a, co_5 + co_5_right)
+    co_5_lo1 = co_5_left_rest - product_rest(D_13, w_0, co_5b, co_5_right)
+    co_5_lo = co_5_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo)
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo

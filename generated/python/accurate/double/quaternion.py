@@ -5,7 +5,7 @@ In double precision, accurate tier.
 """
 
 from numpy import absolute, arctan2, float64, sqrt, where
-from coscrew._exact import difference_error, product_error, sum_error
+from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
 
 
@@ -33,7 +33,7 @@ def quaternion_norm(q):
     """|q| = sqrt(w^2 + v·v).
 
     (4)->().  q: quaternion (w; x, y, z), the scalar first; norm: number.
-    12 mul, 18 add, 5 product error, 5 sum error, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
+    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
     select.
     """
     q_0, q_1, q_2, q_3 = q
@@ -53,29 +53,35 @@ def quaternion_norm(q):
     n_a = y_0 * y_0
     n_b = y_1 * y_1
     n_c = n_a + n_b
-    n_c_lo = sum_error(n_a, n_b, n_c) + product_error(y_0, y_0, n_a) + product_error(y_1, y_1, n_b)
+    n_c_right = n_c - n_a
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_d = y_2 * y_2
     n_e = n_c + n_d
-    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
-    n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
+    n_e_right = n_e - n_c
+    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
+    n_e_lo = n_e_lo1 + n_c_lo
     n_f = y_3 * y_3
     n_g = n_e + n_f
-    n_g_lo1 = sum_error(n_e, n_f, n_g) + n_e_lo
-    n_g_lo = n_g_lo1 + product_error(y_3, y_3, n_f)
+    n_g_right = n_g - n_e
+    n_g_lo1 = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right)
+    n_g_lo = n_g_lo1 + n_e_lo
     n_of_n_g = n_g + n_g_lo
+    n_of_n_g_right = n_of_n_g - n_g
     n = sqrt(n_of_n_g)
     n_product = n * n
     n_exact = n_of_n_g - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + sum_error(n_g, n_g_lo, n_of_n_g)
+    n_residual = n_exact + (n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
     r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
     r = where(1 < s, 2.409919865102884e-181, r_b)
     norm_of_n = n + n_lo
+    norm_of_n_right = norm_of_n - n
     norm = norm_of_n * r
     norm_lost = norm_of_n - norm * (1 / r)
-    norm_total = norm + where(norm_lost == 0, 0, (norm_lost + sum_error(n, n_lo, norm_of_n)) * r)
-    norm_rounded = where(norm_total == norm_total, norm_total, norm)
-    return norm_rounded
+    norm_small = (norm_lost + (n - (norm_of_n - norm_of_n_right) + (n_lo - norm_of_n_right))) * r
+    norm_lo = where(norm_lost == 0, 0, norm_small)
+    norm_rounded = norm + norm_lo
+    return where(norm_rounded == norm_rounded, norm_rounded, norm)
 
 
 @kernel("(4)->(4)")
@@ -83,7 +89,7 @@ def quaternion_normalize(self):
     """self = self / |self|; zero stays zero.
 
     (4)->(4).  self: quaternion (w; x, y, z), the scalar first.
-    33 mul, 43 add, 9 product error, 9 sum error, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+    33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
     select.
     """
     self_0, self_1, self_2, self_3 = self
@@ -103,20 +109,24 @@ def quaternion_normalize(self):
     n_a = y_0 * y_0
     n_b = y_1 * y_1
     n_c = n_a + n_b
-    n_c_lo = sum_error(n_a, n_b, n_c) + product_error(y_0, y_0, n_a) + product_error(y_1, y_1, n_b)
+    n_c_right = n_c - n_a
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_d = y_2 * y_2
     n_e = n_c + n_d
-    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
-    n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
+    n_e_right = n_e - n_c
+    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
+    n_e_lo = n_e_lo1 + n_c_lo
     n_f = y_3 * y_3
     n_g = n_e + n_f
-    n_g_lo1 = sum_error(n_e, n_f, n_g) + n_e_lo
-    n_g_lo = n_g_lo1 + product_error(y_3, y_3, n_f)
+    n_g_right = n_g - n_e
+    n_g_lo1 = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right)
+    n_g_lo = n_g_lo1 + n_e_lo
     n_of_n_g = n_g + n_g_lo
+    n_of_n_g_right = n_of_n_g - n_g
     n = sqrt(n_of_n_g)
     n_product = n * n
     n_exact = n_of_n_g - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + sum_error(n_g, n_g_lo, n_of_n_g)
+    n_residual = n_exact + (n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor = where(n == 0, 1, n)
     divisor_lo = where(n == 0, 0, n_lo)
@@ -127,7 +137,11 @@ def quaternion_normalize(self):
     enlarged_2 = self_2 * up
     enlarged_3 = self_3 * up
     quotient_0_of_divisor = divisor + divisor_lo
-    quotient_0_of_divisor_lo = sum_error(divisor, divisor_lo, quotient_0_of_divisor)
+    quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
+    quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
+    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
+    quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
+    quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
     quotient_0 = enlarged_0 / quotient_0_of_divisor
     quotient_0_product = quotient_0 * quotient_0_of_divisor
     quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
@@ -153,7 +167,11 @@ def quaternion_normalize(self):
     quotient_3_residual = quotient_3_exact - quotient_3 * quotient_0_of_divisor_lo
     quotient_3_lo = quotient_3_residual / quotient_0_of_divisor
     self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo
-    self_0_new_of_quotient_0_lo = sum_error(quotient_0, quotient_0_lo, self_0_new_of_quotient_0)
+    self_0_new_of_quotient_0_right = self_0_new_of_quotient_0 - quotient_0
+    self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right
+    self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left
+    self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right
+    self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest
     self_0_new = self_0_new_of_quotient_0 * down
     self_0_new_inverse = 1 / down
     self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * self_0_new_inverse
@@ -161,35 +179,46 @@ def quaternion_normalize(self):
     self_0_new_small = self_0_new_rest * down
     self_0_new_lo = where(self_0_new_lost == 0, 0, self_0_new_small)
     self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo
-    self_1_new_of_quotient_1_lo = sum_error(quotient_1, quotient_1_lo, self_1_new_of_quotient_1)
+    self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1
+    self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right
+    self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left
+    self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right
+    self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest
     self_1_new = self_1_new_of_quotient_1 * down
     self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * self_0_new_inverse
     self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo
     self_1_new_small = self_1_new_rest * down
     self_1_new_lo = where(self_1_new_lost == 0, 0, self_1_new_small)
     self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo
-    self_2_new_of_quotient_2_lo = sum_error(quotient_2, quotient_2_lo, self_2_new_of_quotient_2)
+    self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2
+    self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right
+    self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left
+    self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right
+    self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest
     self_2_new = self_2_new_of_quotient_2 * down
     self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * self_0_new_inverse
     self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo
     self_2_new_small = self_2_new_rest * down
     self_2_new_lo = where(self_2_new_lost == 0, 0, self_2_new_small)
     self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo
-    self_3_new_of_quotient_3_lo = sum_error(quotient_3, quotient_3_lo, self_3_new_of_quotient_3)
+    self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3
+    self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right
+    self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left
+    self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right
+    self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest
     self_3_new = self_3_new_of_quotient_3 * down
     self_3_new_lost = self_3_new_of_quotient_3 - self_3_new * self_0_new_inverse
     self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo
     self_3_new_small = self_3_new_rest * down
     self_3_new_lo = where(self_3_new_lost == 0, 0, self_3_new_small)
-    self_0_new_total = self_0_new + self_0_new_lo
-    self_0_new_rounded = where(self_0_new_total == self_0_new_total, self_0_new_total, self_0_new)
-    self_1_new_total = self_1_new + self_1_new_lo
-    self_1_new_rounded = where(self_1_new_total == self_1_new_total, self_1_new_total, self_1_new)
-    self_2_new_total = self_2_new + self_2_new_lo
-    self_2_new_rounded = where(self_2_new_total == self_2_new_total, self_2_new_total, self_2_new)
-    self_3_new_total = self_3_new + self_3_new_lo
-    self_3_new_rounded = where(self_3_new_total == self_3_new_total, self_3_new_total, self_3_new)
-    return (self_0_new_rounded, self_1_new_rounded, self_2_new_rounded, self_3_new_rounded)
+    self_0_new_rounded = self_0_new + self_0_new_lo
+    self_1_new_rounded = self_1_new + self_1_new_lo
+    self_2_new_rounded = self_2_new + self_2_new_lo
+    self_3_new_rounded = self_3_new + self_3_new_lo
+    return (where(self_0_new_rounded == self_0_new_rounded, self_0_new_rounded, self_0_new),
+        where(self_1_new_rounded == self_1_new_rounded, self_1_new_rounded, self_1_new),
+        where(self_2_new_rounded == self_2_new_rounded, self_2_new_rounded, self_2_new),
+        where(self_3_new_rounded == self_3_new_rounded, self_3_new_rounded, self_3_new))
 
 
 @kernel("(4)->(4)")
@@ -197,7 +226,7 @@ def quaternion_normalized(q):
     """qo = q / |q|; zero stays zero.
 
     (4)->(4).  q, qo: quaternion (w; x, y, z), the scalar first.
-    33 mul, 43 add, 9 product error, 9 sum error, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+    33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
     select.
     """
     q_0, q_1, q_2, q_3 = q
@@ -217,20 +246,24 @@ def quaternion_normalized(q):
     n_a = y_0 * y_0
     n_b = y_1 * y_1
     n_c = n_a + n_b
-    n_c_lo = sum_error(n_a, n_b, n_c) + product_error(y_0, y_0, n_a) + product_error(y_1, y_1, n_b)
+    n_c_right = n_c - n_a
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_d = y_2 * y_2
     n_e = n_c + n_d
-    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
-    n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
+    n_e_right = n_e - n_c
+    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
+    n_e_lo = n_e_lo1 + n_c_lo
     n_f = y_3 * y_3
     n_g = n_e + n_f
-    n_g_lo1 = sum_error(n_e, n_f, n_g) + n_e_lo
-    n_g_lo = n_g_lo1 + product_error(y_3, y_3, n_f)
+    n_g_right = n_g - n_e
+    n_g_lo1 = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right)
+    n_g_lo = n_g_lo1 + n_e_lo
     n_of_n_g = n_g + n_g_lo
+    n_of_n_g_right = n_of_n_g - n_g
     n = sqrt(n_of_n_g)
     n_product = n * n
     n_exact = n_of_n_g - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + sum_error(n_g, n_g_lo, n_of_n_g)
+    n_residual = n_exact + (n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor = where(n == 0, 1, n)
     divisor_lo = where(n == 0, 0, n_lo)
@@ -241,7 +274,11 @@ def quaternion_normalized(q):
     enlarged_2 = q_2 * up
     enlarged_3 = q_3 * up
     quotient_0_of_divisor = divisor + divisor_lo
-    quotient_0_of_divisor_lo = sum_error(divisor, divisor_lo, quotient_0_of_divisor)
+    quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
+    quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
+    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
+    quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
+    quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
     quotient_0 = enlarged_0 / quotient_0_of_divisor
     quotient_0_product = quotient_0 * quotient_0_of_divisor
     quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
@@ -267,35 +304,54 @@ def quaternion_normalized(q):
     quotient_3_residual = quotient_3_exact - quotient_3 * quotient_0_of_divisor_lo
     quotient_3_lo = quotient_3_residual / quotient_0_of_divisor
     qo_0_of_quotient_0 = quotient_0 + quotient_0_lo
+    qo_0_of_quotient_0_right = qo_0_of_quotient_0 - quotient_0
+    qo_0_of_quotient_0_left_rest = quotient_0 - (qo_0_of_quotient_0 - qo_0_of_quotient_0_right)
+    qo_0_of_quotient_0_right_rest = quotient_0_lo - qo_0_of_quotient_0_right
+    qo_0_of_quotient_0_lo = qo_0_of_quotient_0_left_rest + qo_0_of_quotient_0_right_rest
     qo_0 = qo_0_of_quotient_0 * down
     qo_0_inverse = 1 / down
     qo_0_lost = qo_0_of_quotient_0 - qo_0 * qo_0_inverse
-    qo_0_small = (qo_0_lost + sum_error(quotient_0, quotient_0_lo, qo_0_of_quotient_0)) * down
+    qo_0_rest = qo_0_lost + qo_0_of_quotient_0_lo
+    qo_0_small = qo_0_rest * down
     qo_0_lo = where(qo_0_lost == 0, 0, qo_0_small)
     qo_1_of_quotient_1 = quotient_1 + quotient_1_lo
+    qo_1_of_quotient_1_right = qo_1_of_quotient_1 - quotient_1
+    qo_1_of_quotient_1_left_rest = quotient_1 - (qo_1_of_quotient_1 - qo_1_of_quotient_1_right)
+    qo_1_of_quotient_1_right_rest = quotient_1_lo - qo_1_of_quotient_1_right
+    qo_1_of_quotient_1_lo = qo_1_of_quotient_1_left_rest + qo_1_of_quotient_1_right_rest
     qo_1 = qo_1_of_quotient_1 * down
     qo_1_lost = qo_1_of_quotient_1 - qo_1 * qo_0_inverse
-    qo_1_small = (qo_1_lost + sum_error(quotient_1, quotient_1_lo, qo_1_of_quotient_1)) * down
+    qo_1_rest = qo_1_lost + qo_1_of_quotient_1_lo
+    qo_1_small = qo_1_rest * down
     qo_1_lo = where(qo_1_lost == 0, 0, qo_1_small)
     qo_2_of_quotient_2 = quotient_2 + quotient_2_lo
+    qo_2_of_quotient_2_right = qo_2_of_quotient_2 - quotient_2
+    qo_2_of_quotient_2_left_rest = quotient_2 - (qo_2_of_quotient_2 - qo_2_of_quotient_2_right)
+    qo_2_of_quotient_2_right_rest = quotient_2_lo - qo_2_of_quotient_2_right
+    qo_2_of_quotient_2_lo = qo_2_of_quotient_2_left_rest + qo_2_of_quotient_2_right_rest
     qo_2 = qo_2_of_quotient_2 * down
     qo_2_lost = qo_2_of_quotient_2 - qo_2 * qo_0_inverse
-    qo_2_small = (qo_2_lost + sum_error(quotient_2, quotient_2_lo, qo_2_of_quotient_2)) * down
+    qo_2_rest = qo_2_lost + qo_2_of_quotient_2_lo
+    qo_2_small = qo_2_rest * down
     qo_2_lo = where(qo_2_lost == 0, 0, qo_2_small)
     qo_3_of_quotient_3 = quotient_3 + quotient_3_lo
+    qo_3_of_quotient_3_right = qo_3_of_quotient_3 - quotient_3
+    qo_3_of_quotient_3_left_rest = quotient_3 - (qo_3_of_quotient_3 - qo_3_of_quotient_3_right)
+    qo_3_of_quotient_3_right_rest = quotient_3_lo - qo_3_of_quotient_3_right
+    qo_3_of_quotient_3_lo = qo_3_of_quotient_3_left_rest + qo_3_of_quotient_3_right_rest
     qo_3 = qo_3_of_quotient_3 * down
     qo_3_lost = qo_3_of_quotient_3 - qo_3 * qo_0_inverse
-    qo_3_small = (qo_3_lost + sum_error(quotient_3, quotient_3_lo, qo_3_of_quotient_3)) * down
+    qo_3_rest = qo_3_lost + qo_3_of_quotient_3_lo
+    qo_3_small = qo_3_rest * down
     qo_3_lo = where(qo_3_lost == 0, 0, qo_3_small)
-    qo_0_total = qo_0 + qo_0_lo
-    qo_0_rounded = where(qo_0_total == qo_0_total, qo_0_total, qo_0)
-    qo_1_total = qo_1 + qo_1_lo
-    qo_1_rounded = where(qo_1_total == qo_1_total, qo_1_total, qo_1)
-    qo_2_total = qo_2 + qo_2_lo
-    qo_2_rounded = where(qo_2_total == qo_2_total, qo_2_total, qo_2)
-    qo_3_total = qo_3 + qo_3_lo
-    qo_3_rounded = where(qo_3_total == qo_3_total, qo_3_total, qo_3)
-    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (where(qo_0_rounded == qo_0_rounded, qo_0_rounded, qo_0),
+        where(qo_1_rounded == qo_1_rounded, qo_1_rounded, qo_1),
+        where(qo_2_rounded == qo_2_rounded, qo_2_rounded, qo_2),
+        where(qo_3_rounded == qo_3_rounded, qo_3_rounded, qo_3))
 
 
 @kernel("(4),(4)->(4)")
@@ -303,8 +359,8 @@ def product_qq(q1, q2):
     """qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
 
     (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-    16 mul, 40 add, 16 product error, 12 sum error.  Error <= u |result| + (w: 15, v: 16) u^2 S,
-    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    16 mul, 68 add, 16 product rest.  Error <= u |result| + 17 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
     q1_0, q1_1, q1_2, q1_3 = q1
     q2_0, q2_1, q2_2, q2_3 = q2
@@ -312,54 +368,67 @@ def product_qq(q1, q2):
     qo_0b = q1_1 * q2_1
     qo_0c = q1_2 * q2_2
     qo_0d = qo_0b + qo_0c
-    qo_0d_lo1 = sum_error(qo_0b, qo_0c, qo_0d) + product_error(q1_1, q2_1, qo_0b)
-    qo_0d_lo = qo_0d_lo1 + product_error(q1_2, q2_2, qo_0c)
+    qo_0d_right = qo_0d - qo_0b
+    qo_0d_left_rest = product_rest(q1_1, q2_1, qo_0b, qo_0d - qo_0d_right)
+    qo_0d_lo = qo_0d_left_rest + product_rest(q1_2, q2_2, qo_0c, qo_0d_right)
     qo_0e = q1_3 * q2_3
     qo_0f = qo_0d + qo_0e
-    qo_0f_lo1 = sum_error(qo_0d, qo_0e, qo_0f) + qo_0d_lo
-    qo_0f_lo = qo_0f_lo1 + product_error(q1_3, q2_3, qo_0e)
+    qo_0f_right = qo_0f - qo_0d
+    qo_0f_lo1 = qo_0d - (qo_0f - qo_0f_right) + product_rest(q1_3, q2_3, qo_0e, qo_0f_right)
+    qo_0f_lo = qo_0f_lo1 + qo_0d_lo
     qo_0 = qo_0a - qo_0f
-    qo_0_lo1 = difference_error(qo_0a, qo_0f, qo_0) + product_error(q1_0, q2_0, qo_0a)
+    qo_0_right = qo_0a - qo_0
+    qo_0_lo1 = product_rest(q1_0, q2_0, qo_0a, qo_0 + qo_0_right) - (qo_0f - qo_0_right)
     qo_0_lo = qo_0_lo1 - qo_0f_lo
     qo_1a = q1_0 * q2_1
     qo_1b = q1_1 * q2_0
     qo_1c = qo_1a + qo_1b
-    qo_1c_lo1 = sum_error(qo_1a, qo_1b, qo_1c) + product_error(q1_0, q2_1, qo_1a)
-    qo_1c_lo = qo_1c_lo1 + product_error(q1_1, q2_0, qo_1b)
+    qo_1c_right = qo_1c - qo_1a
+    qo_1c_left_rest = product_rest(q1_0, q2_1, qo_1a, qo_1c - qo_1c_right)
+    qo_1c_lo = qo_1c_left_rest + product_rest(q1_1, q2_0, qo_1b, qo_1c_right)
     qo_1d = q1_2 * q2_3
     qo_1e = q1_3 * q2_2
     qo_1f = qo_1d - qo_1e
-    qo_1f_lo1 = difference_error(qo_1d, qo_1e, qo_1f) + product_error(q1_2, q2_3, qo_1d)
-    qo_1f_lo = qo_1f_lo1 - product_error(q1_3, q2_2, qo_1e)
+    qo_1f_right = qo_1d - qo_1f
+    qo_1f_left_rest = product_rest(q1_2, q2_3, qo_1d, qo_1f + qo_1f_right)
+    qo_1f_lo = qo_1f_left_rest - product_rest(q1_3, q2_2, qo_1e, qo_1f_right)
     qo_1 = qo_1c + qo_1f
-    qo_1_lo1 = sum_error(qo_1c, qo_1f, qo_1) + qo_1c_lo
-    qo_1_lo = qo_1_lo1 + qo_1f_lo
+    qo_1_right = qo_1 - qo_1c
+    qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + (qo_1f - qo_1_right)
+    qo_1_lo2 = qo_1_lo1 + qo_1f_lo
+    qo_1_lo = qo_1_lo2 + qo_1c_lo
     qo_2a = q1_0 * q2_2
     qo_2b = q1_3 * q2_1
     qo_2c = q1_1 * q2_3
     qo_2d = qo_2b - qo_2c
-    qo_2d_lo1 = difference_error(qo_2b, qo_2c, qo_2d) + product_error(q1_3, q2_1, qo_2b)
-    qo_2d_lo = qo_2d_lo1 - product_error(q1_1, q2_3, qo_2c)
+    qo_2d_right = qo_2b - qo_2d
+    qo_2d_left_rest = product_rest(q1_3, q2_1, qo_2b, qo_2d + qo_2d_right)
+    qo_2d_lo = qo_2d_left_rest - product_rest(q1_1, q2_3, qo_2c, qo_2d_right)
     qo_2e = qo_2a + qo_2d
-    qo_2e_lo1 = sum_error(qo_2a, qo_2d, qo_2e) + product_error(q1_0, q2_2, qo_2a)
+    qo_2e_right = qo_2e - qo_2a
+    qo_2e_lo1 = product_rest(q1_0, q2_2, qo_2a, qo_2e - qo_2e_right) + (qo_2d - qo_2e_right)
     qo_2e_lo = qo_2e_lo1 + qo_2d_lo
     qo_2f = q1_2 * q2_0
     qo_2 = qo_2e + qo_2f
-    qo_2_lo1 = sum_error(qo_2e, qo_2f, qo_2) + qo_2e_lo
-    qo_2_lo = qo_2_lo1 + product_error(q1_2, q2_0, qo_2f)
+    qo_2_right = qo_2 - qo_2e
+    qo_2_lo1 = qo_2e - (qo_2 - qo_2_right) + product_rest(q1_2, q2_0, qo_2f, qo_2_right)
+    qo_2_lo = qo_2_lo1 + qo_2e_lo
     qo_3a = q1_0 * q2_3
     qo_3b = q1_1 * q2_2
     qo_3c = q1_2 * q2_1
     qo_3d = qo_3b - qo_3c
-    qo_3d_lo1 = difference_error(qo_3b, qo_3c, qo_3d) + product_error(q1_1, q2_2, qo_3b)
-    qo_3d_lo = qo_3d_lo1 - product_error(q1_2, q2_1, qo_3c)
+    qo_3d_right = qo_3b - qo_3d
+    qo_3d_left_rest = product_rest(q1_1, q2_2, qo_3b, qo_3d + qo_3d_right)
+    qo_3d_lo = qo_3d_left_rest - product_rest(q1_2, q2_1, qo_3c, qo_3d_right)
     qo_3e = qo_3a + qo_3d
-    qo_3e_lo1 = sum_error(qo_3a, qo_3d, qo_3e) + product_error(q1_0, q2_3, qo_3a)
+    qo_3e_right = qo_3e - qo_3a
+    qo_3e_lo1 = product_rest(q1_0, q2_3, qo_3a, qo_3e - qo_3e_right) + (qo_3d - qo_3e_right)
     qo_3e_lo = qo_3e_lo1 + qo_3d_lo
     qo_3f = q1_3 * q2_0
     qo_3 = qo_3e + qo_3f
-    qo_3_lo1 = sum_error(qo_3e, qo_3f, qo_3) + qo_3e_lo
-    qo_3_lo = qo_3_lo1 + product_error(q1_3, q2_0, qo_3f)
+    qo_3_right = qo_3 - qo_3e
+    qo_3_lo1 = qo_3e - (qo_3 - qo_3_right) + product_rest(q1_3, q2_0, qo_3f, qo_3_right)
+    qo_3_lo = qo_3_lo1 + qo_3e_lo
     qo_0_rounded = qo_0 + qo_0_lo
     qo_1_rounded = qo_1 + qo_1_lo
     qo_2_rounded = qo_2 + qo_2_lo
@@ -372,8 +441,8 @@ def product_qconjq(q1, q2):
     """qo = q1* q2, q1* the conjugate.
 
     (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-    16 mul, 40 add, 16 product error, 12 sum error.  Error <= u |result| + (w: 15, v: 10) u^2 S,
-    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    16 mul, 68 add, 16 product rest.  Error <= u |result| + (w: 17, v: 12) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
     q1_0, q1_1, q1_2, q1_3 = q1
     q2_0, q2_1, q2_2, q2_3 = q2
@@ -381,54 +450,69 @@ def product_qconjq(q1, q2):
     qo_0b = q1_1 * q2_1
     qo_0c = q1_2 * q2_2
     qo_0d = qo_0b + qo_0c
-    qo_0d_lo1 = sum_error(qo_0b, qo_0c, qo_0d) + product_error(q1_1, q2_1, qo_0b)
-    qo_0d_lo = qo_0d_lo1 + product_error(q1_2, q2_2, qo_0c)
+    qo_0d_right = qo_0d - qo_0b
+    qo_0d_left_rest = product_rest(q1_1, q2_1, qo_0b, qo_0d - qo_0d_right)
+    qo_0d_lo = qo_0d_left_rest + product_rest(q1_2, q2_2, qo_0c, qo_0d_right)
     qo_0e = q1_3 * q2_3
     qo_0f = qo_0d + qo_0e
-    qo_0f_lo1 = sum_error(qo_0d, qo_0e, qo_0f) + qo_0d_lo
-    qo_0f_lo = qo_0f_lo1 + product_error(q1_3, q2_3, qo_0e)
+    qo_0f_right = qo_0f - qo_0d
+    qo_0f_lo1 = qo_0d - (qo_0f - qo_0f_right) + product_rest(q1_3, q2_3, qo_0e, qo_0f_right)
+    qo_0f_lo = qo_0f_lo1 + qo_0d_lo
     qo_0 = qo_0a + qo_0f
-    qo_0_lo1 = sum_error(qo_0a, qo_0f, qo_0) + product_error(q1_0, q2_0, qo_0a)
+    qo_0_right = qo_0 - qo_0a
+    qo_0_lo1 = product_rest(q1_0, q2_0, qo_0a, qo_0 - qo_0_right) + (qo_0f - qo_0_right)
     qo_0_lo = qo_0_lo1 + qo_0f_lo
     qo_1a = q1_0 * q2_1
     qo_1b = q1_1 * q2_0
     qo_1c = qo_1a - qo_1b
-    qo_1c_lo1 = difference_error(qo_1a, qo_1b, qo_1c) + product_error(q1_0, q2_1, qo_1a)
-    qo_1c_lo = qo_1c_lo1 - product_error(q1_1, q2_0, qo_1b)
+    qo_1c_right = qo_1a - qo_1c
+    qo_1c_left_rest = product_rest(q1_0, q2_1, qo_1a, qo_1c + qo_1c_right)
+    qo_1c_lo = qo_1c_left_rest - product_rest(q1_1, q2_0, qo_1b, qo_1c_right)
     qo_1d = q1_3 * q2_2
     qo_1e = q1_2 * q2_3
     qo_1f = qo_1d - qo_1e
-    qo_1f_lo1 = difference_error(qo_1d, qo_1e, qo_1f) + product_error(q1_3, q2_2, qo_1d)
-    qo_1f_lo = qo_1f_lo1 - product_error(q1_2, q2_3, qo_1e)
+    qo_1f_right = qo_1d - qo_1f
+    qo_1f_left_rest = product_rest(q1_3, q2_2, qo_1d, qo_1f + qo_1f_right)
+    qo_1f_lo = qo_1f_left_rest - product_rest(q1_2, q2_3, qo_1e, qo_1f_right)
     qo_1 = qo_1c + qo_1f
-    qo_1_lo1 = sum_error(qo_1c, qo_1f, qo_1) + qo_1c_lo
-    qo_1_lo = qo_1_lo1 + qo_1f_lo
+    qo_1_right = qo_1 - qo_1c
+    qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + (qo_1f - qo_1_right)
+    qo_1_lo2 = qo_1_lo1 + qo_1f_lo
+    qo_1_lo = qo_1_lo2 + qo_1c_lo
     qo_2a = q1_0 * q2_2
     qo_2b = q1_2 * q2_0
     qo_2c = qo_2a - qo_2b
-    qo_2c_lo1 = difference_error(qo_2a, qo_2b, qo_2c) + product_error(q1_0, q2_2, qo_2a)
-    qo_2c_lo = qo_2c_lo1 - product_error(q1_2, q2_0, qo_2b)
+    qo_2c_right = qo_2a - qo_2c
+    qo_2c_left_rest = product_rest(q1_0, q2_2, qo_2a, qo_2c + qo_2c_right)
+    qo_2c_lo = qo_2c_left_rest - product_rest(q1_2, q2_0, qo_2b, qo_2c_right)
     qo_2d = q1_1 * q2_3
     qo_2e = q1_3 * q2_1
     qo_2f = qo_2d - qo_2e
-    qo_2f_lo1 = difference_error(qo_2d, qo_2e, qo_2f) + product_error(q1_1, q2_3, qo_2d)
-    qo_2f_lo = qo_2f_lo1 - product_error(q1_3, q2_1, qo_2e)
+    qo_2f_right = qo_2d - qo_2f
+    qo_2f_left_rest = product_rest(q1_1, q2_3, qo_2d, qo_2f + qo_2f_right)
+    qo_2f_lo = qo_2f_left_rest - product_rest(q1_3, q2_1, qo_2e, qo_2f_right)
     qo_2 = qo_2c + qo_2f
-    qo_2_lo1 = sum_error(qo_2c, qo_2f, qo_2) + qo_2c_lo
-    qo_2_lo = qo_2_lo1 + qo_2f_lo
+    qo_2_right = qo_2 - qo_2c
+    qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + (qo_2f - qo_2_right)
+    qo_2_lo2 = qo_2_lo1 + qo_2f_lo
+    qo_2_lo = qo_2_lo2 + qo_2c_lo
     qo_3a = q1_0 * q2_3
     qo_3b = q1_3 * q2_0
     qo_3c = qo_3a - qo_3b
-    qo_3c_lo1 = difference_error(qo_3a, qo_3b, qo_3c) + product_error(q1_0, q2_3, qo_3a)
-    qo_3c_lo = qo_3c_lo1 - product_error(q1_3, q2_0, qo_3b)
+    qo_3c_right = qo_3a - qo_3c
+    qo_3c_left_rest = product_rest(q1_0, q2_3, qo_3a, qo_3c + qo_3c_right)
+    qo_3c_lo = qo_3c_left_rest - product_rest(q1_3, q2_0, qo_3b, qo_3c_right)
     qo_3d = q1_2 * q2_1
     qo_3e = q1_1 * q2_2
     qo_3f = qo_3d - qo_3e
-    qo_3f_lo1 = difference_error(qo_3d, qo_3e, qo_3f) + product_error(q1_2, q2_1, qo_3d)
-    qo_3f_lo = qo_3f_lo1 - product_error(q1_1, q2_2, qo_3e)
+    qo_3f_right = qo_3d - qo_3f
+    qo_3f_left_rest = product_rest(q1_2, q2_1, qo_3d, qo_3f + qo_3f_right)
+    qo_3f_lo = qo_3f_left_rest - product_rest(q1_1, q2_2, qo_3e, qo_3f_right)
     qo_3 = qo_3c + qo_3f
-    qo_3_lo1 = sum_error(qo_3c, qo_3f, qo_3) + qo_3c_lo
-    qo_3_lo = qo_3_lo1 + qo_3f_lo
+    qo_3_right = qo_3 - qo_3c
+    qo_3_lo1 = qo_3c - (qo_3 - qo_3_right) + (qo_3f - qo_3_right)
+    qo_3_lo2 = qo_3_lo1 + qo_3f_lo
+    qo_3_lo = qo_3_lo2 + qo_3c_lo
     qo_0_rounded = qo_0 + qo_0_lo
     qo_1_rounded = qo_1 + qo_1_lo
     qo_2_rounded = qo_2 + qo_2_lo
@@ -441,8 +525,8 @@ def product_qqconj(q1, q2):
     """qo = q1 q2*, q2* the conjugate.
 
     (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-    16 mul, 40 add, 16 product error, 12 sum error.  Error <= u |result| + (w: 15, v: 10) u^2 S,
-    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    16 mul, 68 add, 16 product rest.  Error <= u |result| + (w: 17, v: 12) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
     q1_0, q1_1, q1_2, q1_3 = q1
     q2_0, q2_1, q2_2, q2_3 = q2
@@ -450,54 +534,69 @@ def product_qqconj(q1, q2):
     qo_0b = q1_1 * q2_1
     qo_0c = q1_2 * q2_2
     qo_0d = qo_0b + qo_0c
-    qo_0d_lo1 = sum_error(qo_0b, qo_0c, qo_0d) + product_error(q1_1, q2_1, qo_0b)
-    qo_0d_lo = qo_0d_lo1 + product_error(q1_2, q2_2, qo_0c)
+    qo_0d_right = qo_0d - qo_0b
+    qo_0d_left_rest = product_rest(q1_1, q2_1, qo_0b, qo_0d - qo_0d_right)
+    qo_0d_lo = qo_0d_left_rest + product_rest(q1_2, q2_2, qo_0c, qo_0d_right)
     qo_0e = q1_3 * q2_3
     qo_0f = qo_0d + qo_0e
-    qo_0f_lo1 = sum_error(qo_0d, qo_0e, qo_0f) + qo_0d_lo
-    qo_0f_lo = qo_0f_lo1 + product_error(q1_3, q2_3, qo_0e)
+    qo_0f_right = qo_0f - qo_0d
+    qo_0f_lo1 = qo_0d - (qo_0f - qo_0f_right) + product_rest(q1_3, q2_3, qo_0e, qo_0f_right)
+    qo_0f_lo = qo_0f_lo1 + qo_0d_lo
     qo_0 = qo_0a + qo_0f
-    qo_0_lo1 = sum_error(qo_0a, qo_0f, qo_0) + product_error(q1_0, q2_0, qo_0a)
+    qo_0_right = qo_0 - qo_0a
+    qo_0_lo1 = product_rest(q1_0, q2_0, qo_0a, qo_0 - qo_0_right) + (qo_0f - qo_0_right)
     qo_0_lo = qo_0_lo1 + qo_0f_lo
     qo_1a = q1_1 * q2_0
     qo_1b = q1_0 * q2_1
     qo_1c = qo_1a - qo_1b
-    qo_1c_lo1 = difference_error(qo_1a, qo_1b, qo_1c) + product_error(q1_1, q2_0, qo_1a)
-    qo_1c_lo = qo_1c_lo1 - product_error(q1_0, q2_1, qo_1b)
+    qo_1c_right = qo_1a - qo_1c
+    qo_1c_left_rest = product_rest(q1_1, q2_0, qo_1a, qo_1c + qo_1c_right)
+    qo_1c_lo = qo_1c_left_rest - product_rest(q1_0, q2_1, qo_1b, qo_1c_right)
     qo_1d = q1_3 * q2_2
     qo_1e = q1_2 * q2_3
     qo_1f = qo_1d - qo_1e
-    qo_1f_lo1 = difference_error(qo_1d, qo_1e, qo_1f) + product_error(q1_3, q2_2, qo_1d)
-    qo_1f_lo = qo_1f_lo1 - product_error(q1_2, q2_3, qo_1e)
+    qo_1f_right = qo_1d - qo_1f
+    qo_1f_left_rest = product_rest(q1_3, q2_2, qo_1d, qo_1f + qo_1f_right)
+    qo_1f_lo = qo_1f_left_rest - product_rest(q1_2, q2_3, qo_1e, qo_1f_right)
     qo_1 = qo_1c + qo_1f
-    qo_1_lo1 = sum_error(qo_1c, qo_1f, qo_1) + qo_1c_lo
-    qo_1_lo = qo_1_lo1 + qo_1f_lo
+    qo_1_right = qo_1 - qo_1c
+    qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + (qo_1f - qo_1_right)
+    qo_1_lo2 = qo_1_lo1 + qo_1f_lo
+    qo_1_lo = qo_1_lo2 + qo_1c_lo
     qo_2a = q1_2 * q2_0
     qo_2b = q1_0 * q2_2
     qo_2c = qo_2a - qo_2b
-    qo_2c_lo1 = difference_error(qo_2a, qo_2b, qo_2c) + product_error(q1_2, q2_0, qo_2a)
-    qo_2c_lo = qo_2c_lo1 - product_error(q1_0, q2_2, qo_2b)
+    qo_2c_right = qo_2a - qo_2c
+    qo_2c_left_rest = product_rest(q1_2, q2_0, qo_2a, qo_2c + qo_2c_right)
+    qo_2c_lo = qo_2c_left_rest - product_rest(q1_0, q2_2, qo_2b, qo_2c_right)
     qo_2d = q1_1 * q2_3
     qo_2e = q1_3 * q2_1
     qo_2f = qo_2d - qo_2e
-    qo_2f_lo1 = difference_error(qo_2d, qo_2e, qo_2f) + product_error(q1_1, q2_3, qo_2d)
-    qo_2f_lo = qo_2f_lo1 - product_error(q1_3, q2_1, qo_2e)
+    qo_2f_right = qo_2d - qo_2f
+    qo_2f_left_rest = product_rest(q1_1, q2_3, qo_2d, qo_2f + qo_2f_right)
+    qo_2f_lo = qo_2f_left_rest - product_rest(q1_3, q2_1, qo_2e, qo_2f_right)
     qo_2 = qo_2c + qo_2f
-    qo_2_lo1 = sum_error(qo_2c, qo_2f, qo_2) + qo_2c_lo
-    qo_2_lo = qo_2_lo1 + qo_2f_lo
+    qo_2_right = qo_2 - qo_2c
+    qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + (qo_2f - qo_2_right)
+    qo_2_lo2 = qo_2_lo1 + qo_2f_lo
+    qo_2_lo = qo_2_lo2 + qo_2c_lo
     qo_3a = q1_3 * q2_0
     qo_3b = q1_0 * q2_3
     qo_3c = qo_3a - qo_3b
-    qo_3c_lo1 = difference_error(qo_3a, qo_3b, qo_3c) + product_error(q1_3, q2_0, qo_3a)
-    qo_3c_lo = qo_3c_lo1 - product_error(q1_0, q2_3, qo_3b)
+    qo_3c_right = qo_3a - qo_3c
+    qo_3c_left_rest = product_rest(q1_3, q2_0, qo_3a, qo_3c + qo_3c_right)
+    qo_3c_lo = qo_3c_left_rest - product_rest(q1_0, q2_3, qo_3b, qo_3c_right)
     qo_3d = q1_2 * q2_1
     qo_3e = q1_1 * q2_2
     qo_3f = qo_3d - qo_3e
-    qo_3f_lo1 = difference_error(qo_3d, qo_3e, qo_3f) + product_error(q1_2, q2_1, qo_3d)
-    qo_3f_lo = qo_3f_lo1 - product_error(q1_1, q2_2, qo_3e)
+    qo_3f_right = qo_3d - qo_3f
+    qo_3f_left_rest = product_rest(q1_2, q2_1, qo_3d, qo_3f + qo_3f_right)
+    qo_3f_lo = qo_3f_left_rest - product_rest(q1_1, q2_2, qo_3e, qo_3f_right)
     qo_3 = qo_3c + qo_3f
-    qo_3_lo1 = sum_error(qo_3c, qo_3f, qo_3) + qo_3c_lo
-    qo_3_lo = qo_3_lo1 + qo_3f_lo
+    qo_3_right = qo_3 - qo_3c
+    qo_3_lo1 = qo_3c - (qo_3 - qo_3_right) + (qo_3f - qo_3_right)
+    qo_3_lo2 = qo_3_lo1 + qo_3f_lo
+    qo_3_lo = qo_3_lo2 + qo_3c_lo
     qo_0_rounded = qo_0 + qo_0_lo
     qo_1_rounded = qo_1 + qo_1_lo
     qo_2_rounded = qo_2 + qo_2_lo
@@ -510,7 +609,7 @@ def product_qv(q, v):
     """vo = R(q) v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-    30 mul, 48 add, 18 product error, 12 sum error.  Error <= u |result| + 40 u^2 S, S the sum
+    30 mul, 78 add, 3 product error, 15 product rest.  Error <= u |result| + 49 u^2 S, S the sum
     of the |terms| of the expanded formula; barring over- and underflow.
     """
     q_0, q_1, q_2, q_3 = q
@@ -518,66 +617,75 @@ def product_qv(q, v):
     c_0a = q_2 * v_2
     c_0b = q_3 * v_1
     c_0 = c_0a - c_0b
-    c_0_lo1 = difference_error(c_0a, c_0b, c_0) + product_error(q_2, v_2, c_0a)
-    c_0_lo = c_0_lo1 - product_error(q_3, v_1, c_0b)
+    c_0_right = c_0a - c_0
+    c_0_lo = product_rest(q_2, v_2, c_0a, c_0 + c_0_right) - product_rest(q_3, v_1, c_0b, c_0_right)
     c_1a = q_3 * v_0
     c_1b = q_1 * v_2
     c_1 = c_1a - c_1b
-    c_1_lo1 = difference_error(c_1a, c_1b, c_1) + product_error(q_3, v_0, c_1a)
-    c_1_lo = c_1_lo1 - product_error(q_1, v_2, c_1b)
+    c_1_right = c_1a - c_1
+    c_1_lo = product_rest(q_3, v_0, c_1a, c_1 + c_1_right) - product_rest(q_1, v_2, c_1b, c_1_right)
     c_2a = q_1 * v_1
     c_2b = q_2 * v_0
     c_2 = c_2a - c_2b
-    c_2_lo1 = difference_error(c_2a, c_2b, c_2) + product_error(q_1, v_1, c_2a)
-    c_2_lo = c_2_lo1 - product_error(q_2, v_0, c_2b)
+    c_2_right = c_2a - c_2
+    c_2_lo = product_rest(q_1, v_1, c_2a, c_2 + c_2_right) - product_rest(q_2, v_0, c_2b, c_2_right)
     t_0 = 2 * c_0
-    t_0_cross1 = 2 * c_0_lo
-    t_0_lo = product_error(2, c_0, t_0) + t_0_cross1
+    t_0_cross2 = 2 * c_0_lo
     t_1 = 2 * c_1
-    t_1_cross1 = 2 * c_1_lo
-    t_1_lo = product_error(2, c_1, t_1) + t_1_cross1
+    t_1_cross2 = 2 * c_1_lo
     t_2 = 2 * c_2
-    t_2_cross1 = 2 * c_2_lo
-    t_2_lo = product_error(2, c_2, t_2) + t_2_cross1
+    t_2_cross2 = 2 * c_2_lo
+    t_0_lo = product_error(2, c_0, t_0) + t_0_cross2
     turn_0a = q_0 * t_0
-    turn_0a_lo = product_error(q_0, t_0, turn_0a) + q_0 * t_0_lo
+    t_2_lo = product_error(2, c_2, t_2) + t_2_cross2
     turn_0b = q_2 * t_2
-    turn_0b_lo = product_error(q_2, t_2, turn_0b) + q_2 * t_2_lo
+    t_1_lo = product_error(2, c_1, t_1) + t_1_cross2
     turn_0c = q_3 * t_1
     turn_0d = turn_0b - turn_0c
-    turn_0d_lo1 = difference_error(turn_0b, turn_0c, turn_0d) + turn_0b_lo
-    turn_0d_lo = turn_0d_lo1 - (product_error(q_3, t_1, turn_0c) + q_3 * t_1_lo)
+    turn_0d_right = turn_0b - turn_0d
+    turn_0d_left_rest = product_rest(q_2, t_2, turn_0b, turn_0d + turn_0d_right)
+    turn_0d_lo1 = turn_0d_left_rest - product_rest(q_3, t_1, turn_0c, turn_0d_right)
+    turn_0d_lo = turn_0d_lo1 + (q_2 * t_2_lo - q_3 * t_1_lo)
     turn_0 = turn_0a + turn_0d
-    turn_0_lo1 = sum_error(turn_0a, turn_0d, turn_0) + turn_0a_lo
-    turn_0_lo = turn_0_lo1 + turn_0d_lo
+    turn_0_right = turn_0 - turn_0a
+    turn_0_lo1 = product_rest(q_0, t_0, turn_0a, turn_0 - turn_0_right) + (turn_0d - turn_0_right)
+    turn_0_lo2 = turn_0_lo1 + turn_0d_lo
+    turn_0_lo = turn_0_lo2 + q_0 * t_0_lo
     turn_1a = q_0 * t_1
-    turn_1a_lo = product_error(q_0, t_1, turn_1a) + q_0 * t_1_lo
     turn_1b = q_3 * t_0
-    turn_1b_lo = product_error(q_3, t_0, turn_1b) + q_3 * t_0_lo
     turn_1c = q_1 * t_2
     turn_1d = turn_1b - turn_1c
-    turn_1d_lo1 = difference_error(turn_1b, turn_1c, turn_1d) + turn_1b_lo
-    turn_1d_lo = turn_1d_lo1 - (product_error(q_1, t_2, turn_1c) + q_1 * t_2_lo)
+    turn_1d_right = turn_1b - turn_1d
+    turn_1d_left_rest = product_rest(q_3, t_0, turn_1b, turn_1d + turn_1d_right)
+    turn_1d_lo1 = turn_1d_left_rest - product_rest(q_1, t_2, turn_1c, turn_1d_right)
+    turn_1d_lo = turn_1d_lo1 + (q_3 * t_0_lo - q_1 * t_2_lo)
     turn_1 = turn_1a + turn_1d
-    turn_1_lo1 = sum_error(turn_1a, turn_1d, turn_1) + turn_1a_lo
-    turn_1_lo = turn_1_lo1 + turn_1d_lo
+    turn_1_right = turn_1 - turn_1a
+    turn_1_lo1 = product_rest(q_0, t_1, turn_1a, turn_1 - turn_1_right) + (turn_1d - turn_1_right)
+    turn_1_lo2 = turn_1_lo1 + turn_1d_lo
+    turn_1_lo = turn_1_lo2 + q_0 * t_1_lo
     turn_2a = q_0 * t_2
-    turn_2a_lo = product_error(q_0, t_2, turn_2a) + q_0 * t_2_lo
     turn_2b = q_1 * t_1
-    turn_2b_lo = product_error(q_1, t_1, turn_2b) + q_1 * t_1_lo
     turn_2c = q_2 * t_0
     turn_2d = turn_2b - turn_2c
-    turn_2d_lo1 = difference_error(turn_2b, turn_2c, turn_2d) + turn_2b_lo
-    turn_2d_lo = turn_2d_lo1 - (product_error(q_2, t_0, turn_2c) + q_2 * t_0_lo)
+    turn_2d_right = turn_2b - turn_2d
+    turn_2d_left_rest = product_rest(q_1, t_1, turn_2b, turn_2d + turn_2d_right)
+    turn_2d_lo1 = turn_2d_left_rest - product_rest(q_2, t_0, turn_2c, turn_2d_right)
+    turn_2d_lo = turn_2d_lo1 + (q_1 * t_1_lo - q_2 * t_0_lo)
     turn_2 = turn_2a + turn_2d
-    turn_2_lo1 = sum_error(turn_2a, turn_2d, turn_2) + turn_2a_lo
-    turn_2_lo = turn_2_lo1 + turn_2d_lo
+    turn_2_right = turn_2 - turn_2a
+    turn_2_lo1 = product_rest(q_0, t_2, turn_2a, turn_2 - turn_2_right) + (turn_2d - turn_2_right)
+    turn_2_lo2 = turn_2_lo1 + turn_2d_lo
+    turn_2_lo = turn_2_lo2 + q_0 * t_2_lo
     vo_0 = v_0 + turn_0
-    vo_0_lo = sum_error(v_0, turn_0, vo_0) + turn_0_lo
+    vo_0_right = vo_0 - v_0
+    vo_0_lo = v_0 - (vo_0 - vo_0_right) + (turn_0 - vo_0_right) + turn_0_lo
     vo_1 = v_1 + turn_1
-    vo_1_lo = sum_error(v_1, turn_1, vo_1) + turn_1_lo
+    vo_1_right = vo_1 - v_1
+    vo_1_lo = v_1 - (vo_1 - vo_1_right) + (turn_1 - vo_1_right) + turn_1_lo
     vo_2 = v_2 + turn_2
-    vo_2_lo = sum_error(v_2, turn_2, vo_2) + turn_2_lo
+    vo_2_right = vo_2 - v_2
+    vo_2_lo = v_2 - (vo_2 - vo_2_right) + (turn_2 - vo_2_right) + turn_2_lo
     vo_0_rounded = vo_0 + vo_0_lo
     vo_1_rounded = vo_1 + vo_1_lo
     vo_2_rounded = vo_2 + vo_2_lo
@@ -589,7 +697,7 @@ def product_qconjv(q, v):
     """vo = R(q)^T v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-    30 mul, 48 add, 18 product error, 12 sum error.  Error <= u |result| + 40 u^2 S, S the sum
+    30 mul, 78 add, 3 product error, 15 product rest.  Error <= u |result| + 49 u^2 S, S the sum
     of the |terms| of the expanded formula; barring over- and underflow.
     """
     q_0, q_1, q_2, q_3 = q
@@ -597,66 +705,75 @@ def product_qconjv(q, v):
     c_0a = q_3 * v_1
     c_0b = q_2 * v_2
     c_0 = c_0a - c_0b
-    c_0_lo1 = difference_error(c_0a, c_0b, c_0) + product_error(q_3, v_1, c_0a)
-    c_0_lo = c_0_lo1 - product_error(q_2, v_2, c_0b)
+    c_0_right = c_0a - c_0
+    c_0_lo = product_rest(q_3, v_1, c_0a, c_0 + c_0_right) - product_rest(q_2, v_2, c_0b, c_0_right)
     c_1a = q_1 * v_2
     c_1b = q_3 * v_0
     c_1 = c_1a - c_1b
-    c_1_lo1 = difference_error(c_1a, c_1b, c_1) + product_error(q_1, v_2, c_1a)
-    c_1_lo = c_1_lo1 - product_error(q_3, v_0, c_1b)
+    c_1_right = c_1a - c_1
+    c_1_lo = product_rest(q_1, v_2, c_1a, c_1 + c_1_right) - product_rest(q_3, v_0, c_1b, c_1_right)
     c_2a = q_2 * v_0
     c_2b = q_1 * v_1
     c_2 = c_2a - c_2b
-    c_2_lo1 = difference_error(c_2a, c_2b, c_2) + product_error(q_2, v_0, c_2a)
-    c_2_lo = c_2_lo1 - product_error(q_1, v_1, c_2b)
+    c_2_right = c_2a - c_2
+    c_2_lo = product_rest(q_2, v_0, c_2a, c_2 + c_2_right) - product_rest(q_1, v_1, c_2b, c_2_right)
     t_0 = 2 * c_0
-    t_0_cross1 = 2 * c_0_lo
-    t_0_lo = product_error(2, c_0, t_0) + t_0_cross1
+    t_0_cross2 = 2 * c_0_lo
     t_1 = 2 * c_1
-    t_1_cross1 = 2 * c_1_lo
-    t_1_lo = product_error(2, c_1, t_1) + t_1_cross1
+    t_1_cross2 = 2 * c_1_lo
     t_2 = 2 * c_2
-    t_2_cross1 = 2 * c_2_lo
-    t_2_lo = product_error(2, c_2, t_2) + t_2_cross1
+    t_2_cross2 = 2 * c_2_lo
+    t_0_lo = product_error(2, c_0, t_0) + t_0_cross2
     turn_0a = q_0 * t_0
-    turn_0a_lo = product_error(q_0, t_0, turn_0a) + q_0 * t_0_lo
+    t_1_lo = product_error(2, c_1, t_1) + t_1_cross2
     turn_0b = q_3 * t_1
-    turn_0b_lo = product_error(q_3, t_1, turn_0b) + q_3 * t_1_lo
+    t_2_lo = product_error(2, c_2, t_2) + t_2_cross2
     turn_0c = q_2 * t_2
     turn_0d = turn_0b - turn_0c
-    turn_0d_lo1 = difference_error(turn_0b, turn_0c, turn_0d) + turn_0b_lo
-    turn_0d_lo = turn_0d_lo1 - (product_error(q_2, t_2, turn_0c) + q_2 * t_2_lo)
+    turn_0d_right = turn_0b - turn_0d
+    turn_0d_left_rest = product_rest(q_3, t_1, turn_0b, turn_0d + turn_0d_right)
+    turn_0d_lo1 = turn_0d_left_rest - product_rest(q_2, t_2, turn_0c, turn_0d_right)
+    turn_0d_lo = turn_0d_lo1 + (q_3 * t_1_lo - q_2 * t_2_lo)
     turn_0 = turn_0a + turn_0d
-    turn_0_lo1 = sum_error(turn_0a, turn_0d, turn_0) + turn_0a_lo
-    turn_0_lo = turn_0_lo1 + turn_0d_lo
+    turn_0_right = turn_0 - turn_0a
+    turn_0_lo1 = product_rest(q_0, t_0, turn_0a, turn_0 - turn_0_right) + (turn_0d - turn_0_right)
+    turn_0_lo2 = turn_0_lo1 + turn_0d_lo
+    turn_0_lo = turn_0_lo2 + q_0 * t_0_lo
     turn_1a = q_0 * t_1
-    turn_1a_lo = product_error(q_0, t_1, turn_1a) + q_0 * t_1_lo
     turn_1b = q_1 * t_2
-    turn_1b_lo = product_error(q_1, t_2, turn_1b) + q_1 * t_2_lo
     turn_1c = q_3 * t_0
     turn_1d = turn_1b - turn_1c
-    turn_1d_lo1 = difference_error(turn_1b, turn_1c, turn_1d) + turn_1b_lo
-    turn_1d_lo = turn_1d_lo1 - (product_error(q_3, t_0, turn_1c) + q_3 * t_0_lo)
+    turn_1d_right = turn_1b - turn_1d
+    turn_1d_left_rest = product_rest(q_1, t_2, turn_1b, turn_1d + turn_1d_right)
+    turn_1d_lo1 = turn_1d_left_rest - product_rest(q_3, t_0, turn_1c, turn_1d_right)
+    turn_1d_lo = turn_1d_lo1 + (q_1 * t_2_lo - q_3 * t_0_lo)
     turn_1 = turn_1a + turn_1d
-    turn_1_lo1 = sum_error(turn_1a, turn_1d, turn_1) + turn_1a_lo
-    turn_1_lo = turn_1_lo1 + turn_1d_lo
+    turn_1_right = turn_1 - turn_1a
+    turn_1_lo1 = product_rest(q_0, t_1, turn_1a, turn_1 - turn_1_right) + (turn_1d - turn_1_right)
+    turn_1_lo2 = turn_1_lo1 + turn_1d_lo
+    turn_1_lo = turn_1_lo2 + q_0 * t_1_lo
     turn_2a = q_0 * t_2
-    turn_2a_lo = product_error(q_0, t_2, turn_2a) + q_0 * t_2_lo
     turn_2b = q_2 * t_0
-    turn_2b_lo = product_error(q_2, t_0, turn_2b) + q_2 * t_0_lo
     turn_2c = q_1 * t_1
     turn_2d = turn_2b - turn_2c
-    turn_2d_lo1 = difference_error(turn_2b, turn_2c, turn_2d) + turn_2b_lo
-    turn_2d_lo = turn_2d_lo1 - (product_error(q_1, t_1, turn_2c) + q_1 * t_1_lo)
+    turn_2d_right = turn_2b - turn_2d
+    turn_2d_left_rest = product_rest(q_2, t_0, turn_2b, turn_2d + turn_2d_right)
+    turn_2d_lo1 = turn_2d_left_rest - product_rest(q_1, t_1, turn_2c, turn_2d_right)
+    turn_2d_lo = turn_2d_lo1 + (q_2 * t_0_lo - q_1 * t_1_lo)
     turn_2 = turn_2a + turn_2d
-    turn_2_lo1 = sum_error(turn_2a, turn_2d, turn_2) + turn_2a_lo
-    turn_2_lo = turn_2_lo1 + turn_2d_lo
+    turn_2_right = turn_2 - turn_2a
+    turn_2_lo1 = product_rest(q_0, t_2, turn_2a, turn_2 - turn_2_right) + (turn_2d - turn_2_right)
+    turn_2_lo2 = turn_2_lo1 + turn_2d_lo
+    turn_2_lo = turn_2_lo2 + q_0 * t_2_lo
     vo_0 = v_0 + turn_0
-    vo_0_lo = sum_error(v_0, turn_0, vo_0) + turn_0_lo
+    vo_0_right = vo_0 - v_0
+    vo_0_lo = v_0 - (vo_0 - vo_0_right) + (turn_0 - vo_0_right) + turn_0_lo
     vo_1 = v_1 + turn_1
-    vo_1_lo = sum_error(v_1, turn_1, vo_1) + turn_1_lo
+    vo_1_right = vo_1 - v_1
+    vo_1_lo = v_1 - (vo_1 - vo_1_right) + (turn_1 - vo_1_right) + turn_1_lo
     vo_2 = v_2 + turn_2
-    vo_2_lo = sum_error(v_2, turn_2, vo_2) + turn_2_lo
+    vo_2_right = vo_2 - v_2
+    vo_2_lo = v_2 - (vo_2 - vo_2_right) + (turn_2 - vo_2_right) + turn_2_lo
     vo_0_rounded = vo_0 + vo_0_lo
     vo_1_rounded = vo_1 + vo_1_lo
     vo_2_rounded = vo_2 + vo_2_lo
@@ -668,109 +785,142 @@ def mat3x3_from_quaternion(q):
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-    41 mul, 80 add, 21 product error, 17 sum error, 2 div, 9 equal, 9 select.
+    41 mul, 117 add, 11 product error, 24 product rest, 2 div, 9 equal, 9 select.
     """
     q_0, q_1, q_2, q_3 = q
     squares_0 = q_0 * q_0
-    squares_0_lo = product_error(q_0, q_0, squares_0)
     squares_1 = q_1 * q_1
-    squares_1_lo = product_error(q_1, q_1, squares_1)
     squares_2 = q_2 * q_2
-    squares_2_lo = product_error(q_2, q_2, squares_2)
     squares_3 = q_3 * q_3
-    squares_3_lo = product_error(q_3, q_3, squares_3)
     pairs_0 = squares_0 + squares_1
-    pairs_0_lo = sum_error(squares_0, squares_1, pairs_0) + squares_0_lo + squares_1_lo
+    pairs_0_right = pairs_0 - squares_0
+    pairs_0_left_rest = product_rest(q_0, q_0, squares_0, pairs_0 - pairs_0_right)
+    pairs_0_lo = pairs_0_left_rest + product_rest(q_1, q_1, squares_1, pairs_0_right)
     pairs_1 = squares_2 + squares_3
-    pairs_1_lo = sum_error(squares_2, squares_3, pairs_1) + squares_2_lo + squares_3_lo
+    pairs_1_right = pairs_1 - squares_2
+    pairs_1_left_rest = product_rest(q_2, q_2, squares_2, pairs_1 - pairs_1_right)
+    pairs_1_lo = pairs_1_left_rest + product_rest(q_3, q_3, squares_3, pairs_1_right)
     pairs_2 = squares_0 + squares_2
-    pairs_2_lo = sum_error(squares_0, squares_2, pairs_2) + squares_0_lo + squares_2_lo
+    pairs_2_right = pairs_2 - squares_0
+    pairs_2_left_rest = product_rest(q_0, q_0, squares_0, pairs_2 - pairs_2_right)
+    pairs_2_lo = pairs_2_left_rest + product_rest(q_2, q_2, squares_2, pairs_2_right)
     pairs_3 = squares_1 + squares_3
+    pairs_3_right = pairs_3 - squares_1
+    pairs_3_left_rest = product_rest(q_1, q_1, squares_1, pairs_3 - pairs_3_right)
+    pairs_3_lo = pairs_3_left_rest + product_rest(q_3, q_3, squares_3, pairs_3_right)
     pairs_4 = squares_0 + squares_3
-    pairs_4_lo = sum_error(squares_0, squares_3, pairs_4) + squares_0_lo + squares_3_lo
+    pairs_4_right = pairs_4 - squares_0
+    pairs_4_left_rest = product_rest(q_0, q_0, squares_0, pairs_4 - pairs_4_right)
+    pairs_4_lo = pairs_4_left_rest + product_rest(q_3, q_3, squares_3, pairs_4_right)
     pairs_5 = squares_1 + squares_2
+    pairs_5_right = pairs_5 - squares_1
+    pairs_5_left_rest = product_rest(q_1, q_1, squares_1, pairs_5 - pairs_5_right)
+    pairs_5_lo = pairs_5_left_rest + product_rest(q_2, q_2, squares_2, pairs_5_right)
     square = pairs_0 + pairs_1
-    square_lo = sum_error(pairs_0, pairs_1, square) + pairs_0_lo + pairs_1_lo
+    square_right = square - pairs_0
+    square_lo2 = pairs_0 - (square - square_right) + (pairs_1 - square_right) + pairs_1_lo
+    square_lo = square_lo2 + pairs_0_lo
     factor_of_square = square + square_lo
+    factor_of_square_right = factor_of_square - square
+    factor_of_square_left_rest = square - (factor_of_square - factor_of_square_right)
+    factor_of_square_lo = factor_of_square_left_rest + (square_lo - factor_of_square_right)
     factor = 1 / factor_of_square
     factor_product = factor * factor_of_square
     factor_exact = 1 - factor_product - product_error(factor, factor_of_square, factor_product)
-    factor_residual = factor_exact - factor * sum_error(square, square_lo, factor_of_square)
+    factor_cross = factor * factor_of_square_lo
+    factor_residual = factor_exact - factor_cross
     factor_lo = factor_residual / factor_of_square
     d0 = pairs_0 - pairs_1
+    d0_right = pairs_0 - d0
+    d0_lo = pairs_0 - (d0 + d0_right) - (pairs_1 - d0_right) - pairs_1_lo + pairs_0_lo
     d1 = pairs_2 - pairs_3
-    d1_lo1 = difference_error(pairs_2, pairs_3, d1) + pairs_2_lo
-    d1_lo = d1_lo1 - (sum_error(squares_1, squares_3, pairs_3) + squares_1_lo + squares_3_lo)
+    d1_right = pairs_2 - d1
+    d1_lo2 = pairs_2 - (d1 + d1_right) - (pairs_3 - d1_right) - pairs_3_lo
+    d1_lo = d1_lo2 + pairs_2_lo
     d2 = pairs_4 - pairs_5
-    d2_lo1 = difference_error(pairs_4, pairs_5, d2) + pairs_4_lo
-    d2_lo = d2_lo1 - (sum_error(squares_1, squares_2, pairs_5) + squares_1_lo + squares_2_lo)
+    d2_right = pairs_4 - d2
+    d2_lo2 = pairs_4 - (d2 + d2_right) - (pairs_5 - d2_right) - pairs_5_lo
+    d2_lo = d2_lo2 + pairs_4_lo
     twice = 2 * factor
-    twice_lo = product_error(2, factor, twice) + 2 * factor_lo
     m_0a = q_1 * q_2
-    m_0a_lo = product_error(q_1, q_2, m_0a)
     m_0b = q_0 * q_3
-    m_0b_lo = product_error(q_0, q_3, m_0b)
     m_0 = m_0a - m_0b
+    m_0_right = m_0a - m_0
+    m_0_lo = product_rest(q_1, q_2, m_0a, m_0 + m_0_right) - product_rest(q_0, q_3, m_0b, m_0_right)
     m_1a = q_0 * q_2
-    m_1a_lo = product_error(q_0, q_2, m_1a)
     m_1b = q_1 * q_3
-    m_1b_lo = product_error(q_1, q_3, m_1b)
     m_1 = m_1a + m_1b
+    m_1_right = m_1 - m_1a
+    m_1_lo = product_rest(q_0, q_2, m_1a, m_1 - m_1_right) + product_rest(q_1, q_3, m_1b, m_1_right)
     m_2a = q_2 * q_3
-    m_2a_lo = product_error(q_2, q_3, m_2a)
     m_2b = q_0 * q_1
-    m_2b_lo = product_error(q_0, q_1, m_2b)
     m_2 = m_2a - m_2b
+    m_2_right = m_2a - m_2
+    m_2_lo = product_rest(q_2, q_3, m_2a, m_2 + m_2_right) - product_rest(q_0, q_1, m_2b, m_2_right)
     m_3 = m_0b + m_0a
+    m_3_right = m_3 - m_0b
+    m_3_lo = product_rest(q_0, q_3, m_0b, m_3 - m_3_right) + product_rest(q_1, q_2, m_0a, m_3_right)
     m_4 = m_1b - m_1a
+    m_4_right = m_1b - m_4
+    m_4_lo = product_rest(q_1, q_3, m_1b, m_4 + m_4_right) - product_rest(q_0, q_2, m_1a, m_4_right)
     m_5 = m_2b + m_2a
+    m_5_right = m_5 - m_2b
+    m_5_lo = product_rest(q_0, q_1, m_2b, m_5 - m_5_right) + product_rest(q_2, q_3, m_2a, m_5_right)
     R_00 = factor * d0
-    R_00_cross2 = factor * (difference_error(pairs_0, pairs_1, d0) + pairs_0_lo - pairs_1_lo)
-    R_00_lo = product_error(factor, d0, R_00) + factor_lo * d0 + R_00_cross2
+    R_00_cross2 = factor * d0_lo
+    R_00_cross = factor_lo * d0 + R_00_cross2
+    twice_lo = product_error(2, factor, twice) + 2 * factor_lo
     R_01 = twice * m_0
-    R_01_cross2 = twice * (difference_error(m_0a, m_0b, m_0) + m_0a_lo - m_0b_lo)
-    R_01_lo = product_error(twice, m_0, R_01) + twice_lo * m_0 + R_01_cross2
+    R_01_cross2 = twice * m_0_lo
+    R_01_cross = twice_lo * m_0 + R_01_cross2
     R_02 = twice * m_1
-    R_02_cross2 = twice * (sum_error(m_1a, m_1b, m_1) + m_1a_lo + m_1b_lo)
-    R_02_lo = product_error(twice, m_1, R_02) + twice_lo * m_1 + R_02_cross2
+    R_02_cross2 = twice * m_1_lo
+    R_02_cross = twice_lo * m_1 + R_02_cross2
     R_10 = twice * m_3
-    R_10_cross2 = twice * (sum_error(m_0b, m_0a, m_3) + m_0b_lo + m_0a_lo)
-    R_10_lo = product_error(twice, m_3, R_10) + twice_lo * m_3 + R_10_cross2
+    R_10_cross2 = twice * m_3_lo
+    R_10_cross = twice_lo * m_3 + R_10_cross2
     R_11 = factor * d1
     R_11_cross2 = factor * d1_lo
-    R_11_lo = product_error(factor, d1, R_11) + factor_lo * d1 + R_11_cross2
+    R_11_cross = factor_lo * d1 + R_11_cross2
     R_12 = twice * m_2
-    R_12_cross2 = twice * (difference_error(m_2a, m_2b, m_2) + m_2a_lo - m_2b_lo)
-    R_12_lo = product_error(twice, m_2, R_12) + twice_lo * m_2 + R_12_cross2
+    R_12_cross2 = twice * m_2_lo
+    R_12_cross = twice_lo * m_2 + R_12_cross2
     R_20 = twice * m_4
-    R_20_cross2 = twice * (difference_error(m_1b, m_1a, m_4) + m_1b_lo - m_1a_lo)
-    R_20_lo = product_error(twice, m_4, R_20) + twice_lo * m_4 + R_20_cross2
+    R_20_cross2 = twice * m_4_lo
+    R_20_cross = twice_lo * m_4 + R_20_cross2
     R_21 = twice * m_5
-    R_21_cross2 = twice * (sum_error(m_2b, m_2a, m_5) + m_2b_lo + m_2a_lo)
-    R_21_lo = product_error(twice, m_5, R_21) + twice_lo * m_5 + R_21_cross2
+    R_21_cross2 = twice * m_5_lo
+    R_21_cross = twice_lo * m_5 + R_21_cross2
     R_22 = factor * d2
     R_22_cross2 = factor * d2_lo
-    R_22_lo = product_error(factor, d2, R_22) + factor_lo * d2 + R_22_cross2
-    R_00_total = R_00 + R_00_lo
-    R_00_rounded = where(R_00_total == R_00_total, R_00_total, R_00)
-    R_01_total = R_01 + R_01_lo
-    R_01_rounded = where(R_01_total == R_01_total, R_01_total, R_01)
-    R_02_total = R_02 + R_02_lo
-    R_02_rounded = where(R_02_total == R_02_total, R_02_total, R_02)
-    R_10_total = R_10 + R_10_lo
-    R_10_rounded = where(R_10_total == R_10_total, R_10_total, R_10)
-    R_11_total = R_11 + R_11_lo
-    R_11_rounded = where(R_11_total == R_11_total, R_11_total, R_11)
-    R_12_total = R_12 + R_12_lo
-    R_12_rounded = where(R_12_total == R_12_total, R_12_total, R_12)
-    R_20_total = R_20 + R_20_lo
-    R_20_rounded = where(R_20_total == R_20_total, R_20_total, R_20)
-    R_21_total = R_21 + R_21_lo
-    R_21_rounded = where(R_21_total == R_21_total, R_21_total, R_21)
-    R_22_total = R_22 + R_22_lo
-    R_22_rounded = where(R_22_total == R_22_total, R_22_total, R_22)
-    return (R_00_rounded, R_01_rounded, R_02_rounded, R_10_rounded, R_11_rounded, R_12_rounded,
-        R_20_rounded, R_21_rounded, R_22_rounded)
+    R_22_cross = factor_lo * d2 + R_22_cross2
+    R_00_lo = product_error(factor, d0, R_00) + R_00_cross
+    R_00_rounded = R_00 + R_00_lo
+    R_01_lo = product_error(twice, m_0, R_01) + R_01_cross
+    R_01_rounded = R_01 + R_01_lo
+    R_02_lo = product_error(twice, m_1, R_02) + R_02_cross
+    R_02_rounded = R_02 + R_02_lo
+    R_10_lo = product_error(twice, m_3, R_10) + R_10_cross
+    R_10_rounded = R_10 + R_10_lo
+    R_11_lo = product_error(factor, d1, R_11) + R_11_cross
+    R_11_rounded = R_11 + R_11_lo
+    R_12_lo = product_error(twice, m_2, R_12) + R_12_cross
+    R_12_rounded = R_12 + R_12_lo
+    R_20_lo = product_error(twice, m_4, R_20) + R_20_cross
+    R_20_rounded = R_20 + R_20_lo
+    R_21_lo = product_error(twice, m_5, R_21) + R_21_cross
+    R_21_rounded = R_21 + R_21_lo
+    R_22_lo = product_error(factor, d2, R_22) + R_22_cross
+    R_22_rounded = R_22 + R_22_lo
+    return (where(R_00_rounded == R_00_rounded, R_00_rounded, R_00),
+        where(R_01_rounded == R_01_rounded, R_01_rounded, R_01),
+        where(R_02_rounded == R_02_rounded, R_02_rounded, R_02),
+        where(R_10_rounded == R_10_rounded, R_10_rounded, R_10),
+        where(R_11_rounded == R_11_rounded, R_11_rounded, R_11),
+        where(R_12_rounded == R_12_rounded, R_12_rounded, R_12),
+        where(R_20_rounded == R_20_rounded, R_20_rounded, R_20),
+        where(R_21_rounded == R_21_rounded, R_21_rounded, R_21),
+        where(R_22_rounded == R_22_rounded, R_22_rounded, R_22))
 
 
 @kernel("(3,3)->(4)")
@@ -778,41 +928,64 @@ def quaternion_from_mat3x3(R):
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-    21 mul, 73 add, 9 product error, 27 sum error, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
+    21 mul, 200 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
     select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
-    p_0_lo = difference_error(R_21, R_12, p_0)
+    p_0_right = R_21 - p_0
+    p_0_lo = R_21 - (p_0 + p_0_right) - (R_12 - p_0_right)
     p_1 = R_02 - R_20
-    p_1_lo = difference_error(R_02, R_20, p_1)
+    p_1_right = R_02 - p_1
+    p_1_lo = R_02 - (p_1 + p_1_right) - (R_20 - p_1_right)
     p_2 = R_10 - R_01
-    p_2_lo = difference_error(R_10, R_01, p_2)
+    p_2_right = R_10 - p_2
+    p_2_lo = R_10 - (p_2 + p_2_right) - (R_01 - p_2_right)
     s_0 = R_12 + R_21
-    s_0_lo = sum_error(R_12, R_21, s_0)
+    s_0_right = s_0 - R_12
+    s_0_lo = R_12 - (s_0 - s_0_right) + (R_21 - s_0_right)
     s_1 = R_02 + R_20
-    s_1_lo = sum_error(R_02, R_20, s_1)
+    s_1_right = s_1 - R_02
+    s_1_lo = R_02 - (s_1 - s_1_right) + (R_20 - s_1_right)
     s_2 = R_01 + R_10
-    s_2_lo = sum_error(R_01, R_10, s_2)
+    s_2_right = s_2 - R_01
+    s_2_lo = R_01 - (s_2 - s_2_right) + (R_10 - s_2_right)
     d_0a = R_00 + R_11
+    d_0a_right = d_0a - R_00
     d_0b = d_0a + R_22
+    d_0b_right = d_0b - d_0a
+    d_0b_lo1 = d_0a - (d_0b - d_0b_right) + (R_22 - d_0b_right)
+    d_0b_lo = d_0b_lo1 + (R_00 - (d_0a - d_0a_right) + (R_11 - d_0a_right))
     d_0 = d_0b + 1
-    d_0_lo = sum_error(d_0b, 1, d_0) + (sum_error(d_0a, R_22, d_0b) + sum_error(R_00, R_11, d_0a))
+    d_0_right = d_0 - d_0b
+    d_0_lo = d_0b - (d_0 - d_0_right) + (1 - d_0_right) + d_0b_lo
     d_1a = R_00 - R_11
+    d_1a_right = R_00 - d_1a
     d_1b = d_1a - R_22
-    d_1b_lo = difference_error(d_1a, R_22, d_1b) + difference_error(R_00, R_11, d_1a)
+    d_1b_right = d_1a - d_1b
+    d_1b_lo1 = d_1a - (d_1b + d_1b_right) - (R_22 - d_1b_right)
+    d_1b_lo = d_1b_lo1 + (R_00 - (d_1a + d_1a_right) - (R_11 - d_1a_right))
     d_1 = d_1b + 1
-    d_1_lo = sum_error(d_1b, 1, d_1) + d_1b_lo
+    d_1_right = d_1 - d_1b
+    d_1_lo = d_1b - (d_1 - d_1_right) + (1 - d_1_right) + d_1b_lo
     d_2a = R_11 - R_00
+    d_2a_right = R_11 - d_2a
     d_2b = d_2a - R_22
-    d_2b_lo = difference_error(d_2a, R_22, d_2b) + difference_error(R_11, R_00, d_2a)
+    d_2b_right = d_2a - d_2b
+    d_2b_lo1 = d_2a - (d_2b + d_2b_right) - (R_22 - d_2b_right)
+    d_2b_lo = d_2b_lo1 + (R_11 - (d_2a + d_2a_right) - (R_00 - d_2a_right))
     d_2 = d_2b + 1
-    d_2_lo = sum_error(d_2b, 1, d_2) + d_2b_lo
+    d_2_right = d_2 - d_2b
+    d_2_lo = d_2b - (d_2 - d_2_right) + (1 - d_2_right) + d_2b_lo
     d_3a = R_22 - R_00
+    d_3a_right = R_22 - d_3a
     d_3b = d_3a - R_11
-    d_3b_lo = difference_error(d_3a, R_11, d_3b) + difference_error(R_22, R_00, d_3a)
+    d_3b_right = d_3a - d_3b
+    d_3b_lo1 = d_3a - (d_3b + d_3b_right) - (R_11 - d_3b_right)
+    d_3b_lo = d_3b_lo1 + (R_22 - (d_3a + d_3a_right) - (R_00 - d_3a_right))
     d_3 = d_3b + 1
-    d_3_lo = sum_error(d_3b, 1, d_3) + d_3b_lo
+    d_3_right = d_3 - d_3b
+    d_3_lo = d_3b - (d_3 - d_3_right) + (1 - d_3_right) + d_3b_lo
     low_0 = where(R_11 < R_00, p_0, p_1)
     low_1 = where(R_11 < R_00, d_1, s_2)
     low_1_lo = where(R_11 < R_00, d_1_lo, s_2_lo)
@@ -842,72 +1015,90 @@ def quaternion_from_mat3x3(R):
     upper_3 = where(column_0 < 0, -column_3, column_3)
     upper_3_lo = where(column_0 < 0, -column_3_lo, column_3_lo)
     length_a = upper_0 * upper_0
-    length_a_lo1 = product_error(upper_0, upper_0, length_a) + upper_0_lo * upper_0
-    length_a_lo = length_a_lo1 + upper_0 * upper_0_lo
+    length_a_cross = upper_0_lo * upper_0 + upper_0 * upper_0_lo
     length_b = upper_1 * upper_1
-    length_b_lo1 = product_error(upper_1, upper_1, length_b) + upper_1_lo * upper_1
-    length_b_lo = length_b_lo1 + upper_1 * upper_1_lo
     length_c = length_a + length_b
-    length_c_lo1 = sum_error(length_a, length_b, length_c) + length_a_lo
-    length_c_lo = length_c_lo1 + length_b_lo
+    length_c_right = length_c - length_a
+    length_c_left_rest = product_rest(upper_0, upper_0, length_a, length_c - length_c_right)
+    length_c_cross = length_a_cross + (upper_1_lo * upper_1 + upper_1 * upper_1_lo)
+    length_c_lo1 = length_c_left_rest + product_rest(upper_1, upper_1, length_b, length_c_right)
+    length_c_lo = length_c_lo1 + length_c_cross
     length_d = upper_2 * upper_2
-    length_d_lo1 = product_error(upper_2, upper_2, length_d) + upper_2_lo * upper_2
-    length_d_lo = length_d_lo1 + upper_2 * upper_2_lo
     length_e = length_c + length_d
-    length_e_lo1 = sum_error(length_c, length_d, length_e) + length_c_lo
-    length_e_lo = length_e_lo1 + length_d_lo
+    length_e_right = length_e - length_c
+    length_e_right_rest = product_rest(upper_2, upper_2, length_d, length_e_right)
+    length_e_lo1 = length_c - (length_e - length_e_right) + length_e_right_rest
+    length_e_lo2 = length_e_lo1 + (upper_2_lo * upper_2 + upper_2 * upper_2_lo)
+    length_e_lo = length_e_lo2 + length_c_lo
     length_f = upper_3 * upper_3
-    length_f_lo1 = product_error(upper_3, upper_3, length_f) + upper_3_lo * upper_3
-    length_f_lo = length_f_lo1 + upper_3 * upper_3_lo
     length_g = length_e + length_f
-    length_g_lo1 = sum_error(length_e, length_f, length_g) + length_e_lo
-    length_g_lo = length_g_lo1 + length_f_lo
+    length_g_right = length_g - length_e
+    length_g_right_rest = product_rest(upper_3, upper_3, length_f, length_g_right)
+    length_g_lo1 = length_e - (length_g - length_g_right) + length_g_right_rest
+    length_g_lo2 = length_g_lo1 + (upper_3_lo * upper_3 + upper_3 * upper_3_lo)
+    length_g_lo = length_g_lo2 + length_e_lo
     length_of_length_g = length_g + length_g_lo
+    length_of_length_g_right = length_of_length_g - length_g
+    length_of_length_g_left_rest = length_g - (length_of_length_g - length_of_length_g_right)
+    length_of_length_g_lo = length_of_length_g_left_rest + (length_g_lo - length_of_length_g_right)
     length = sqrt(length_of_length_g)
     length_product = length * length
     length_product_error = product_error(length, length, length_product)
     length_exact = length_of_length_g - length_product - length_product_error
-    length_residual = length_exact + sum_error(length_g, length_g_lo, length_of_length_g)
+    length_residual = length_exact + length_of_length_g_lo
     length_lo = length_residual / where(length == 0, 1, length + length)
     qo_0_of_upper_0 = upper_0 + upper_0_lo
+    qo_0_of_upper_0_right = qo_0_of_upper_0 - upper_0
+    qo_0_of_upper_0_left_rest = upper_0 - (qo_0_of_upper_0 - qo_0_of_upper_0_right)
+    qo_0_of_upper_0_lo = qo_0_of_upper_0_left_rest + (upper_0_lo - qo_0_of_upper_0_right)
     qo_0_of_length = length + length_lo
-    qo_0_of_length_lo = sum_error(length, length_lo, qo_0_of_length)
+    qo_0_of_length_right = qo_0_of_length - length
+    qo_0_of_length_left_rest = length - (qo_0_of_length - qo_0_of_length_right)
+    qo_0_of_length_lo = qo_0_of_length_left_rest + (length_lo - qo_0_of_length_right)
     qo_0 = qo_0_of_upper_0 / qo_0_of_length
     qo_0_product = qo_0 * qo_0_of_length
     qo_0_exact = qo_0_of_upper_0 - qo_0_product - product_error(qo_0, qo_0_of_length, qo_0_product)
-    qo_0_lo1 = qo_0_exact + sum_error(upper_0, upper_0_lo, qo_0_of_upper_0)
-    qo_0_residual = qo_0_lo1 - qo_0 * qo_0_of_length_lo
+    qo_0_numerator = qo_0_exact + qo_0_of_upper_0_lo
+    qo_0_residual = qo_0_numerator - qo_0 * qo_0_of_length_lo
     qo_0_lo = qo_0_residual / qo_0_of_length
     qo_1_of_upper_1 = upper_1 + upper_1_lo
+    qo_1_of_upper_1_right = qo_1_of_upper_1 - upper_1
+    qo_1_of_upper_1_left_rest = upper_1 - (qo_1_of_upper_1 - qo_1_of_upper_1_right)
+    qo_1_of_upper_1_lo = qo_1_of_upper_1_left_rest + (upper_1_lo - qo_1_of_upper_1_right)
     qo_1 = qo_1_of_upper_1 / qo_0_of_length
     qo_1_product = qo_1 * qo_0_of_length
     qo_1_exact = qo_1_of_upper_1 - qo_1_product - product_error(qo_1, qo_0_of_length, qo_1_product)
-    qo_1_lo1 = qo_1_exact + sum_error(upper_1, upper_1_lo, qo_1_of_upper_1)
-    qo_1_residual = qo_1_lo1 - qo_1 * qo_0_of_length_lo
+    qo_1_numerator = qo_1_exact + qo_1_of_upper_1_lo
+    qo_1_residual = qo_1_numerator - qo_1 * qo_0_of_length_lo
     qo_1_lo = qo_1_residual / qo_0_of_length
     qo_2_of_upper_2 = upper_2 + upper_2_lo
+    qo_2_of_upper_2_right = qo_2_of_upper_2 - upper_2
+    qo_2_of_upper_2_left_rest = upper_2 - (qo_2_of_upper_2 - qo_2_of_upper_2_right)
+    qo_2_of_upper_2_lo = qo_2_of_upper_2_left_rest + (upper_2_lo - qo_2_of_upper_2_right)
     qo_2 = qo_2_of_upper_2 / qo_0_of_length
     qo_2_product = qo_2 * qo_0_of_length
     qo_2_exact = qo_2_of_upper_2 - qo_2_product - product_error(qo_2, qo_0_of_length, qo_2_product)
-    qo_2_lo1 = qo_2_exact + sum_error(upper_2, upper_2_lo, qo_2_of_upper_2)
-    qo_2_residual = qo_2_lo1 - qo_2 * qo_0_of_length_lo
+    qo_2_numerator = qo_2_exact + qo_2_of_upper_2_lo
+    qo_2_residual = qo_2_numerator - qo_2 * qo_0_of_length_lo
     qo_2_lo = qo_2_residual / qo_0_of_length
     qo_3_of_upper_3 = upper_3 + upper_3_lo
+    qo_3_of_upper_3_right = qo_3_of_upper_3 - upper_3
+    qo_3_of_upper_3_left_rest = upper_3 - (qo_3_of_upper_3 - qo_3_of_upper_3_right)
+    qo_3_of_upper_3_lo = qo_3_of_upper_3_left_rest + (upper_3_lo - qo_3_of_upper_3_right)
     qo_3 = qo_3_of_upper_3 / qo_0_of_length
     qo_3_product = qo_3 * qo_0_of_length
     qo_3_exact = qo_3_of_upper_3 - qo_3_product - product_error(qo_3, qo_0_of_length, qo_3_product)
-    qo_3_lo1 = qo_3_exact + sum_error(upper_3, upper_3_lo, qo_3_of_upper_3)
-    qo_3_residual = qo_3_lo1 - qo_3 * qo_0_of_length_lo
+    qo_3_numerator = qo_3_exact + qo_3_of_upper_3_lo
+    qo_3_residual = qo_3_numerator - qo_3 * qo_0_of_length_lo
     qo_3_lo = qo_3_residual / qo_0_of_length
-    qo_0_total = qo_0 + qo_0_lo
-    qo_0_rounded = where(qo_0_total == qo_0_total, qo_0_total, qo_0)
-    qo_1_total = qo_1 + qo_1_lo
-    qo_1_rounded = where(qo_1_total == qo_1_total, qo_1_total, qo_1)
-    qo_2_total = qo_2 + qo_2_lo
-    qo_2_rounded = where(qo_2_total == qo_2_total, qo_2_total, qo_2)
-    qo_3_total = qo_3 + qo_3_lo
-    qo_3_rounded = where(qo_3_total == qo_3_total, qo_3_total, qo_3)
-    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (where(qo_0_rounded == qo_0_rounded, qo_0_rounded, qo_0),
+        where(qo_1_rounded == qo_1_rounded, qo_1_rounded, qo_1),
+        where(qo_2_rounded == qo_2_rounded, qo_2_rounded, qo_2),
+        where(qo_3_rounded == qo_3_rounded, qo_3_rounded, qo_3))
 
 
 @kernel("(4)->(),(3)")
@@ -916,8 +1107,8 @@ def axis_angle_from_quaternion(q):
     angle = 0; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.
-    21 mul, 31 add, 8 product error, 6 sum error, 9 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less,
-    7 equal, 20 select.
+    22 mul, 56 add, 5 product error, 3 product rest, 9 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7
+    less, 7 equal, 20 select.
     """
     q_0, q_1, q_2, q_3 = q
     upper_0 = where(q_0 < 0, -q_0, q_0)
@@ -937,31 +1128,41 @@ def axis_angle_from_quaternion(q):
     v_n_a = v_y_0 * v_y_0
     v_n_b = v_y_1 * v_y_1
     v_n_c = v_n_a + v_n_b
-    v_n_c_lo1 = sum_error(v_n_a, v_n_b, v_n_c) + product_error(v_y_0, v_y_0, v_n_a)
-    v_n_c_lo = v_n_c_lo1 + product_error(v_y_1, v_y_1, v_n_b)
+    v_n_c_right = v_n_c - v_n_a
+    v_n_c_left_rest = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right)
+    v_n_c_lo = v_n_c_left_rest + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right)
     v_n_d = v_y_2 * v_y_2
     v_n_e = v_n_c + v_n_d
-    v_n_e_lo1 = sum_error(v_n_c, v_n_d, v_n_e) + v_n_c_lo
-    v_n_e_lo = v_n_e_lo1 + product_error(v_y_2, v_y_2, v_n_d)
+    v_n_e_right = v_n_e - v_n_c
+    v_n_e_lo1 = v_n_c - (v_n_e - v_n_e_right) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right)
+    v_n_e_lo = v_n_e_lo1 + v_n_c_lo
     v_n_of_v_n_e = v_n_e + v_n_e_lo
+    v_n_of_v_n_e_right = v_n_of_v_n_e - v_n_e
+    v_n_of_v_n_e_lo = v_n_e - (v_n_of_v_n_e - v_n_of_v_n_e_right) + (v_n_e_lo - v_n_of_v_n_e_right)
     v_n = sqrt(v_n_of_v_n_e)
     v_n_product = v_n * v_n
     v_n_exact = v_n_of_v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
-    v_n_residual = v_n_exact + sum_error(v_n_e, v_n_e_lo, v_n_of_v_n_e)
+    v_n_residual = v_n_exact + v_n_of_v_n_e_lo
     v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
     v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
     v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
     n_of_v_n = v_n + v_n_lo
+    n_of_v_n_right = n_of_v_n - v_n
     n = n_of_v_n * v_r
     n_lost = n_of_v_n - n * (1 / v_r)
-    n_lo = where(n_lost == 0, 0, (n_lost + sum_error(v_n, v_n_lo, n_of_v_n)) * v_r)
+    n_small = (n_lost + (v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right))) * v_r
+    n_lo = where(n_lost == 0, 0, n_small)
     half_of_n = n + n_lo
-    half_of_n_lo = sum_error(n, n_lo, half_of_n)
+    half_of_n_right = half_of_n - n
+    half_of_n_lo = n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right)
     half = arctan2(half_of_n, upper_0)
+    half_lo = (upper_0 * half_of_n_lo - half_of_n * 0) / (upper_0 * upper_0 + half_of_n * half_of_n)
     divisor = where(half_of_n == 0, 1, half_of_n)
     divisor_lo = where(half_of_n == 0, 0, half_of_n_lo)
     unit_0_of_divisor = divisor + divisor_lo
-    unit_0_of_divisor_lo = sum_error(divisor, divisor_lo, unit_0_of_divisor)
+    unit_0_of_divisor_right = unit_0_of_divisor - divisor
+    unit_0_of_divisor_left_rest = divisor - (unit_0_of_divisor - unit_0_of_divisor_right)
+    unit_0_of_divisor_lo = unit_0_of_divisor_left_rest + (divisor_lo - unit_0_of_divisor_right)
     unit_0 = upper_1 / unit_0_of_divisor
     unit_0_product = unit_0 * unit_0_of_divisor
     unit_0_product_error = product_error(unit_0, unit_0_of_divisor, unit_0_product)
@@ -981,19 +1182,18 @@ def axis_angle_from_quaternion(q):
     unit_2_residual = unit_2_exact - unit_2 * unit_0_of_divisor_lo
     unit_2_lo = unit_2_residual / unit_0_of_divisor
     angle = 2 * half
-    angle_cross1 = 2 * (upper_0 * half_of_n_lo / (upper_0 * upper_0 + half_of_n * half_of_n))
-    angle_lo = product_error(2, half, angle) + angle_cross1
+    angle_cross2 = 2 * half_lo
     axis_0 = where(half_of_n == 0, 1, unit_0)
     axis_0_lo = where(half_of_n == 0, 0, unit_0_lo)
-    angle_total = angle + angle_lo
-    angle_rounded = where(angle_total == angle_total, angle_total, angle)
-    axis_0_total = axis_0 + axis_0_lo
-    axis_0_rounded = where(axis_0_total == axis_0_total, axis_0_total, axis_0)
-    unit_1_total = unit_1 + unit_1_lo
-    unit_1_rounded = where(unit_1_total == unit_1_total, unit_1_total, unit_1)
-    unit_2_total = unit_2 + unit_2_lo
-    unit_2_rounded = where(unit_2_total == unit_2_total, unit_2_total, unit_2)
-    return (angle_rounded, axis_0_rounded, unit_1_rounded, unit_2_rounded)
+    angle_lo = product_error(2, half, angle) + angle_cross2
+    angle_rounded = angle + angle_lo
+    axis_0_rounded = axis_0 + axis_0_lo
+    unit_1_rounded = unit_1 + unit_1_lo
+    unit_2_rounded = unit_2 + unit_2_lo
+    return (where(angle_rounded == angle_rounded, angle_rounded, angle),
+        where(axis_0_rounded == axis_0_rounded, axis_0_rounded, axis_0),
+        where(unit_1_rounded == unit_1_rounded, unit_1_rounded, unit_1),
+        where(unit_2_rounded == unit_2_rounded, unit_2_rounded, unit_2))
 
 
 @kernel("(4)->(3)")
@@ -1002,8 +1202,8 @@ def quaternion_log(q):
     it.
 
     (4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.
-    23 mul, 29 add, 9 product error, 7 sum error, 5 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less,
-    6 equal, 17 select.
+    24 mul, 59 add, 6 product error, 3 product rest, 5 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7
+    less, 6 equal, 17 select.
     """
     q_0, q_1, q_2, q_3 = q
     upper_0 = where(q_0 < 0, -q_0, q_0)
@@ -1023,47 +1223,60 @@ def quaternion_log(q):
     v_n_a = v_y_0 * v_y_0
     v_n_b = v_y_1 * v_y_1
     v_n_c = v_n_a + v_n_b
-    v_n_c_lo1 = sum_error(v_n_a, v_n_b, v_n_c) + product_error(v_y_0, v_y_0, v_n_a)
-    v_n_c_lo = v_n_c_lo1 + product_error(v_y_1, v_y_1, v_n_b)
+    v_n_c_right = v_n_c - v_n_a
+    v_n_c_left_rest = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right)
+    v_n_c_lo = v_n_c_left_rest + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right)
     v_n_d = v_y_2 * v_y_2
     v_n_e = v_n_c + v_n_d
-    v_n_e_lo1 = sum_error(v_n_c, v_n_d, v_n_e) + v_n_c_lo
-    v_n_e_lo = v_n_e_lo1 + product_error(v_y_2, v_y_2, v_n_d)
+    v_n_e_right = v_n_e - v_n_c
+    v_n_e_lo1 = v_n_c - (v_n_e - v_n_e_right) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right)
+    v_n_e_lo = v_n_e_lo1 + v_n_c_lo
     v_n_of_v_n_e = v_n_e + v_n_e_lo
+    v_n_of_v_n_e_right = v_n_of_v_n_e - v_n_e
+    v_n_of_v_n_e_lo = v_n_e - (v_n_of_v_n_e - v_n_of_v_n_e_right) + (v_n_e_lo - v_n_of_v_n_e_right)
     v_n = sqrt(v_n_of_v_n_e)
     v_n_product = v_n * v_n
     v_n_exact = v_n_of_v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
-    v_n_residual = v_n_exact + sum_error(v_n_e, v_n_e_lo, v_n_of_v_n_e)
+    v_n_residual = v_n_exact + v_n_of_v_n_e_lo
     v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
     v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
     v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
     n_of_v_n = v_n + v_n_lo
+    n_of_v_n_right = n_of_v_n - v_n
     n = n_of_v_n * v_r
     n_lost = n_of_v_n - n * (1 / v_r)
-    n_lo = where(n_lost == 0, 0, (n_lost + sum_error(v_n, v_n_lo, n_of_v_n)) * v_r)
+    n_small = (n_lost + (v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right))) * v_r
+    n_lo = where(n_lost == 0, 0, n_small)
     half_of_n = n + n_lo
-    half_of_n_lo = sum_error(n, n_lo, half_of_n)
+    half_of_n_right = half_of_n - n
+    half_of_n_lo = n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right)
     half = arctan2(half_of_n, upper_0)
+    half_lo = (upper_0 * half_of_n_lo - half_of_n * 0) / (upper_0 * upper_0 + half_of_n * half_of_n)
     divisor = where(half_of_n == 0, 1, half_of_n)
     divisor_lo = where(half_of_n == 0, 0, half_of_n_lo)
     theta = 2 * half
-    theta_cross1 = 2 * (upper_0 * half_of_n_lo / (upper_0 * upper_0 + half_of_n * half_of_n))
-    theta_lo = product_error(2, half, theta) + theta_cross1
+    theta_cross2 = 2 * half_lo
+    theta_lo = product_error(2, half, theta) + theta_cross2
     k_of_theta = theta + theta_lo
+    k_of_theta_right = k_of_theta - theta
+    k_of_theta_lo = theta - (k_of_theta - k_of_theta_right) + (theta_lo - k_of_theta_right)
     k_of_divisor = divisor + divisor_lo
+    k_of_divisor_right = k_of_divisor - divisor
+    k_of_divisor_left_rest = divisor - (k_of_divisor - k_of_divisor_right)
+    k_of_divisor_lo = k_of_divisor_left_rest + (divisor_lo - k_of_divisor_right)
     k = k_of_theta / k_of_divisor
     k_product = k * k_of_divisor
     k_exact = k_of_theta - k_product - product_error(k, k_of_divisor, k_product)
-    k_lo1 = k_exact + sum_error(theta, theta_lo, k_of_theta)
-    k_residual = k_lo1 - k * sum_error(divisor, divisor_lo, k_of_divisor)
+    k_numerator = k_exact + k_of_theta_lo
+    k_cross = k * k_of_divisor_lo
+    k_residual = k_numerator - k_cross
     k_lo = k_residual / k_of_divisor
     vector_0 = upper_1 * k
     vector_1 = upper_2 * k
     vector_2 = upper_3 * k
-    vector_0_total = vector_0 + (product_error(upper_1, k, vector_0) + upper_1 * k_lo)
-    vector_0_rounded = where(vector_0_total == vector_0_total, vector_0_total, vector_0)
-    vector_1_total = vector_1 + (product_error(upper_2, k, vector_1) + upper_2 * k_lo)
-    vector_1_rounded = where(vector_1_total == vector_1_total, vector_1_total, vector_1)
-    vector_2_total = vector_2 + (product_error(upper_3, k, vector_2) + upper_3 * k_lo)
-    vector_2_rounded = where(vector_2_total == vector_2_total, vector_2_total, vector_2)
-    return (vector_0_rounded, vector_1_rounded, vector_2_rounded)
+    vector_0_rounded = vector_0 + (product_error(upper_1, k, vector_0) + upper_1 * k_lo)
+    vector_1_rounded = vector_1 + (product_error(upper_2, k, vector_1) + upper_2 * k_lo)
+    vector_2_rounded = vector_2 + (product_error(upper_3, k, vector_2) + upper_3 * k_lo)
+    return (where(vector_0_rounded == vector_0_rounded, vector_0_rounded, vector_0),
+        where(vector_1_rounded == vector_1_rounded, vector_1_rounded, vector_1),
+        where(vector_2_rounded == vector_2_rounded, vector_2_rounded, vector_2))

@@ -5,7 +5,7 @@ In double precision, accurate tier.
 """
 
 from numpy import absolute, float64, sqrt, where
-from coscrew._exact import difference_error, product_error, sum_error
+from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
 
 
@@ -38,29 +38,35 @@ def axpy_ss(a, x, y):
     """y = a x + y.
 
     (),(6),(6)->(6).  a: number; x, y: screw (v in m/s; ω in rad/s).
-    6 mul, 18 add, 6 product error, 6 sum error.  Error <= u |result| + 2 u^2 S, S the sum of
-    the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest.  Error <= u |result| + 3 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
     x_0, x_1, x_2, x_3, x_4, x_5 = x
     y_0, y_1, y_2, y_3, y_4, y_5 = y
     y_0_new_a = a * x_0
     y_0_new = y_0_new_a + y_0
-    y_0_new_lo = sum_error(y_0_new_a, y_0, y_0_new) + product_error(a, x_0, y_0_new_a)
+    y_0_new_right = y_0_new - y_0_new_a
+    y_0_new_lo = product_rest(a, x_0, y_0_new_a, y_0_new - y_0_new_right) + (y_0 - y_0_new_right)
     y_1_new_a = a * x_1
     y_1_new = y_1_new_a + y_1
-    y_1_new_lo = sum_error(y_1_new_a, y_1, y_1_new) + product_error(a, x_1, y_1_new_a)
+    y_1_new_right = y_1_new - y_1_new_a
+    y_1_new_lo = product_rest(a, x_1, y_1_new_a, y_1_new - y_1_new_right) + (y_1 - y_1_new_right)
     y_2_new_a = a * x_2
     y_2_new = y_2_new_a + y_2
-    y_2_new_lo = sum_error(y_2_new_a, y_2, y_2_new) + product_error(a, x_2, y_2_new_a)
+    y_2_new_right = y_2_new - y_2_new_a
+    y_2_new_lo = product_rest(a, x_2, y_2_new_a, y_2_new - y_2_new_right) + (y_2 - y_2_new_right)
     y_3_new_a = a * x_3
     y_3_new = y_3_new_a + y_3
-    y_3_new_lo = sum_error(y_3_new_a, y_3, y_3_new) + product_error(a, x_3, y_3_new_a)
+    y_3_new_right = y_3_new - y_3_new_a
+    y_3_new_lo = product_rest(a, x_3, y_3_new_a, y_3_new - y_3_new_right) + (y_3 - y_3_new_right)
     y_4_new_a = a * x_4
     y_4_new = y_4_new_a + y_4
-    y_4_new_lo = sum_error(y_4_new_a, y_4, y_4_new) + product_error(a, x_4, y_4_new_a)
+    y_4_new_right = y_4_new - y_4_new_a
+    y_4_new_lo = product_rest(a, x_4, y_4_new_a, y_4_new - y_4_new_right) + (y_4 - y_4_new_right)
     y_5_new_a = a * x_5
     y_5_new = y_5_new_a + y_5
-    y_5_new_lo = sum_error(y_5_new_a, y_5, y_5_new) + product_error(a, x_5, y_5_new_a)
+    y_5_new_right = y_5_new - y_5_new_a
+    y_5_new_lo = product_rest(a, x_5, y_5_new_a, y_5_new - y_5_new_right) + (y_5 - y_5_new_right)
     y_0_new_rounded = y_0_new + y_0_new_lo
     y_1_new_rounded = y_1_new + y_1_new_lo
     y_2_new_rounded = y_2_new + y_2_new_lo
@@ -76,22 +82,28 @@ def xpy_ss(x, y):
     """y = x + y.
 
     (6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).
-    12 add, 6 sum error.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
     x_0, x_1, x_2, x_3, x_4, x_5 = x
     y_0, y_1, y_2, y_3, y_4, y_5 = y
     y_0_new = x_0 + y_0
+    y_0_new_right = y_0_new - x_0
     y_1_new = x_1 + y_1
+    y_1_new_right = y_1_new - x_1
     y_2_new = x_2 + y_2
+    y_2_new_right = y_2_new - x_2
     y_3_new = x_3 + y_3
+    y_3_new_right = y_3_new - x_3
     y_4_new = x_4 + y_4
+    y_4_new_right = y_4_new - x_4
     y_5_new = x_5 + y_5
-    y_0_new_rounded = y_0_new + sum_error(x_0, y_0, y_0_new)
-    y_1_new_rounded = y_1_new + sum_error(x_1, y_1, y_1_new)
-    y_2_new_rounded = y_2_new + sum_error(x_2, y_2, y_2_new)
-    y_3_new_rounded = y_3_new + sum_error(x_3, y_3, y_3_new)
-    y_4_new_rounded = y_4_new + sum_error(x_4, y_4, y_4_new)
-    y_5_new_rounded = y_5_new + sum_error(x_5, y_5, y_5_new)
+    y_5_new_right = y_5_new - x_5
+    y_0_new_rounded = y_0_new + (x_0 - (y_0_new - y_0_new_right) + (y_0 - y_0_new_right))
+    y_1_new_rounded = y_1_new + (x_1 - (y_1_new - y_1_new_right) + (y_1 - y_1_new_right))
+    y_2_new_rounded = y_2_new + (x_2 - (y_2_new - y_2_new_right) + (y_2 - y_2_new_right))
+    y_3_new_rounded = y_3_new + (x_3 - (y_3_new - y_3_new_right) + (y_3 - y_3_new_right))
+    y_4_new_rounded = y_4_new + (x_4 - (y_4_new - y_4_new_right) + (y_4 - y_4_new_right))
+    y_5_new_rounded = y_5_new + (x_5 - (y_5_new - y_5_new_right) + (y_5 - y_5_new_right))
     return (y_0_new_rounded, y_1_new_rounded, y_2_new_rounded, y_3_new_rounded, y_4_new_rounded,
         y_5_new_rounded)
 
@@ -101,22 +113,28 @@ def nxpy_ss(x, y):
     """y = -x + y.
 
     (6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).
-    12 add, 6 sum error.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
     x_0, x_1, x_2, x_3, x_4, x_5 = x
     y_0, y_1, y_2, y_3, y_4, y_5 = y
     y_0_new = y_0 - x_0
+    y_0_new_right = y_0 - y_0_new
     y_1_new = y_1 - x_1
+    y_1_new_right = y_1 - y_1_new
     y_2_new = y_2 - x_2
+    y_2_new_right = y_2 - y_2_new
     y_3_new = y_3 - x_3
+    y_3_new_right = y_3 - y_3_new
     y_4_new = y_4 - x_4
+    y_4_new_right = y_4 - y_4_new
     y_5_new = y_5 - x_5
-    y_0_new_rounded = y_0_new + difference_error(y_0, x_0, y_0_new)
-    y_1_new_rounded = y_1_new + difference_error(y_1, x_1, y_1_new)
-    y_2_new_rounded = y_2_new + difference_error(y_2, x_2, y_2_new)
-    y_3_new_rounded = y_3_new + difference_error(y_3, x_3, y_3_new)
-    y_4_new_rounded = y_4_new + difference_error(y_4, x_4, y_4_new)
-    y_5_new_rounded = y_5_new + difference_error(y_5, x_5, y_5_new)
+    y_5_new_right = y_5 - y_5_new
+    y_0_new_rounded = y_0_new + (y_0 - (y_0_new + y_0_new_right) - (x_0 - y_0_new_right))
+    y_1_new_rounded = y_1_new + (y_1 - (y_1_new + y_1_new_right) - (x_1 - y_1_new_right))
+    y_2_new_rounded = y_2_new + (y_2 - (y_2_new + y_2_new_right) - (x_2 - y_2_new_right))
+    y_3_new_rounded = y_3_new + (y_3 - (y_3_new + y_3_new_right) - (x_3 - y_3_new_right))
+    y_4_new_rounded = y_4_new + (y_4 - (y_4_new + y_4_new_right) - (x_4 - y_4_new_right))
+    y_5_new_rounded = y_5_new + (y_5 - (y_5_new + y_5_new_right) - (x_5 - y_5_new_right))
     return (y_0_new_rounded, y_1_new_rounded, y_2_new_rounded, y_3_new_rounded, y_4_new_rounded,
         y_5_new_rounded)
 
@@ -149,22 +167,28 @@ def add_ss(s1, s2):
     """so = s1 + s2.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    12 add, 6 sum error.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
     s1_0, s1_1, s1_2, s1_3, s1_4, s1_5 = s1
     s2_0, s2_1, s2_2, s2_3, s2_4, s2_5 = s2
     so_0 = s1_0 + s2_0
+    so_0_right = so_0 - s1_0
     so_1 = s1_1 + s2_1
+    so_1_right = so_1 - s1_1
     so_2 = s1_2 + s2_2
+    so_2_right = so_2 - s1_2
     so_3 = s1_3 + s2_3
+    so_3_right = so_3 - s1_3
     so_4 = s1_4 + s2_4
+    so_4_right = so_4 - s1_4
     so_5 = s1_5 + s2_5
-    so_0_rounded = so_0 + sum_error(s1_0, s2_0, so_0)
-    so_1_rounded = so_1 + sum_error(s1_1, s2_1, so_1)
-    so_2_rounded = so_2 + sum_error(s1_2, s2_2, so_2)
-    so_3_rounded = so_3 + sum_error(s1_3, s2_3, so_3)
-    so_4_rounded = so_4 + sum_error(s1_4, s2_4, so_4)
-    so_5_rounded = so_5 + sum_error(s1_5, s2_5, so_5)
+    so_5_right = so_5 - s1_5
+    so_0_rounded = so_0 + (s1_0 - (so_0 - so_0_right) + (s2_0 - so_0_right))
+    so_1_rounded = so_1 + (s1_1 - (so_1 - so_1_right) + (s2_1 - so_1_right))
+    so_2_rounded = so_2 + (s1_2 - (so_2 - so_2_right) + (s2_2 - so_2_right))
+    so_3_rounded = so_3 + (s1_3 - (so_3 - so_3_right) + (s2_3 - so_3_right))
+    so_4_rounded = so_4 + (s1_4 - (so_4 - so_4_right) + (s2_4 - so_4_right))
+    so_5_rounded = so_5 + (s1_5 - (so_5 - so_5_right) + (s2_5 - so_5_right))
     return (so_0_rounded, so_1_rounded, so_2_rounded, so_3_rounded, so_4_rounded, so_5_rounded)
 
 
@@ -173,22 +197,28 @@ def subtract_ss(s1, s2):
     """so = s1 - s2.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    12 add, 6 sum error.  Error <= u |result|, barring over- and underflow.
+    42 add.  Error <= u |result|, barring over- and underflow.
     """
     s1_0, s1_1, s1_2, s1_3, s1_4, s1_5 = s1
     s2_0, s2_1, s2_2, s2_3, s2_4, s2_5 = s2
     so_0 = s1_0 - s2_0
+    so_0_right = s1_0 - so_0
     so_1 = s1_1 - s2_1
+    so_1_right = s1_1 - so_1
     so_2 = s1_2 - s2_2
+    so_2_right = s1_2 - so_2
     so_3 = s1_3 - s2_3
+    so_3_right = s1_3 - so_3
     so_4 = s1_4 - s2_4
+    so_4_right = s1_4 - so_4
     so_5 = s1_5 - s2_5
-    so_0_rounded = so_0 + difference_error(s1_0, s2_0, so_0)
-    so_1_rounded = so_1 + difference_error(s1_1, s2_1, so_1)
-    so_2_rounded = so_2 + difference_error(s1_2, s2_2, so_2)
-    so_3_rounded = so_3 + difference_error(s1_3, s2_3, so_3)
-    so_4_rounded = so_4 + difference_error(s1_4, s2_4, so_4)
-    so_5_rounded = so_5 + difference_error(s1_5, s2_5, so_5)
+    so_5_right = s1_5 - so_5
+    so_0_rounded = so_0 + (s1_0 - (so_0 + so_0_right) - (s2_0 - so_0_right))
+    so_1_rounded = so_1 + (s1_1 - (so_1 + so_1_right) - (s2_1 - so_1_right))
+    so_2_rounded = so_2 + (s1_2 - (so_2 + so_2_right) - (s2_2 - so_2_right))
+    so_3_rounded = so_3 + (s1_3 - (so_3 + so_3_right) - (s2_3 - so_3_right))
+    so_4_rounded = so_4 + (s1_4 - (so_4 + so_4_right) - (s2_4 - so_4_right))
+    so_5_rounded = so_5 + (s1_5 - (so_5 + so_5_right) - (s2_5 - so_5_right))
     return (so_0_rounded, so_1_rounded, so_2_rounded, so_3_rounded, so_4_rounded, so_5_rounded)
 
 
@@ -197,7 +227,7 @@ def screw_norm(si):
     """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  si: screw (v in m/s; ω in rad/s); norm: number.
-    10 mul, 15 add, 4 product error, 4 sum error, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
+    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
     select.
     """
     si_0, si_1, si_2, si_3, si_4, si_5 = si
@@ -220,25 +250,30 @@ def screw_norm(si):
     n_a = y_0 * y_0
     n_b = y_1 * y_1
     n_c = n_a + n_b
-    n_c_lo = sum_error(n_a, n_b, n_c) + product_error(y_0, y_0, n_a) + product_error(y_1, y_1, n_b)
+    n_c_right = n_c - n_a
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_d = y_2 * y_2
     n_e = n_c + n_d
-    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
-    n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
+    n_e_right = n_e - n_c
+    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
+    n_e_lo = n_e_lo1 + n_c_lo
     n_of_n_e = n_e + n_e_lo
+    n_of_n_e_right = n_of_n_e - n_e
     n = sqrt(n_of_n_e)
     n_product = n * n
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + sum_error(n_e, n_e_lo, n_of_n_e)
+    n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
     r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
     r = where(1 < s, 2.409919865102884e-181, r_b)
     norm_of_n = n + n_lo
+    norm_of_n_right = norm_of_n - n
     norm = norm_of_n * r
     norm_lost = norm_of_n - norm * (1 / r)
-    norm_total = norm + where(norm_lost == 0, 0, (norm_lost + sum_error(n, n_lo, norm_of_n)) * r)
-    norm_rounded = where(norm_total == norm_total, norm_total, norm)
-    return norm_rounded
+    norm_small = (norm_lost + (n - (norm_of_n - norm_of_n_right) + (n_lo - norm_of_n_right))) * r
+    norm_lo = where(norm_lost == 0, 0, norm_small)
+    norm_rounded = norm + norm_lo
+    return where(norm_rounded == norm_rounded, norm_rounded, norm)
 
 
 @kernel("(6)->(6)")
@@ -246,7 +281,7 @@ def screw_normalize(self):
     """self = self / |self|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
-    43 mul, 54 add, 10 product error, 10 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+    43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
     select.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
@@ -269,16 +304,19 @@ def screw_normalize(self):
     n_a = y_0 * y_0
     n_b = y_1 * y_1
     n_c = n_a + n_b
-    n_c_lo = sum_error(n_a, n_b, n_c) + product_error(y_0, y_0, n_a) + product_error(y_1, y_1, n_b)
+    n_c_right = n_c - n_a
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_d = y_2 * y_2
     n_e = n_c + n_d
-    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
-    n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
+    n_e_right = n_e - n_c
+    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
+    n_e_lo = n_e_lo1 + n_c_lo
     n_of_n_e = n_e + n_e_lo
+    n_of_n_e_right = n_of_n_e - n_e
     n = sqrt(n_of_n_e)
     n_product = n * n
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + sum_error(n_e, n_e_lo, n_of_n_e)
+    n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor = where(n == 0, 1, n)
     divisor_lo = where(n == 0, 0, n_lo)
@@ -291,7 +329,11 @@ def screw_normalize(self):
     enlarged_4 = self_4 * up
     enlarged_5 = self_5 * up
     quotient_0_of_divisor = divisor + divisor_lo
-    quotient_0_of_divisor_lo = sum_error(divisor, divisor_lo, quotient_0_of_divisor)
+    quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
+    quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
+    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
+    quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
+    quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
     quotient_0 = enlarged_0 / quotient_0_of_divisor
     quotient_0_product = quotient_0 * quotient_0_of_divisor
     quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
@@ -329,7 +371,11 @@ def screw_normalize(self):
     quotient_5_residual = quotient_5_exact - quotient_5 * quotient_0_of_divisor_lo
     quotient_5_lo = quotient_5_residual / quotient_0_of_divisor
     self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo
-    self_0_new_of_quotient_0_lo = sum_error(quotient_0, quotient_0_lo, self_0_new_of_quotient_0)
+    self_0_new_of_quotient_0_right = self_0_new_of_quotient_0 - quotient_0
+    self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right
+    self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left
+    self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right
+    self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest
     self_0_new = self_0_new_of_quotient_0 * down
     self_0_new_inverse = 1 / down
     self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * self_0_new_inverse
@@ -337,54 +383,72 @@ def screw_normalize(self):
     self_0_new_small = self_0_new_rest * down
     self_0_new_lo = where(self_0_new_lost == 0, 0, self_0_new_small)
     self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo
-    self_1_new_of_quotient_1_lo = sum_error(quotient_1, quotient_1_lo, self_1_new_of_quotient_1)
+    self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1
+    self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right
+    self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left
+    self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right
+    self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest
     self_1_new = self_1_new_of_quotient_1 * down
     self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * self_0_new_inverse
     self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo
     self_1_new_small = self_1_new_rest * down
     self_1_new_lo = where(self_1_new_lost == 0, 0, self_1_new_small)
     self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo
-    self_2_new_of_quotient_2_lo = sum_error(quotient_2, quotient_2_lo, self_2_new_of_quotient_2)
+    self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2
+    self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right
+    self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left
+    self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right
+    self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest
     self_2_new = self_2_new_of_quotient_2 * down
     self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * self_0_new_inverse
     self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo
     self_2_new_small = self_2_new_rest * down
     self_2_new_lo = where(self_2_new_lost == 0, 0, self_2_new_small)
     self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo
-    self_3_new_of_quotient_3_lo = sum_error(quotient_3, quotient_3_lo, self_3_new_of_quotient_3)
+    self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3
+    self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right
+    self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left
+    self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right
+    self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest
     self_3_new = self_3_new_of_quotient_3 * down
     self_3_new_lost = self_3_new_of_quotient_3 - self_3_new * self_0_new_inverse
     self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo
     self_3_new_small = self_3_new_rest * down
     self_3_new_lo = where(self_3_new_lost == 0, 0, self_3_new_small)
     self_4_new_of_quotient_4 = quotient_4 + quotient_4_lo
-    self_4_new_of_quotient_4_lo = sum_error(quotient_4, quotient_4_lo, self_4_new_of_quotient_4)
+    self_4_new_of_quotient_4_right = self_4_new_of_quotient_4 - quotient_4
+    self_4_new_of_quotient_4_left = self_4_new_of_quotient_4 - self_4_new_of_quotient_4_right
+    self_4_new_of_quotient_4_left_rest = quotient_4 - self_4_new_of_quotient_4_left
+    self_4_new_of_quotient_4_right_rest = quotient_4_lo - self_4_new_of_quotient_4_right
+    self_4_new_of_quotient_4_lo = self_4_new_of_quotient_4_left_rest + self_4_new_of_quotient_4_right_rest
     self_4_new = self_4_new_of_quotient_4 * down
     self_4_new_lost = self_4_new_of_quotient_4 - self_4_new * self_0_new_inverse
     self_4_new_rest = self_4_new_lost + self_4_new_of_quotient_4_lo
     self_4_new_small = self_4_new_rest * down
     self_4_new_lo = where(self_4_new_lost == 0, 0, self_4_new_small)
     self_5_new_of_quotient_5 = quotient_5 + quotient_5_lo
-    self_5_new_of_quotient_5_lo = sum_error(quotient_5, quotient_5_lo, self_5_new_of_quotient_5)
+    self_5_new_of_quotient_5_right = self_5_new_of_quotient_5 - quotient_5
+    self_5_new_of_quotient_5_left = self_5_new_of_quotient_5 - self_5_new_of_quotient_5_right
+    self_5_new_of_quotient_5_left_rest = quotient_5 - self_5_new_of_quotient_5_left
+    self_5_new_of_quotient_5_right_rest = quotient_5_lo - self_5_new_of_quotient_5_right
+    self_5_new_of_quotient_5_lo = self_5_new_of_quotient_5_left_rest + self_5_new_of_quotient_5_right_rest
     self_5_new = self_5_new_of_quotient_5 * down
     self_5_new_lost = self_5_new_of_quotient_5 - self_5_new * self_0_new_inverse
     self_5_new_rest = self_5_new_lost + self_5_new_of_quotient_5_lo
     self_5_new_small = self_5_new_rest * down
     self_5_new_lo = where(self_5_new_lost == 0, 0, self_5_new_small)
-    self_0_new_total = self_0_new + self_0_new_lo
-    self_0_new_rounded = where(self_0_new_total == self_0_new_total, self_0_new_total, self_0_new)
-    self_1_new_total = self_1_new + self_1_new_lo
-    self_1_new_rounded = where(self_1_new_total == self_1_new_total, self_1_new_total, self_1_new)
-    self_2_new_total = self_2_new + self_2_new_lo
-    self_2_new_rounded = where(self_2_new_total == self_2_new_total, self_2_new_total, self_2_new)
-    self_3_new_total = self_3_new + self_3_new_lo
-    self_3_new_rounded = where(self_3_new_total == self_3_new_total, self_3_new_total, self_3_new)
-    self_4_new_total = self_4_new + self_4_new_lo
-    self_4_new_rounded = where(self_4_new_total == self_4_new_total, self_4_new_total, self_4_new)
-    self_5_new_total = self_5_new + self_5_new_lo
-    self_5_new_rounded = where(self_5_new_total == self_5_new_total, self_5_new_total, self_5_new)
-    return (self_0_new_rounded, self_1_new_rounded, self_2_new_rounded, self_3_new_rounded,
-        self_4_new_rounded, self_5_new_rounded)
+    self_0_new_rounded = self_0_new + self_0_new_lo
+    self_1_new_rounded = self_1_new + self_1_new_lo
+    self_2_new_rounded = self_2_new + self_2_new_lo
+    self_3_new_rounded = self_3_new + self_3_new_lo
+    self_4_new_rounded = self_4_new + self_4_new_lo
+    self_5_new_rounded = self_5_new + self_5_new_lo
+    return (where(self_0_new_rounded == self_0_new_rounded, self_0_new_rounded, self_0_new),
+        where(self_1_new_rounded == self_1_new_rounded, self_1_new_rounded, self_1_new),
+        where(self_2_new_rounded == self_2_new_rounded, self_2_new_rounded, self_2_new),
+        where(self_3_new_rounded == self_3_new_rounded, self_3_new_rounded, self_3_new),
+        where(self_4_new_rounded == self_4_new_rounded, self_4_new_rounded, self_4_new),
+        where(self_5_new_rounded == self_5_new_rounded, self_5_new_rounded, self_5_new))
 
 
 @kernel("(6)->(6)")
@@ -392,7 +456,7 @@ def screw_normalized(si):
     """so = si / |si|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
-    43 mul, 54 add, 10 product error, 10 sum error, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+    43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
     select.
     """
     si_0, si_1, si_2, si_3, si_4, si_5 = si
@@ -415,16 +479,19 @@ def screw_normalized(si):
     n_a = y_0 * y_0
     n_b = y_1 * y_1
     n_c = n_a + n_b
-    n_c_lo = sum_error(n_a, n_b, n_c) + product_error(y_0, y_0, n_a) + product_error(y_1, y_1, n_b)
+    n_c_right = n_c - n_a
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_d = y_2 * y_2
     n_e = n_c + n_d
-    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
-    n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
+    n_e_right = n_e - n_c
+    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
+    n_e_lo = n_e_lo1 + n_c_lo
     n_of_n_e = n_e + n_e_lo
+    n_of_n_e_right = n_of_n_e - n_e
     n = sqrt(n_of_n_e)
     n_product = n * n
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + sum_error(n_e, n_e_lo, n_of_n_e)
+    n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor = where(n == 0, 1, n)
     divisor_lo = where(n == 0, 0, n_lo)
@@ -437,7 +504,11 @@ def screw_normalized(si):
     enlarged_4 = si_4 * up
     enlarged_5 = si_5 * up
     quotient_0_of_divisor = divisor + divisor_lo
-    quotient_0_of_divisor_lo = sum_error(divisor, divisor_lo, quotient_0_of_divisor)
+    quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
+    quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
+    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
+    quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
+    quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
     quotient_0 = enlarged_0 / quotient_0_of_divisor
     quotient_0_product = quotient_0 * quotient_0_of_divisor
     quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
@@ -475,49 +546,78 @@ def screw_normalized(si):
     quotient_5_residual = quotient_5_exact - quotient_5 * quotient_0_of_divisor_lo
     quotient_5_lo = quotient_5_residual / quotient_0_of_divisor
     so_0_of_quotient_0 = quotient_0 + quotient_0_lo
+    so_0_of_quotient_0_right = so_0_of_quotient_0 - quotient_0
+    so_0_of_quotient_0_left_rest = quotient_0 - (so_0_of_quotient_0 - so_0_of_quotient_0_right)
+    so_0_of_quotient_0_right_rest = quotient_0_lo - so_0_of_quotient_0_right
+    so_0_of_quotient_0_lo = so_0_of_quotient_0_left_rest + so_0_of_quotient_0_right_rest
     so_0 = so_0_of_quotient_0 * down
     so_0_inverse = 1 / down
     so_0_lost = so_0_of_quotient_0 - so_0 * so_0_inverse
-    so_0_small = (so_0_lost + sum_error(quotient_0, quotient_0_lo, so_0_of_quotient_0)) * down
+    so_0_rest = so_0_lost + so_0_of_quotient_0_lo
+    so_0_small = so_0_rest * down
     so_0_lo = where(so_0_lost == 0, 0, so_0_small)
     so_1_of_quotient_1 = quotient_1 + quotient_1_lo
+    so_1_of_quotient_1_right = so_1_of_quotient_1 - quotient_1
+    so_1_of_quotient_1_left_rest = quotient_1 - (so_1_of_quotient_1 - so_1_of_quotient_1_right)
+    so_1_of_quotient_1_right_rest = quotient_1_lo - so_1_of_quotient_1_right
+    so_1_of_quotient_1_lo = so_1_of_quotient_1_left_rest + so_1_of_quotient_1_right_rest
     so_1 = so_1_of_quotient_1 * down
     so_1_lost = so_1_of_quotient_1 - so_1 * so_0_inverse
-    so_1_small = (so_1_lost + sum_error(quotient_1, quotient_1_lo, so_1_of_quotient_1)) * down
+    so_1_rest = so_1_lost + so_1_of_quotient_1_lo
+    so_1_small = so_1_rest * down
     so_1_lo = where(so_1_lost == 0, 0, so_1_small)
     so_2_of_quotient_2 = quotient_2 + quotient_2_lo
+    so_2_of_quotient_2_right = so_2_of_quotient_2 - quotient_2
+    so_2_of_quotient_2_left_rest = quotient_2 - (so_2_of_quotient_2 - so_2_of_quotient_2_right)
+    so_2_of_quotient_2_right_rest = quotient_2_lo - so_2_of_quotient_2_right
+    so_2_of_quotient_2_lo = so_2_of_quotient_2_left_rest + so_2_of_quotient_2_right_rest
     so_2 = so_2_of_quotient_2 * down
     so_2_lost = so_2_of_quotient_2 - so_2 * so_0_inverse
-    so_2_small = (so_2_lost + sum_error(quotient_2, quotient_2_lo, so_2_of_quotient_2)) * down
+    so_2_rest = so_2_lost + so_2_of_quotient_2_lo
+    so_2_small = so_2_rest * down
     so_2_lo = where(so_2_lost == 0, 0, so_2_small)
     so_3_of_quotient_3 = quotient_3 + quotient_3_lo
+    so_3_of_quotient_3_right = so_3_of_quotient_3 - quotient_3
+    so_3_of_quotient_3_left_rest = quotient_3 - (so_3_of_quotient_3 - so_3_of_quotient_3_right)
+    so_3_of_quotient_3_right_rest = quotient_3_lo - so_3_of_quotient_3_right
+    so_3_of_quotient_3_lo = so_3_of_quotient_3_left_rest + so_3_of_quotient_3_right_rest
     so_3 = so_3_of_quotient_3 * down
     so_3_lost = so_3_of_quotient_3 - so_3 * so_0_inverse
-    so_3_small = (so_3_lost + sum_error(quotient_3, quotient_3_lo, so_3_of_quotient_3)) * down
+    so_3_rest = so_3_lost + so_3_of_quotient_3_lo
+    so_3_small = so_3_rest * down
     so_3_lo = where(so_3_lost == 0, 0, so_3_small)
     so_4_of_quotient_4 = quotient_4 + quotient_4_lo
+    so_4_of_quotient_4_right = so_4_of_quotient_4 - quotient_4
+    so_4_of_quotient_4_left_rest = quotient_4 - (so_4_of_quotient_4 - so_4_of_quotient_4_right)
+    so_4_of_quotient_4_right_rest = quotient_4_lo - so_4_of_quotient_4_right
+    so_4_of_quotient_4_lo = so_4_of_quotient_4_left_rest + so_4_of_quotient_4_right_rest
     so_4 = so_4_of_quotient_4 * down
     so_4_lost = so_4_of_quotient_4 - so_4 * so_0_inverse
-    so_4_small = (so_4_lost + sum_error(quotient_4, quotient_4_lo, so_4_of_quotient_4)) * down
+    so_4_rest = so_4_lost + so_4_of_quotient_4_lo
+    so_4_small = so_4_rest * down
     so_4_lo = where(so_4_lost == 0, 0, so_4_small)
     so_5_of_quotient_5 = quotient_5 + quotient_5_lo
+    so_5_of_quotient_5_right = so_5_of_quotient_5 - quotient_5
+    so_5_of_quotient_5_left_rest = quotient_5 - (so_5_of_quotient_5 - so_5_of_quotient_5_right)
+    so_5_of_quotient_5_right_rest = quotient_5_lo - so_5_of_quotient_5_right
+    so_5_of_quotient_5_lo = so_5_of_quotient_5_left_rest + so_5_of_quotient_5_right_rest
     so_5 = so_5_of_quotient_5 * down
     so_5_lost = so_5_of_quotient_5 - so_5 * so_0_inverse
-    so_5_small = (so_5_lost + sum_error(quotient_5, quotient_5_lo, so_5_of_quotient_5)) * down
+    so_5_rest = so_5_lost + so_5_of_quotient_5_lo
+    so_5_small = so_5_rest * down
     so_5_lo = where(so_5_lost == 0, 0, so_5_small)
-    so_0_total = so_0 + so_0_lo
-    so_0_rounded = where(so_0_total == so_0_total, so_0_total, so_0)
-    so_1_total = so_1 + so_1_lo
-    so_1_rounded = where(so_1_total == so_1_total, so_1_total, so_1)
-    so_2_total = so_2 + so_2_lo
-    so_2_rounded = where(so_2_total == so_2_total, so_2_total, so_2)
-    so_3_total = so_3 + so_3_lo
-    so_3_rounded = where(so_3_total == so_3_total, so_3_total, so_3)
-    so_4_total = so_4 + so_4_lo
-    so_4_rounded = where(so_4_total == so_4_total, so_4_total, so_4)
-    so_5_total = so_5 + so_5_lo
-    so_5_rounded = where(so_5_total == so_5_total, so_5_total, so_5)
-    return (so_0_rounded, so_1_rounded, so_2_rounded, so_3_rounded, so_4_rounded, so_5_rounded)
+    so_0_rounded = so_0 + so_0_lo
+    so_1_rounded = so_1 + so_1_lo
+    so_2_rounded = so_2 + so_2_lo
+    so_3_rounded = so_3 + so_3_lo
+    so_4_rounded = so_4 + so_4_lo
+    so_5_rounded = so_5 + so_5_lo
+    return (where(so_0_rounded == so_0_rounded, so_0_rounded, so_0),
+        where(so_1_rounded == so_1_rounded, so_1_rounded, so_1),
+        where(so_2_rounded == so_2_rounded, so_2_rounded, so_2),
+        where(so_3_rounded == so_3_rounded, so_3_rounded, so_3),
+        where(so_4_rounded == so_4_rounded, so_4_rounded, so_4),
+        where(so_5_rounded == so_5_rounded, so_5_rounded, so_5))
 
 
 @kernel("(6),(6)->(6)")
@@ -525,16 +625,19 @@ def add_sst(s1, s2):
     """so = (s1.lin + s2.lin ; s1.ang).
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    6 add, 3 sum error.  Error <= u |result|, barring over- and underflow.
+    21 add.  Error <= u |result|, barring over- and underflow.
     """
     s1_0, s1_1, s1_2, s1_3, s1_4, s1_5 = s1
     s2_0, s2_1, s2_2, s2_3, s2_4, s2_5 = s2
     so_0 = s1_0 + s2_0
+    so_0_right = so_0 - s1_0
     so_1 = s1_1 + s2_1
+    so_1_right = so_1 - s1_1
     so_2 = s1_2 + s2_2
-    so_0_rounded = so_0 + sum_error(s1_0, s2_0, so_0)
-    so_1_rounded = so_1 + sum_error(s1_1, s2_1, so_1)
-    so_2_rounded = so_2 + sum_error(s1_2, s2_2, so_2)
+    so_2_right = so_2 - s1_2
+    so_0_rounded = so_0 + (s1_0 - (so_0 - so_0_right) + (s2_0 - so_0_right))
+    so_1_rounded = so_1 + (s1_1 - (so_1 - so_1_right) + (s2_1 - so_1_right))
+    so_2_rounded = so_2 + (s1_2 - (so_2 - so_2_right) + (s2_2 - so_2_right))
     return (so_0_rounded, so_1_rounded, so_2_rounded, s1_3, s1_4, s1_5)
 
 
@@ -543,32 +646,38 @@ def product_Adts(t, si):
     """so = [Ad](t) si.
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 18 add, 6 product error, 6 sum error.  Error <= u |result| + (lin: 7, ang: 0) u^2 S,
-    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest.  Error <= u |result| + (lin: 9, ang: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
     t_0, t_1, t_2 = t
     si_0, si_1, si_2, si_3, si_4, si_5 = si
     so_0a = t_1 * si_5
     so_0b = t_2 * si_4
     so_0c = so_0a - so_0b
-    so_0c_lo1 = difference_error(so_0a, so_0b, so_0c) + product_error(t_1, si_5, so_0a)
-    so_0c_lo = so_0c_lo1 - product_error(t_2, si_4, so_0b)
+    so_0c_right = so_0a - so_0c
+    so_0c_left_rest = product_rest(t_1, si_5, so_0a, so_0c + so_0c_right)
+    so_0c_lo = so_0c_left_rest - product_rest(t_2, si_4, so_0b, so_0c_right)
     so_0 = so_0c + si_0
-    so_0_lo = sum_error(so_0c, si_0, so_0) + so_0c_lo
+    so_0_right = so_0 - so_0c
+    so_0_lo = so_0c - (so_0 - so_0_right) + (si_0 - so_0_right) + so_0c_lo
     so_1a = t_2 * si_3
     so_1b = t_0 * si_5
     so_1c = so_1a - so_1b
-    so_1c_lo1 = difference_error(so_1a, so_1b, so_1c) + product_error(t_2, si_3, so_1a)
-    so_1c_lo = so_1c_lo1 - product_error(t_0, si_5, so_1b)
+    so_1c_right = so_1a - so_1c
+    so_1c_left_rest = product_rest(t_2, si_3, so_1a, so_1c + so_1c_right)
+    so_1c_lo = so_1c_left_rest - product_rest(t_0, si_5, so_1b, so_1c_right)
     so_1 = so_1c + si_1
-    so_1_lo = sum_error(so_1c, si_1, so_1) + so_1c_lo
+    so_1_right = so_1 - so_1c
+    so_1_lo = so_1c - (so_1 - so_1_right) + (si_1 - so_1_right) + so_1c_lo
     so_2a = t_0 * si_4
     so_2b = t_1 * si_3
     so_2c = so_2a - so_2b
-    so_2c_lo1 = difference_error(so_2a, so_2b, so_2c) + product_error(t_0, si_4, so_2a)
-    so_2c_lo = so_2c_lo1 - product_error(t_1, si_3, so_2b)
+    so_2c_right = so_2a - so_2c
+    so_2c_left_rest = product_rest(t_0, si_4, so_2a, so_2c + so_2c_right)
+    so_2c_lo = so_2c_left_rest - product_rest(t_1, si_3, so_2b, so_2c_right)
     so_2 = so_2c + si_2
-    so_2_lo = sum_error(so_2c, si_2, so_2) + so_2c_lo
+    so_2_right = so_2 - so_2c
+    so_2_lo = so_2c - (so_2 - so_2_right) + (si_2 - so_2_right) + so_2c_lo
     so_0_rounded = so_0 + so_0_lo
     so_1_rounded = so_1 + so_1_lo
     so_2_rounded = so_2 + so_2_lo
@@ -580,32 +689,38 @@ def product_Adtinvs(t, si):
     """so = [Ad](t)^-1 si.
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 18 add, 6 product error, 6 sum error.  Error <= u |result| + (lin: 7, ang: 0) u^2 S,
-    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest.  Error <= u |result| + (lin: 9, ang: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
     t_0, t_1, t_2 = t
     si_0, si_1, si_2, si_3, si_4, si_5 = si
     so_0a = t_2 * si_4
     so_0b = t_1 * si_5
     so_0c = so_0a - so_0b
-    so_0c_lo1 = difference_error(so_0a, so_0b, so_0c) + product_error(t_2, si_4, so_0a)
-    so_0c_lo = so_0c_lo1 - product_error(t_1, si_5, so_0b)
+    so_0c_right = so_0a - so_0c
+    so_0c_left_rest = product_rest(t_2, si_4, so_0a, so_0c + so_0c_right)
+    so_0c_lo = so_0c_left_rest - product_rest(t_1, si_5, so_0b, so_0c_right)
     so_0 = so_0c + si_0
-    so_0_lo = sum_error(so_0c, si_0, so_0) + so_0c_lo
+    so_0_right = so_0 - so_0c
+    so_0_lo = so_0c - (so_0 - so_0_right) + (si_0 - so_0_right) + so_0c_lo
     so_1a = t_0 * si_5
     so_1b = t_2 * si_3
     so_1c = so_1a - so_1b
-    so_1c_lo1 = difference_error(so_1a, so_1b, so_1c) + product_error(t_0, si_5, so_1a)
-    so_1c_lo = so_1c_lo1 - product_error(t_2, si_3, so_1b)
+    so_1c_right = so_1a - so_1c
+    so_1c_left_rest = product_rest(t_0, si_5, so_1a, so_1c + so_1c_right)
+    so_1c_lo = so_1c_left_rest - product_rest(t_2, si_3, so_1b, so_1c_right)
     so_1 = so_1c + si_1
-    so_1_lo = sum_error(so_1c, si_1, so_1) + so_1c_lo
+    so_1_right = so_1 - so_1c
+    so_1_lo = so_1c - (so_1 - so_1_right) + (si_1 - so_1_right) + so_1c_lo
     so_2a = t_1 * si_3
     so_2b = t_0 * si_4
     so_2c = so_2a - so_2b
-    so_2c_lo1 = difference_error(so_2a, so_2b, so_2c) + product_error(t_1, si_3, so_2a)
-    so_2c_lo = so_2c_lo1 - product_error(t_0, si_4, so_2b)
+    so_2c_right = so_2a - so_2c
+    so_2c_left_rest = product_rest(t_1, si_3, so_2a, so_2c + so_2c_right)
+    so_2c_lo = so_2c_left_rest - product_rest(t_0, si_4, so_2b, so_2c_right)
     so_2 = so_2c + si_2
-    so_2_lo = sum_error(so_2c, si_2, so_2) + so_2c_lo
+    so_2_right = so_2 - so_2c
+    so_2_lo = so_2c - (so_2 - so_2_right) + (si_2 - so_2_right) + so_2c_lo
     so_0_rounded = so_0 + so_0_lo
     so_1_rounded = so_1 + so_1_lo
     so_2_rounded = so_2 + so_2_lo
@@ -617,32 +732,38 @@ def product_Adtsinv(t, si):
     """so = [Ad](t) (-si).
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 18 add, 6 product error, 6 sum error, 3 neg.  Error <= u |result| + (lin: 7, ang: 0)
-    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 36 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 9, ang: 0) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     t_0, t_1, t_2 = t
     si_0, si_1, si_2, si_3, si_4, si_5 = si
     so_0a = t_2 * si_4
     so_0b = t_1 * si_5
     so_0c = so_0a - so_0b
-    so_0c_lo1 = difference_error(so_0a, so_0b, so_0c) + product_error(t_2, si_4, so_0a)
-    so_0c_lo = so_0c_lo1 - product_error(t_1, si_5, so_0b)
+    so_0c_right = so_0a - so_0c
+    so_0c_left_rest = product_rest(t_2, si_4, so_0a, so_0c + so_0c_right)
+    so_0c_lo = so_0c_left_rest - product_rest(t_1, si_5, so_0b, so_0c_right)
     so_0 = so_0c - si_0
-    so_0_lo = difference_error(so_0c, si_0, so_0) + so_0c_lo
+    so_0_right = so_0c - so_0
+    so_0_lo = so_0c - (so_0 + so_0_right) - (si_0 - so_0_right) + so_0c_lo
     so_1a = t_0 * si_5
     so_1b = t_2 * si_3
     so_1c = so_1a - so_1b
-    so_1c_lo1 = difference_error(so_1a, so_1b, so_1c) + product_error(t_0, si_5, so_1a)
-    so_1c_lo = so_1c_lo1 - product_error(t_2, si_3, so_1b)
+    so_1c_right = so_1a - so_1c
+    so_1c_left_rest = product_rest(t_0, si_5, so_1a, so_1c + so_1c_right)
+    so_1c_lo = so_1c_left_rest - product_rest(t_2, si_3, so_1b, so_1c_right)
     so_1 = so_1c - si_1
-    so_1_lo = difference_error(so_1c, si_1, so_1) + so_1c_lo
+    so_1_right = so_1c - so_1
+    so_1_lo = so_1c - (so_1 + so_1_right) - (si_1 - so_1_right) + so_1c_lo
     so_2a = t_1 * si_3
     so_2b = t_0 * si_4
     so_2c = so_2a - so_2b
-    so_2c_lo1 = difference_error(so_2a, so_2b, so_2c) + product_error(t_1, si_3, so_2a)
-    so_2c_lo = so_2c_lo1 - product_error(t_0, si_4, so_2b)
+    so_2c_right = so_2a - so_2c
+    so_2c_left_rest = product_rest(t_1, si_3, so_2a, so_2c + so_2c_right)
+    so_2c_lo = so_2c_left_rest - product_rest(t_0, si_4, so_2b, so_2c_right)
     so_2 = so_2c - si_2
-    so_2_lo = difference_error(so_2c, si_2, so_2) + so_2c_lo
+    so_2_right = so_2c - so_2
+    so_2_lo = so_2c - (so_2 + so_2_right) - (si_2 - so_2_right) + so_2c_lo
     so_3 = -si_3
     so_4 = -si_4
     so_5 = -si_5
@@ -657,65 +778,77 @@ def product_Adrs(R, si):
     """so = [Ad](R) si.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 42 add, 18 product error, 12 sum error.  Error <= u |result| + 10 u^2 S, S the sum
-    of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     si_0, si_1, si_2, si_3, si_4, si_5 = si
     so_0a = R_00 * si_0
     so_0b = R_01 * si_1
     so_0c = so_0a + so_0b
-    so_0c_lo1 = sum_error(so_0a, so_0b, so_0c) + product_error(R_00, si_0, so_0a)
-    so_0c_lo = so_0c_lo1 + product_error(R_01, si_1, so_0b)
+    so_0c_right = so_0c - so_0a
+    so_0c_left_rest = product_rest(R_00, si_0, so_0a, so_0c - so_0c_right)
+    so_0c_lo = so_0c_left_rest + product_rest(R_01, si_1, so_0b, so_0c_right)
     so_0d = R_02 * si_2
     so_0 = so_0c + so_0d
-    so_0_lo1 = sum_error(so_0c, so_0d, so_0) + so_0c_lo
-    so_0_lo = so_0_lo1 + product_error(R_02, si_2, so_0d)
+    so_0_right = so_0 - so_0c
+    so_0_lo1 = so_0c - (so_0 - so_0_right) + product_rest(R_02, si_2, so_0d, so_0_right)
+    so_0_lo = so_0_lo1 + so_0c_lo
     so_1a = R_10 * si_0
     so_1b = R_11 * si_1
     so_1c = so_1a + so_1b
-    so_1c_lo1 = sum_error(so_1a, so_1b, so_1c) + product_error(R_10, si_0, so_1a)
-    so_1c_lo = so_1c_lo1 + product_error(R_11, si_1, so_1b)
+    so_1c_right = so_1c - so_1a
+    so_1c_left_rest = product_rest(R_10, si_0, so_1a, so_1c - so_1c_right)
+    so_1c_lo = so_1c_left_rest + product_rest(R_11, si_1, so_1b, so_1c_right)
     so_1d = R_12 * si_2
     so_1 = so_1c + so_1d
-    so_1_lo1 = sum_error(so_1c, so_1d, so_1) + so_1c_lo
-    so_1_lo = so_1_lo1 + product_error(R_12, si_2, so_1d)
+    so_1_right = so_1 - so_1c
+    so_1_lo1 = so_1c - (so_1 - so_1_right) + product_rest(R_12, si_2, so_1d, so_1_right)
+    so_1_lo = so_1_lo1 + so_1c_lo
     so_2a = R_20 * si_0
     so_2b = R_21 * si_1
     so_2c = so_2a + so_2b
-    so_2c_lo1 = sum_error(so_2a, so_2b, so_2c) + product_error(R_20, si_0, so_2a)
-    so_2c_lo = so_2c_lo1 + product_error(R_21, si_1, so_2b)
+    so_2c_right = so_2c - so_2a
+    so_2c_left_rest = product_rest(R_20, si_0, so_2a, so_2c - so_2c_right)
+    so_2c_lo = so_2c_left_rest + product_rest(R_21, si_1, so_2b, so_2c_right)
     so_2d = R_22 * si_2
     so_2 = so_2c + so_2d
-    so_2_lo1 = sum_error(so_2c, so_2d, so_2) + so_2c_lo
-    so_2_lo = so_2_lo1 + product_error(R_22, si_2, so_2d)
+    so_2_right = so_2 - so_2c
+    so_2_lo1 = so_2c - (so_2 - so_2_right) + product_rest(R_22, si_2, so_2d, so_2_right)
+    so_2_lo = so_2_lo1 + so_2c_lo
     so_3a = R_00 * si_3
     so_3b = R_01 * si_4
     so_3c = so_3a + so_3b
-    so_3c_lo1 = sum_error(so_3a, so_3b, so_3c) + product_error(R_00, si_3, so_3a)
-    so_3c_lo = so_3c_lo1 + product_error(R_01, si_4, so_3b)
+    so_3c_right = so_3c - so_3a
+    so_3c_left_rest = product_rest(R_00, si_3, so_3a, so_3c - so_3c_right)
+    so_3c_lo = so_3c_left_rest + product_rest(R_01, si_4, so_3b, so_3c_right)
     so_3d = R_02 * si_5
     so_3 = so_3c + so_3d
-    so_3_lo1 = sum_error(so_3c, so_3d, so_3) + so_3c_lo
-    so_3_lo = so_3_lo1 + product_error(R_02, si_5, so_3d)
+    so_3_right = so_3 - so_3c
+    so_3_lo1 = so_3c - (so_3 - so_3_right) + product_rest(R_02, si_5, so_3d, so_3_right)
+    so_3_lo = so_3_lo1 + so_3c_lo
     so_4a = R_10 * si_3
     so_4b = R_11 * si_4
     so_4c = so_4a + so_4b
-    so_4c_lo1 = sum_error(so_4a, so_4b, so_4c) + product_error(R_10, si_3, so_4a)
-    so_4c_lo = so_4c_lo1 + product_error(R_11, si_4, so_4b)
+    so_4c_right = so_4c - so_4a
+    so_4c_left_rest = product_rest(R_10, si_3, so_4a, so_4c - so_4c_right)
+    so_4c_lo = so_4c_left_rest + product_rest(R_11, si_4, so_4b, so_4c_right)
     so_4d = R_12 * si_5
     so_4 = so_4c + so_4d
-    so_4_lo1 = sum_error(so_4c, so_4d, so_4) + so_4c_lo
-    so_4_lo = so_4_lo1 + product_error(R_12, si_5, so_4d)
+    so_4_right = so_4 - so_4c
+    so_4_lo1 = so_4c - (so_4 - so_4_right) + product_rest(R_12, si_5, so_4d, so_4_right)
+    so_4_lo = so_4_lo1 + so_4c_lo
     so_5a = R_20 * si_3
     so_5b = R_21 * si_4
     so_5c = so_5a + so_5b
-    so_5c_lo1 = sum_error(so_5a, so_5b, so_5c) + product_error(R_20, si_3, so_5a)
-    so_5c_lo = so_5c_lo1 + product_error(R_21, si_4, so_5b)
+    so_5c_right = so_5c - so_5a
+    so_5c_left_rest = product_rest(R_20, si_3, so_5a, so_5c - so_5c_right)
+    so_5c_lo = so_5c_left_rest + product_rest(R_21, si_4, so_5b, so_5c_right)
     so_5d = R_22 * si_5
     so_5 = so_5c + so_5d
-    so_5_lo1 = sum_error(so_5c, so_5d, so_5) + so_5c_lo
-    so_5_lo = so_5_lo1 + product_error(R_22, si_5, so_5d)
+    so_5_right = so_5 - so_5c
+    so_5_lo1 = so_5c - (so_5 - so_5_right) + product_rest(R_22, si_5, so_5d, so_5_right)
+    so_5_lo = so_5_lo1 + so_5c_lo
     so_0_rounded = so_0 + so_0_lo
     so_1_rounded = so_1 + so_1_lo
     so_2_rounded = so_2 + so_2_lo
@@ -730,65 +863,77 @@ def product_Adrinvs(R, si):
     """so = [Ad](R)^-1 si.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 42 add, 18 product error, 12 sum error.  Error <= u |result| + 10 u^2 S, S the sum
-    of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     si_0, si_1, si_2, si_3, si_4, si_5 = si
     so_0a = R_00 * si_0
     so_0b = R_10 * si_1
     so_0c = so_0a + so_0b
-    so_0c_lo1 = sum_error(so_0a, so_0b, so_0c) + product_error(R_00, si_0, so_0a)
-    so_0c_lo = so_0c_lo1 + product_error(R_10, si_1, so_0b)
+    so_0c_right = so_0c - so_0a
+    so_0c_left_rest = product_rest(R_00, si_0, so_0a, so_0c - so_0c_right)
+    so_0c_lo = so_0c_left_rest + product_rest(R_10, si_1, so_0b, so_0c_right)
     so_0d = R_20 * si_2
     so_0 = so_0c + so_0d
-    so_0_lo1 = sum_error(so_0c, so_0d, so_0) + so_0c_lo
-    so_0_lo = so_0_lo1 + product_error(R_20, si_2, so_0d)
+    so_0_right = so_0 - so_0c
+    so_0_lo1 = so_0c - (so_0 - so_0_right) + product_rest(R_20, si_2, so_0d, so_0_right)
+    so_0_lo = so_0_lo1 + so_0c_lo
     so_1a = R_01 * si_0
     so_1b = R_11 * si_1
     so_1c = so_1a + so_1b
-    so_1c_lo1 = sum_error(so_1a, so_1b, so_1c) + product_error(R_01, si_0, so_1a)
-    so_1c_lo = so_1c_lo1 + product_error(R_11, si_1, so_1b)
+    so_1c_right = so_1c - so_1a
+    so_1c_left_rest = product_rest(R_01, si_0, so_1a, so_1c - so_1c_right)
+    so_1c_lo = so_1c_left_rest + product_rest(R_11, si_1, so_1b, so_1c_right)
     so_1d = R_21 * si_2
     so_1 = so_1c + so_1d
-    so_1_lo1 = sum_error(so_1c, so_1d, so_1) + so_1c_lo
-    so_1_lo = so_1_lo1 + product_error(R_21, si_2, so_1d)
+    so_1_right = so_1 - so_1c
+    so_1_lo1 = so_1c - (so_1 - so_1_right) + product_rest(R_21, si_2, so_1d, so_1_right)
+    so_1_lo = so_1_lo1 + so_1c_lo
     so_2a = R_02 * si_0
     so_2b = R_12 * si_1
     so_2c = so_2a + so_2b
-    so_2c_lo1 = sum_error(so_2a, so_2b, so_2c) + product_error(R_02, si_0, so_2a)
-    so_2c_lo = so_2c_lo1 + product_error(R_12, si_1, so_2b)
+    so_2c_right = so_2c - so_2a
+    so_2c_left_rest = product_rest(R_02, si_0, so_2a, so_2c - so_2c_right)
+    so_2c_lo = so_2c_left_rest + product_rest(R_12, si_1, so_2b, so_2c_right)
     so_2d = R_22 * si_2
     so_2 = so_2c + so_2d
-    so_2_lo1 = sum_error(so_2c, so_2d, so_2) + so_2c_lo
-    so_2_lo = so_2_lo1 + product_error(R_22, si_2, so_2d)
+    so_2_right = so_2 - so_2c
+    so_2_lo1 = so_2c - (so_2 - so_2_right) + product_rest(R_22, si_2, so_2d, so_2_right)
+    so_2_lo = so_2_lo1 + so_2c_lo
     so_3a = R_00 * si_3
     so_3b = R_10 * si_4
     so_3c = so_3a + so_3b
-    so_3c_lo1 = sum_error(so_3a, so_3b, so_3c) + product_error(R_00, si_3, so_3a)
-    so_3c_lo = so_3c_lo1 + product_error(R_10, si_4, so_3b)
+    so_3c_right = so_3c - so_3a
+    so_3c_left_rest = product_rest(R_00, si_3, so_3a, so_3c - so_3c_right)
+    so_3c_lo = so_3c_left_rest + product_rest(R_10, si_4, so_3b, so_3c_right)
     so_3d = R_20 * si_5
     so_3 = so_3c + so_3d
-    so_3_lo1 = sum_error(so_3c, so_3d, so_3) + so_3c_lo
-    so_3_lo = so_3_lo1 + product_error(R_20, si_5, so_3d)
+    so_3_right = so_3 - so_3c
+    so_3_lo1 = so_3c - (so_3 - so_3_right) + product_rest(R_20, si_5, so_3d, so_3_right)
+    so_3_lo = so_3_lo1 + so_3c_lo
     so_4a = R_01 * si_3
     so_4b = R_11 * si_4
     so_4c = so_4a + so_4b
-    so_4c_lo1 = sum_error(so_4a, so_4b, so_4c) + product_error(R_01, si_3, so_4a)
-    so_4c_lo = so_4c_lo1 + product_error(R_11, si_4, so_4b)
+    so_4c_right = so_4c - so_4a
+    so_4c_left_rest = product_rest(R_01, si_3, so_4a, so_4c - so_4c_right)
+    so_4c_lo = so_4c_left_rest + product_rest(R_11, si_4, so_4b, so_4c_right)
     so_4d = R_21 * si_5
     so_4 = so_4c + so_4d
-    so_4_lo1 = sum_error(so_4c, so_4d, so_4) + so_4c_lo
-    so_4_lo = so_4_lo1 + product_error(R_21, si_5, so_4d)
+    so_4_right = so_4 - so_4c
+    so_4_lo1 = so_4c - (so_4 - so_4_right) + product_rest(R_21, si_5, so_4d, so_4_right)
+    so_4_lo = so_4_lo1 + so_4c_lo
     so_5a = R_02 * si_3
     so_5b = R_12 * si_4
     so_5c = so_5a + so_5b
-    so_5c_lo1 = sum_error(so_5a, so_5b, so_5c) + product_error(R_02, si_3, so_5a)
-    so_5c_lo = so_5c_lo1 + product_error(R_12, si_4, so_5b)
+    so_5c_right = so_5c - so_5a
+    so_5c_left_rest = product_rest(R_02, si_3, so_5a, so_5c - so_5c_right)
+    so_5c_lo = so_5c_left_rest + product_rest(R_12, si_4, so_5b, so_5c_right)
     so_5d = R_22 * si_5
     so_5 = so_5c + so_5d
-    so_5_lo1 = sum_error(so_5c, so_5d, so_5) + so_5c_lo
-    so_5_lo = so_5_lo1 + product_error(R_22, si_5, so_5d)
+    so_5_right = so_5 - so_5c
+    so_5_lo1 = so_5c - (so_5 - so_5_right) + product_rest(R_22, si_5, so_5d, so_5_right)
+    so_5_lo = so_5_lo1 + so_5c_lo
     so_0_rounded = so_0 + so_0_lo
     so_1_rounded = so_1 + so_1_lo
     so_2_rounded = so_2 + so_2_lo
@@ -803,75 +948,87 @@ def product_Adrsinv(R, si):
     """so = [Ad](R) (-si).
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 42 add, 18 product error, 12 sum error, 12 neg.  Error <= u |result| + 10 u^2 S, S
-    the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest, 12 neg.  Error <= u |result| + 11 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     si_0, si_1, si_2, si_3, si_4, si_5 = si
     so_0a = R_00 * si_0
     so_0b = R_01 * si_1
     so_0c = so_0a + so_0b
-    so_0c_lo1 = sum_error(so_0a, so_0b, so_0c) + product_error(R_00, si_0, so_0a)
-    so_0c_lo = so_0c_lo1 + product_error(R_01, si_1, so_0b)
+    so_0c_right = so_0c - so_0a
+    so_0c_left_rest = product_rest(R_00, si_0, so_0a, so_0c - so_0c_right)
+    so_0c_lo = so_0c_left_rest + product_rest(R_01, si_1, so_0b, so_0c_right)
     so_0d = R_02 * si_2
     so_0e = so_0c + so_0d
-    so_0e_lo1 = sum_error(so_0c, so_0d, so_0e) + so_0c_lo
-    so_0e_lo = so_0e_lo1 + product_error(R_02, si_2, so_0d)
+    so_0e_right = so_0e - so_0c
+    so_0e_lo1 = so_0c - (so_0e - so_0e_right) + product_rest(R_02, si_2, so_0d, so_0e_right)
+    so_0e_lo = so_0e_lo1 + so_0c_lo
     so_0 = -so_0e
     so_0_lo = -so_0e_lo
     so_1a = R_10 * si_0
     so_1b = R_11 * si_1
     so_1c = so_1a + so_1b
-    so_1c_lo1 = sum_error(so_1a, so_1b, so_1c) + product_error(R_10, si_0, so_1a)
-    so_1c_lo = so_1c_lo1 + product_error(R_11, si_1, so_1b)
+    so_1c_right = so_1c - so_1a
+    so_1c_left_rest = product_rest(R_10, si_0, so_1a, so_1c - so_1c_right)
+    so_1c_lo = so_1c_left_rest + product_rest(R_11, si_1, so_1b, so_1c_right)
     so_1d = R_12 * si_2
     so_1e = so_1c + so_1d
-    so_1e_lo1 = sum_error(so_1c, so_1d, so_1e) + so_1c_lo
-    so_1e_lo = so_1e_lo1 + product_error(R_12, si_2, so_1d)
+    so_1e_right = so_1e - so_1c
+    so_1e_lo1 = so_1c - (so_1e - so_1e_right) + product_rest(R_12, si_2, so_1d, so_1e_right)
+    so_1e_lo = so_1e_lo1 + so_1c_lo
     so_1 = -so_1e
     so_1_lo = -so_1e_lo
     so_2a = R_20 * si_0
     so_2b = R_21 * si_1
     so_2c = so_2a + so_2b
-    so_2c_lo1 = sum_error(so_2a, so_2b, so_2c) + product_error(R_20, si_0, so_2a)
-    so_2c_lo = so_2c_lo1 + product_error(R_21, si_1, so_2b)
+    so_2c_right = so_2c - so_2a
+    so_2c_left_rest = product_rest(R_20, si_0, so_2a, so_2c - so_2c_right)
+    so_2c_lo = so_2c_left_rest + product_rest(R_21, si_1, so_2b, so_2c_right)
     so_2d = R_22 * si_2
     so_2e = so_2c + so_2d
-    so_2e_lo1 = sum_error(so_2c, so_2d, so_2e) + so_2c_lo
-    so_2e_lo = so_2e_lo1 + product_error(R_22, si_2, so_2d)
+    so_2e_right = so_2e - so_2c
+    so_2e_lo1 = so_2c - (so_2e - so_2e_right) + product_rest(R_22, si_2, so_2d, so_2e_right)
+    so_2e_lo = so_2e_lo1 + so_2c_lo
     so_2 = -so_2e
     so_2_lo = -so_2e_lo
     so_3a = R_00 * si_3
     so_3b = R_01 * si_4
     so_3c = so_3a + so_3b
-    so_3c_lo1 = sum_error(so_3a, so_3b, so_3c) + product_error(R_00, si_3, so_3a)
-    so_3c_lo = so_3c_lo1 + product_error(R_01, si_4, so_3b)
+    so_3c_right = so_3c - so_3a
+    so_3c_left_rest = product_rest(R_00, si_3, so_3a, so_3c - so_3c_right)
+    so_3c_lo = so_3c_left_rest + product_rest(R_01, si_4, so_3b, so_3c_right)
     so_3d = R_02 * si_5
     so_3e = so_3c + so_3d
-    so_3e_lo1 = sum_error(so_3c, so_3d, so_3e) + so_3c_lo
-    so_3e_lo = so_3e_lo1 + product_error(R_02, si_5, so_3d)
+    so_3e_right = so_3e - so_3c
+    so_3e_lo1 = so_3c - (so_3e - so_3e_right) + product_rest(R_02, si_5, so_3d, so_3e_right)
+    so_3e_lo = so_3e_lo1 + so_3c_lo
     so_3 = -so_3e
     so_3_lo = -so_3e_lo
     so_4a = R_10 * si_3
     so_4b = R_11 * si_4
     so_4c = so_4a + so_4b
-    so_4c_lo1 = sum_error(so_4a, so_4b, so_4c) + product_error(R_10, si_3, so_4a)
-    so_4c_lo = so_4c_lo1 + product_error(R_11, si_4, so_4b)
+    so_4c_right = so_4c - so_4a
+    so_4c_left_rest = product_rest(R_10, si_3, so_4a, so_4c - so_4c_right)
+    so_4c_lo = so_4c_left_rest + product_rest(R_11, si_4, so_4b, so_4c_right)
     so_4d = R_12 * si_5
     so_4e = so_4c + so_4d
-    so_4e_lo1 = sum_error(so_4c, so_4d, so_4e) + so_4c_lo
-    so_4e_lo = so_4e_lo1 + product_error(R_12, si_5, so_4d)
+    so_4e_right = so_4e - so_4c
+    so_4e_lo1 = so_4c - (so_4e - so_4e_right) + product_rest(R_12, si_5, so_4d, so_4e_right)
+    so_4e_lo = so_4e_lo1 + so_4c_lo
     so_4 = -so_4e
     so_4_lo = -so_4e_lo
     so_5a = R_20 * si_3
     so_5b = R_21 * si_4
     so_5c = so_5a + so_5b
-    so_5c_lo1 = sum_error(so_5a, so_5b, so_5c) + product_error(R_20, si_3, so_5a)
-    so_5c_lo = so_5c_lo1 + product_error(R_21, si_4, so_5b)
+    so_5c_right = so_5c - so_5a
+    so_5c_left_rest = product_rest(R_20, si_3, so_5a, so_5c - so_5c_right)
+    so_5c_lo = so_5c_left_rest + product_rest(R_21, si_4, so_5b, so_5c_right)
     so_5d = R_22 * si_5
     so_5e = so_5c + so_5d
-    so_5e_lo1 = sum_error(so_5c, so_5d, so_5e) + so_5c_lo
-    so_5e_lo = so_5e_lo1 + product_error(R_22, si_5, so_5d)
+    so_5e_right = so_5e - so_5c
+    so_5e_lo1 = so_5c - (so_5e - so_5e_right) + product_rest(R_22, si_5, so_5d, so_5e_right)
+    so_5e_lo = so_5e_lo1 + so_5c_lo
     so_5 = -so_5e
     so_5_lo = -so_5e_lo
     so_0_rounded = so_0 + so_0_lo
@@ -889,92 +1046,110 @@ def product_Ads(D, si):
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
     rad/s).
-    30 mul, 66 add, 24 product error, 18 sum error.  Error <= u |result| + (lin: 39, ang: 10)
-    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    30 mul, 108 add, 24 product rest.  Error <= u |result| + (lin: 35, ang: 11) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     si_0, si_1, si_2, si_3, si_4, si_5 = si
     w_0a = D_00 * si_0
     w_0b = D_01 * si_1
     w_0c = w_0a + w_0b
-    w_0c_lo1 = sum_error(w_0a, w_0b, w_0c) + product_error(D_00, si_0, w_0a)
-    w_0c_lo = w_0c_lo1 + product_error(D_01, si_1, w_0b)
+    w_0c_right = w_0c - w_0a
+    w_0c_left_rest = product_rest(D_00, si_0, w_0a, w_0c - w_0c_right)
+    w_0c_lo = w_0c_left_rest + product_rest(D_01, si_1, w_0b, w_0c_right)
     w_0d = D_02 * si_2
     w_0 = w_0c + w_0d
-    w_0_lo1 = sum_error(w_0c, w_0d, w_0) + w_0c_lo
-    w_0_lo = w_0_lo1 + product_error(D_02, si_2, w_0d)
+    w_0_right = w_0 - w_0c
+    w_0_lo1 = w_0c - (w_0 - w_0_right) + product_rest(D_02, si_2, w_0d, w_0_right)
+    w_0_lo = w_0_lo1 + w_0c_lo
     w_1a = D_10 * si_0
     w_1b = D_11 * si_1
     w_1c = w_1a + w_1b
-    w_1c_lo1 = sum_error(w_1a, w_1b, w_1c) + product_error(D_10, si_0, w_1a)
-    w_1c_lo = w_1c_lo1 + product_error(D_11, si_1, w_1b)
+    w_1c_right = w_1c - w_1a
+    w_1c_left_rest = product_rest(D_10, si_0, w_1a, w_1c - w_1c_right)
+    w_1c_lo = w_1c_left_rest + product_rest(D_11, si_1, w_1b, w_1c_right)
     w_1d = D_12 * si_2
     w_1 = w_1c + w_1d
-    w_1_lo1 = sum_error(w_1c, w_1d, w_1) + w_1c_lo
-    w_1_lo = w_1_lo1 + product_error(D_12, si_2, w_1d)
+    w_1_right = w_1 - w_1c
+    w_1_lo1 = w_1c - (w_1 - w_1_right) + product_rest(D_12, si_2, w_1d, w_1_right)
+    w_1_lo = w_1_lo1 + w_1c_lo
     w_2a = D_20 * si_0
     w_2b = D_21 * si_1
     w_2c = w_2a + w_2b
-    w_2c_lo1 = sum_error(w_2a, w_2b, w_2c) + product_error(D_20, si_0, w_2a)
-    w_2c_lo = w_2c_lo1 + product_error(D_21, si_1, w_2b)
+    w_2c_right = w_2c - w_2a
+    w_2c_left_rest = product_rest(D_20, si_0, w_2a, w_2c - w_2c_right)
+    w_2c_lo = w_2c_left_rest + product_rest(D_21, si_1, w_2b, w_2c_right)
     w_2d = D_22 * si_2
     w_2 = w_2c + w_2d
-    w_2_lo1 = sum_error(w_2c, w_2d, w_2) + w_2c_lo
-    w_2_lo = w_2_lo1 + product_error(D_22, si_2, w_2d)
+    w_2_right = w_2 - w_2c
+    w_2_lo1 = w_2c - (w_2 - w_2_right) + product_rest(D_22, si_2, w_2d, w_2_right)
+    w_2_lo = w_2_lo1 + w_2c_lo
     w_3a = D_00 * si_3
     w_3b = D_01 * si_4
     w_3c = w_3a + w_3b
-    w_3c_lo1 = sum_error(w_3a, w_3b, w_3c) + product_error(D_00, si_3, w_3a)
-    w_3c_lo = w_3c_lo1 + product_error(D_01, si_4, w_3b)
+    w_3c_right = w_3c - w_3a
+    w_3c_left_rest = product_rest(D_00, si_3, w_3a, w_3c - w_3c_right)
+    w_3c_lo = w_3c_left_rest + product_rest(D_01, si_4, w_3b, w_3c_right)
     w_3d = D_02 * si_5
     w_3 = w_3c + w_3d
-    w_3_lo1 = sum_error(w_3c, w_3d, w_3) + w_3c_lo
-    w_3_lo = w_3_lo1 + product_error(D_02, si_5, w_3d)
+    w_3_right = w_3 - w_3c
+    w_3_lo1 = w_3c - (w_3 - w_3_right) + product_rest(D_02, si_5, w_3d, w_3_right)
+    w_3_lo = w_3_lo1 + w_3c_lo
     w_4a = D_10 * si_3
     w_4b = D_11 * si_4
     w_4c = w_4a + w_4b
-    w_4c_lo1 = sum_error(w_4a, w_4b, w_4c) + product_error(D_10, si_3, w_4a)
-    w_4c_lo = w_4c_lo1 + product_error(D_11, si_4, w_4b)
+    w_4c_right = w_4c - w_4a
+    w_4c_left_rest = product_rest(D_10, si_3, w_4a, w_4c - w_4c_right)
+    w_4c_lo = w_4c_left_rest + product_rest(D_11, si_4, w_4b, w_4c_right)
     w_4d = D_12 * si_5
     w_4 = w_4c + w_4d
-    w_4_lo1 = sum_error(w_4c, w_4d, w_4) + w_4c_lo
-    w_4_lo = w_4_lo1 + product_error(D_12, si_5, w_4d)
+    w_4_right = w_4 - w_4c
+    w_4_lo1 = w_4c - (w_4 - w_4_right) + product_rest(D_12, si_5, w_4d, w_4_right)
+    w_4_lo = w_4_lo1 + w_4c_lo
     w_5a = D_20 * si_3
     w_5b = D_21 * si_4
     w_5c = w_5a + w_5b
-    w_5c_lo1 = sum_error(w_5a, w_5b, w_5c) + product_error(D_20, si_3, w_5a)
-    w_5c_lo = w_5c_lo1 + product_error(D_21, si_4, w_5b)
+    w_5c_right = w_5c - w_5a
+    w_5c_left_rest = product_rest(D_20, si_3, w_5a, w_5c - w_5c_right)
+    w_5c_lo = w_5c_left_rest + product_rest(D_21, si_4, w_5b, w_5c_right)
     w_5d = D_22 * si_5
     w_5 = w_5c + w_5d
-    w_5_lo1 = sum_error(w_5c, w_5d, w_5) + w_5c_lo
-    w_5_lo = w_5_lo1 + product_error(D_22, si_5, w_5d)
+    w_5_right = w_5 - w_5c
+    w_5_lo1 = w_5c - (w_5 - w_5_right) + product_rest(D_22, si_5, w_5d, w_5_right)
+    w_5_lo = w_5_lo1 + w_5c_lo
     so_0a = D_13 * w_5
-    so_0a_lo = product_error(D_13, w_5, so_0a) + D_13 * w_5_lo
     so_0b = D_23 * w_4
     so_0c = so_0a - so_0b
-    so_0c_lo1 = difference_error(so_0a, so_0b, so_0c) + so_0a_lo
-    so_0c_lo = so_0c_lo1 - (product_error(D_23, w_4, so_0b) + D_23 * w_4_lo)
+    so_0c_right = so_0a - so_0c
+    so_0c_left_rest = product_rest(D_13, w_5, so_0a, so_0c + so_0c_right)
+    so_0c_lo1 = so_0c_left_rest - product_rest(D_23, w_4, so_0b, so_0c_right)
+    so_0c_lo = so_0c_lo1 + (D_13 * w_5_lo - D_23 * w_4_lo)
     so_0 = so_0c + w_0
-    so_0_lo1 = sum_error(so_0c, w_0, so_0) + so_0c_lo
-    so_0_lo = so_0_lo1 + w_0_lo
+    so_0_right = so_0 - so_0c
+    so_0_lo2 = so_0c - (so_0 - so_0_right) + (w_0 - so_0_right) + w_0_lo
+    so_0_lo = so_0_lo2 + so_0c_lo
     so_1a = D_23 * w_3
-    so_1a_lo = product_error(D_23, w_3, so_1a) + D_23 * w_3_lo
     so_1b = D_03 * w_5
     so_1c = so_1a - so_1b
-    so_1c_lo1 = difference_error(so_1a, so_1b, so_1c) + so_1a_lo
-    so_1c_lo = so_1c_lo1 - (product_error(D_03, w_5, so_1b) + D_03 * w_5_lo)
+    so_1c_right = so_1a - so_1c
+    so_1c_left_rest = product_rest(D_23, w_3, so_1a, so_1c + so_1c_right)
+    so_1c_lo1 = so_1c_left_rest - product_rest(D_03, w_5, so_1b, so_1c_right)
+    so_1c_lo = so_1c_lo1 + (D_23 * w_3_lo - D_03 * w_5_lo)
     so_1 = so_1c + w_1
-    so_1_lo1 = sum_error(so_1c, w_1, so_1) + so_1c_lo
-    so_1_lo = so_1_lo1 + w_1_lo
+    so_1_right = so_1 - so_1c
+    so_1_lo2 = so_1c - (so_1 - so_1_right) + (w_1 - so_1_right) + w_1_lo
+    so_1_lo = so_1_lo2 + so_1c_lo
     so_2a = D_03 * w_4
-    so_2a_lo = product_error(D_03, w_4, so_2a) + D_03 * w_4_lo
     so_2b = D_13 * w_3
     so_2c = so_2a - so_2b
-    so_2c_lo1 = difference_error(so_2a, so_2b, so_2c) + so_2a_lo
-    so_2c_lo = so_2c_lo1 - (product_error(D_13, w_3, so_2b) + D_13 * w_3_lo)
+    so_2c_right = so_2a - so_2c
+    so_2c_left_rest = product_rest(D_03, w_4, so_2a, so_2c + so_2c_right)
+    so_2c_lo1 = so_2c_left_rest - product_rest(D_13, w_3, so_2b, so_2c_right)
+    so_2c_lo = so_2c_lo1 + (D_03 * w_4_lo - D_13 * w_3_lo)
     so_2 = so_2c + w_2
-    so_2_lo1 = sum_error(so_2c, w_2, so_2) + so_2c_lo
-    so_2_lo = so_2_lo1 + w_2_lo
+    so_2_right = so_2 - so_2c
+    so_2_lo2 = so_2c - (so_2 - so_2_right) + (w_2 - so_2_right) + w_2_lo
+    so_2_lo = so_2_lo2 + so_2c_lo
     so_0_rounded = so_0 + so_0_lo
     so_1_rounded = so_1 + so_1_lo
     so_2_rounded = so_2 + so_2_lo
@@ -990,86 +1165,110 @@ def product_Adinvs(D, si):
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
     rad/s).
-    33 mul, 66 add, 24 product error, 18 sum error.  Error <= u |result| + (lin: 36, ang: 10)
-    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    33 mul, 108 add, 24 product rest.  Error <= u |result| + (lin: 35, ang: 11) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     si_0, si_1, si_2, si_3, si_4, si_5 = si
     w_0a = D_23 * si_4
     w_0b = D_13 * si_5
     w_0c = w_0a - w_0b
-    w_0c_lo1 = difference_error(w_0a, w_0b, w_0c) + product_error(D_23, si_4, w_0a)
-    w_0c_lo = w_0c_lo1 - product_error(D_13, si_5, w_0b)
+    w_0c_right = w_0a - w_0c
+    w_0c_left_rest = product_rest(D_23, si_4, w_0a, w_0c + w_0c_right)
+    w_0c_lo = w_0c_left_rest - product_rest(D_13, si_5, w_0b, w_0c_right)
     w_0 = w_0c + si_0
-    w_0_lo = sum_error(w_0c, si_0, w_0) + w_0c_lo
+    w_0_right = w_0 - w_0c
+    w_0_lo = w_0c - (w_0 - w_0_right) + (si_0 - w_0_right) + w_0c_lo
     w_1a = D_03 * si_5
     w_1b = D_23 * si_3
     w_1c = w_1a - w_1b
-    w_1c_lo1 = difference_error(w_1a, w_1b, w_1c) + product_error(D_03, si_5, w_1a)
-    w_1c_lo = w_1c_lo1 - product_error(D_23, si_3, w_1b)
+    w_1c_right = w_1a - w_1c
+    w_1c_left_rest = product_rest(D_03, si_5, w_1a, w_1c + w_1c_right)
+    w_1c_lo = w_1c_left_rest - product_rest(D_23, si_3, w_1b, w_1c_right)
     w_1 = w_1c + si_1
-    w_1_lo = sum_error(w_1c, si_1, w_1) + w_1c_lo
+    w_1_right = w_1 - w_1c
+    w_1_lo = w_1c - (w_1 - w_1_right) + (si_1 - w_1_right) + w_1c_lo
     w_2a = D_13 * si_3
     w_2b = D_03 * si_4
     w_2c = w_2a - w_2b
-    w_2c_lo1 = difference_error(w_2a, w_2b, w_2c) + product_error(D_13, si_3, w_2a)
-    w_2c_lo = w_2c_lo1 - product_error(D_03, si_4, w_2b)
+    w_2c_right = w_2a - w_2c
+    w_2c_left_rest = product_rest(D_13, si_3, w_2a, w_2c + w_2c_right)
+    w_2c_lo = w_2c_left_rest - product_rest(D_03, si_4, w_2b, w_2c_right)
     w_2 = w_2c + si_2
-    w_2_lo = sum_error(w_2c, si_2, w_2) + w_2c_lo
+    w_2_right = w_2 - w_2c
+    w_2_lo = w_2c - (w_2 - w_2_right) + (si_2 - w_2_right) + w_2c_lo
     so_0a = D_00 * w_0
     so_0b = D_10 * w_1
     so_0c = so_0a + so_0b
-    so_0c_lo1 = sum_error(so_0a, so_0b, so_0c) + (product_error(D_00, w_0, so_0a) + D_00 * w_0_lo)
-    so_0c_lo = so_0c_lo1 + (product_error(D_10, w_1, so_0b) + D_10 * w_1_lo)
+    so_0c_right = so_0c - so_0a
+    so_0c_left_rest = product_rest(D_00, w_0, so_0a, so_0c - so_0c_right)
+    so_0c_lo1 = so_0c_left_rest + product_rest(D_10, w_1, so_0b, so_0c_right)
+    so_0c_lo = so_0c_lo1 + (D_00 * w_0_lo + D_10 * w_1_lo)
     so_0d = D_20 * w_2
     so_0 = so_0c + so_0d
-    so_0_lo1 = sum_error(so_0c, so_0d, so_0) + so_0c_lo
-    so_0_lo = so_0_lo1 + (product_error(D_20, w_2, so_0d) + D_20 * w_2_lo)
+    so_0_right = so_0 - so_0c
+    so_0_lo1 = so_0c - (so_0 - so_0_right) + product_rest(D_20, w_2, so_0d, so_0_right)
+    so_0_lo2 = so_0_lo1 + D_20 * w_2_lo
+    so_0_lo = so_0_lo2 + so_0c_lo
     so_1a = D_01 * w_0
     so_1b = D_11 * w_1
     so_1c = so_1a + so_1b
-    so_1c_lo1 = sum_error(so_1a, so_1b, so_1c) + (product_error(D_01, w_0, so_1a) + D_01 * w_0_lo)
-    so_1c_lo = so_1c_lo1 + (product_error(D_11, w_1, so_1b) + D_11 * w_1_lo)
+    so_1c_right = so_1c - so_1a
+    so_1c_left_rest = product_rest(D_01, w_0, so_1a, so_1c - so_1c_right)
+    so_1c_lo1 = so_1c_left_rest + product_rest(D_11, w_1, so_1b, so_1c_right)
+    so_1c_lo = so_1c_lo1 + (D_01 * w_0_lo + D_11 * w_1_lo)
     so_1d = D_21 * w_2
     so_1 = so_1c + so_1d
-    so_1_lo1 = sum_error(so_1c, so_1d, so_1) + so_1c_lo
-    so_1_lo = so_1_lo1 + (product_error(D_21, w_2, so_1d) + D_21 * w_2_lo)
+    so_1_right = so_1 - so_1c
+    so_1_lo1 = so_1c - (so_1 - so_1_right) + product_rest(D_21, w_2, so_1d, so_1_right)
+    so_1_lo2 = so_1_lo1 + D_21 * w_2_lo
+    so_1_lo = so_1_lo2 + so_1c_lo
     so_2a = D_02 * w_0
     so_2b = D_12 * w_1
     so_2c = so_2a + so_2b
-    so_2c_lo1 = sum_error(so_2a, so_2b, so_2c) + (product_error(D_02, w_0, so_2a) + D_02 * w_0_lo)
-    so_2c_lo = so_2c_lo1 + (product_error(D_12, w_1, so_2b) + D_12 * w_1_lo)
+    so_2c_right = so_2c - so_2a
+    so_2c_left_rest = product_rest(D_02, w_0, so_2a, so_2c - so_2c_right)
+    so_2c_lo1 = so_2c_left_rest + product_rest(D_12, w_1, so_2b, so_2c_right)
+    so_2c_lo = so_2c_lo1 + (D_02 * w_0_lo + D_12 * w_1_lo)
     so_2d = D_22 * w_2
     so_2 = so_2c + so_2d
-    so_2_lo1 = sum_error(so_2c, so_2d, so_2) + so_2c_lo
-    so_2_lo = so_2_lo1 + (product_error(D_22, w_2, so_2d) + D_22 * w_2_lo)
+    so_2_right = so_2 - so_2c
+    so_2_lo1 = so_2c - (so_2 - so_2_right) + product_rest(D_22, w_2, so_2d, so_2_right)
+    so_2_lo2 = so_2_lo1 + D_22 * w_2_lo
+    so_2_lo = so_2_lo2 + so_2c_lo
     so_3a = D_00 * si_3
     so_3b = D_10 * si_4
     so_3c = so_3a + so_3b
-    so_3c_lo1 = sum_error(so_3a, so_3b, so_3c) + product_error(D_00, si_3, so_3a)
-    so_3c_lo = so_3c_lo1 + product_error(D_10, si_4, so_3b)
+    so_3c_right = so_3c - so_3a
+    so_3c_left_rest = product_rest(D_00, si_3, so_3a, so_3c - so_3c_right)
+    so_3c_lo = so_3c_left_rest + product_rest(D_10, si_4, so_3b, so_3c_right)
     so_3d = D_20 * si_5
     so_3 = so_3c + so_3d
-    so_3_lo1 = sum_error(so_3c, so_3d, so_3) + so_3c_lo
-    so_3_lo = so_3_lo1 + product_error(D_20, si_5, so_3d)
+    so_3_right = so_3 - so_3c
+    so_3_lo1 = so_3c - (so_3 - so_3_right) + product_rest(D_20, si_5, so_3d, so_3_right)
+    so_3_lo = so_3_lo1 + so_3c_lo
     so_4a = D_01 * si_3
     so_4b = D_11 * si_4
     so_4c = so_4a + so_4b
-    so_4c_lo1 = sum_error(so_4a, so_4b, so_4c) + product_error(D_01, si_3, so_4a)
-    so_4c_lo = so_4c_lo1 + product_error(D_11, si_4, so_4b)
+    so_4c_right = so_4c - so_4a
+    so_4c_left_rest = product_rest(D_01, si_3, so_4a, so_4c - so_4c_right)
+    so_4c_lo = so_4c_left_rest + product_rest(D_11, si_4, so_4b, so_4c_right)
     so_4d = D_21 * si_5
     so_4 = so_4c + so_4d
-    so_4_lo1 = sum_error(so_4c, so_4d, so_4) + so_4c_lo
-    so_4_lo = so_4_lo1 + product_error(D_21, si_5, so_4d)
+    so_4_right = so_4 - so_4c
+    so_4_lo1 = so_4c - (so_4 - so_4_right) + product_rest(D_21, si_5, so_4d, so_4_right)
+    so_4_lo = so_4_lo1 + so_4c_lo
     so_5a = D_02 * si_3
     so_5b = D_12 * si_4
     so_5c = so_5a + so_5b
-    so_5c_lo1 = sum_error(so_5a, so_5b, so_5c) + product_error(D_02, si_3, so_5a)
-    so_5c_lo = so_5c_lo1 + product_error(D_12, si_4, so_5b)
+    so_5c_right = so_5c - so_5a
+    so_5c_left_rest = product_rest(D_02, si_3, so_5a, so_5c - so_5c_right)
+    so_5c_lo = so_5c_left_rest + product_rest(D_12, si_4, so_5b, so_5c_right)
     so_5d = D_22 * si_5
     so_5 = so_5c + so_5d
-    so_5_lo1 = sum_error(so_5c, so_5d, so_5) + so_5c_lo
-    so_5_lo = so_5_lo1 + product_error(D_22, si_5, so_5d)
+    so_5_right = so_5 - so_5c
+    so_5_lo1 = so_5c - (so_5 - so_5_right) + product_rest(D_22, si_5, so_5d, so_5_right)
+    so_5_lo = so_5_lo1 + so_5c_lo
     so_0_rounded = so_0 + so_0_lo
     so_1_rounded = so_1 + so_1_lo
     so_2_rounded = so_2 + so_2_lo
@@ -1085,105 +1284,122 @@ def product_Adsinv(D, si):
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
     rad/s).
-    30 mul, 66 add, 24 product error, 18 sum error, 12 neg.  Error <= u |result| + (lin: 39,
-    ang: 10) u^2 S, S the sum of the |terms| of the expanded formula; barring over- and
-    underflow.
+    30 mul, 108 add, 24 product rest, 12 neg.  Error <= u |result| + (lin: 35, ang: 11) u^2 S, S
+    the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     si_0, si_1, si_2, si_3, si_4, si_5 = si
     w_0a = D_00 * si_0
     w_0b = D_01 * si_1
     w_0c = w_0a + w_0b
-    w_0c_lo1 = sum_error(w_0a, w_0b, w_0c) + product_error(D_00, si_0, w_0a)
-    w_0c_lo = w_0c_lo1 + product_error(D_01, si_1, w_0b)
+    w_0c_right = w_0c - w_0a
+    w_0c_left_rest = product_rest(D_00, si_0, w_0a, w_0c - w_0c_right)
+    w_0c_lo = w_0c_left_rest + product_rest(D_01, si_1, w_0b, w_0c_right)
     w_0d = D_02 * si_2
     w_0e = w_0c + w_0d
-    w_0e_lo1 = sum_error(w_0c, w_0d, w_0e) + w_0c_lo
-    w_0e_lo = w_0e_lo1 + product_error(D_02, si_2, w_0d)
+    w_0e_right = w_0e - w_0c
+    w_0e_lo1 = w_0c - (w_0e - w_0e_right) + product_rest(D_02, si_2, w_0d, w_0e_right)
+    w_0e_lo = w_0e_lo1 + w_0c_lo
     w_0 = -w_0e
     w_0_lo = -w_0e_lo
     w_1a = D_10 * si_0
     w_1b = D_11 * si_1
     w_1c = w_1a + w_1b
-    w_1c_lo1 = sum_error(w_1a, w_1b, w_1c) + product_error(D_10, si_0, w_1a)
-    w_1c_lo = w_1c_lo1 + product_error(D_11, si_1, w_1b)
+    w_1c_right = w_1c - w_1a
+    w_1c_left_rest = product_rest(D_10, si_0, w_1a, w_1c - w_1c_right)
+    w_1c_lo = w_1c_left_rest + product_rest(D_11, si_1, w_1b, w_1c_right)
     w_1d = D_12 * si_2
     w_1e = w_1c + w_1d
-    w_1e_lo1 = sum_error(w_1c, w_1d, w_1e) + w_1c_lo
-    w_1e_lo = w_1e_lo1 + product_error(D_12, si_2, w_1d)
+    w_1e_right = w_1e - w_1c
+    w_1e_lo1 = w_1c - (w_1e - w_1e_right) + product_rest(D_12, si_2, w_1d, w_1e_right)
+    w_1e_lo = w_1e_lo1 + w_1c_lo
     w_1 = -w_1e
     w_1_lo = -w_1e_lo
     w_2a = D_20 * si_0
     w_2b = D_21 * si_1
     w_2c = w_2a + w_2b
-    w_2c_lo1 = sum_error(w_2a, w_2b, w_2c) + product_error(D_20, si_0, w_2a)
-    w_2c_lo = w_2c_lo1 + product_error(D_21, si_1, w_2b)
+    w_2c_right = w_2c - w_2a
+    w_2c_left_rest = product_rest(D_20, si_0, w_2a, w_2c - w_2c_right)
+    w_2c_lo = w_2c_left_rest + product_rest(D_21, si_1, w_2b, w_2c_right)
     w_2d = D_22 * si_2
     w_2e = w_2c + w_2d
-    w_2e_lo1 = sum_error(w_2c, w_2d, w_2e) + w_2c_lo
-    w_2e_lo = w_2e_lo1 + product_error(D_22, si_2, w_2d)
+    w_2e_right = w_2e - w_2c
+    w_2e_lo1 = w_2c - (w_2e - w_2e_right) + product_rest(D_22, si_2, w_2d, w_2e_right)
+    w_2e_lo = w_2e_lo1 + w_2c_lo
     w_2 = -w_2e
     w_2_lo = -w_2e_lo
     w_3a = D_00 * si_3
     w_3b = D_01 * si_4
     w_3c = w_3a + w_3b
-    w_3c_lo1 = sum_error(w_3a, w_3b, w_3c) + product_error(D_00, si_3, w_3a)
-    w_3c_lo = w_3c_lo1 + product_error(D_01, si_4, w_3b)
+    w_3c_right = w_3c - w_3a
+    w_3c_left_rest = product_rest(D_00, si_3, w_3a, w_3c - w_3c_right)
+    w_3c_lo = w_3c_left_rest + product_rest(D_01, si_4, w_3b, w_3c_right)
     w_3d = D_02 * si_5
     w_3e = w_3c + w_3d
-    w_3e_lo1 = sum_error(w_3c, w_3d, w_3e) + w_3c_lo
-    w_3e_lo = w_3e_lo1 + product_error(D_02, si_5, w_3d)
+    w_3e_right = w_3e - w_3c
+    w_3e_lo1 = w_3c - (w_3e - w_3e_right) + product_rest(D_02, si_5, w_3d, w_3e_right)
+    w_3e_lo = w_3e_lo1 + w_3c_lo
     w_3 = -w_3e
     w_3_lo = -w_3e_lo
     w_4a = D_10 * si_3
     w_4b = D_11 * si_4
     w_4c = w_4a + w_4b
-    w_4c_lo1 = sum_error(w_4a, w_4b, w_4c) + product_error(D_10, si_3, w_4a)
-    w_4c_lo = w_4c_lo1 + product_error(D_11, si_4, w_4b)
+    w_4c_right = w_4c - w_4a
+    w_4c_left_rest = product_rest(D_10, si_3, w_4a, w_4c - w_4c_right)
+    w_4c_lo = w_4c_left_rest + product_rest(D_11, si_4, w_4b, w_4c_right)
     w_4d = D_12 * si_5
     w_4e = w_4c + w_4d
-    w_4e_lo1 = sum_error(w_4c, w_4d, w_4e) + w_4c_lo
-    w_4e_lo = w_4e_lo1 + product_error(D_12, si_5, w_4d)
+    w_4e_right = w_4e - w_4c
+    w_4e_lo1 = w_4c - (w_4e - w_4e_right) + product_rest(D_12, si_5, w_4d, w_4e_right)
+    w_4e_lo = w_4e_lo1 + w_4c_lo
     w_4 = -w_4e
     w_4_lo = -w_4e_lo
     w_5a = D_20 * si_3
     w_5b = D_21 * si_4
     w_5c = w_5a + w_5b
-    w_5c_lo1 = sum_error(w_5a, w_5b, w_5c) + product_error(D_20, si_3, w_5a)
-    w_5c_lo = w_5c_lo1 + product_error(D_21, si_4, w_5b)
+    w_5c_right = w_5c - w_5a
+    w_5c_left_rest = product_rest(D_20, si_3, w_5a, w_5c - w_5c_right)
+    w_5c_lo = w_5c_left_rest + product_rest(D_21, si_4, w_5b, w_5c_right)
     w_5d = D_22 * si_5
     w_5e = w_5c + w_5d
-    w_5e_lo1 = sum_error(w_5c, w_5d, w_5e) + w_5c_lo
-    w_5e_lo = w_5e_lo1 + product_error(D_22, si_5, w_5d)
+    w_5e_right = w_5e - w_5c
+    w_5e_lo1 = w_5c - (w_5e - w_5e_right) + product_rest(D_22, si_5, w_5d, w_5e_right)
+    w_5e_lo = w_5e_lo1 + w_5c_lo
     w_5 = -w_5e
     w_5_lo = -w_5e_lo
     so_0a = D_13 * w_5
-    so_0a_lo = product_error(D_13, w_5, so_0a) + D_13 * w_5_lo
     so_0b = D_23 * w_4
     so_0c = so_0a - so_0b
-    so_0c_lo1 = difference_error(so_0a, so_0b, so_0c) + so_0a_lo
-    so_0c_lo = so_0c_lo1 - (product_error(D_23, w_4, so_0b) + D_23 * w_4_lo)
+    so_0c_right = so_0a - so_0c
+    so_0c_left_rest = product_rest(D_13, w_5, so_0a, so_0c + so_0c_right)
+    so_0c_lo1 = so_0c_left_rest - product_rest(D_23, w_4, so_0b, so_0c_right)
+    so_0c_lo = so_0c_lo1 + (D_13 * w_5_lo - D_23 * w_4_lo)
     so_0 = so_0c + w_0
-    so_0_lo1 = sum_error(so_0c, w_0, so_0) + so_0c_lo
-    so_0_lo = so_0_lo1 + w_0_lo
+    so_0_right = so_0 - so_0c
+    so_0_lo2 = so_0c - (so_0 - so_0_right) + (w_0 - so_0_right) + w_0_lo
+    so_0_lo = so_0_lo2 + so_0c_lo
     so_1a = D_23 * w_3
-    so_1a_lo = product_error(D_23, w_3, so_1a) + D_23 * w_3_lo
     so_1b = D_03 * w_5
     so_1c = so_1a - so_1b
-    so_1c_lo1 = difference_error(so_1a, so_1b, so_1c) + so_1a_lo
-    so_1c_lo = so_1c_lo1 - (product_error(D_03, w_5, so_1b) + D_03 * w_5_lo)
+    so_1c_right = so_1a - so_1c
+    so_1c_left_rest = product_rest(D_23, w_3, so_1a, so_1c + so_1c_right)
+    so_1c_lo1 = so_1c_left_rest - product_rest(D_03, w_5, so_1b, so_1c_right)
+    so_1c_lo = so_1c_lo1 + (D_23 * w_3_lo - D_03 * w_5_lo)
     so_1 = so_1c + w_1
-    so_1_lo1 = sum_error(so_1c, w_1, so_1) + so_1c_lo
-    so_1_lo = so_1_lo1 + w_1_lo
+    so_1_right = so_1 - so_1c
+    so_1_lo2 = so_1c - (so_1 - so_1_right) + (w_1 - so_1_right) + w_1_lo
+    so_1_lo = so_1_lo2 + so_1c_lo
     so_2a = D_03 * w_4
-    so_2a_lo = product_error(D_03, w_4, so_2a) + D_03 * w_4_lo
     so_2b = D_13 * w_3
     so_2c = so_2a - so_2b
-    so_2c_lo1 = difference_error(so_2a, so_2b, so_2c) + so_2a_lo
-    so_2c_lo = so_2c_lo1 - (product_error(D_13, w_3, so_2b) + D_13 * w_3_lo)
+    so_2c_right = so_2a - so_2c
+    so_2c_left_rest = product_rest(D_03, w_4, so_2a, so_2c + so_2c_right)
+    so_2c_lo1 = so_2c_left_rest - product_rest(D_13, w_3, so_2b, so_2c_right)
+    so_2c_lo = so_2c_lo1 + (D_03 * w_4_lo - D_13 * w_3_lo)
     so_2 = so_2c + w_2
-    so_2_lo1 = sum_error(so_2c, w_2, so_2) + so_2c_lo
-    so_2_lo = so_2_lo1 + w_2_lo
+    so_2_right = so_2 - so_2c
+    so_2_lo2 = so_2c - (so_2 - so_2_right) + (w_2 - so_2_right) + w_2_lo
+    so_2_lo = so_2_lo2 + so_2c_lo
     so_0_rounded = so_0 + so_0_lo
     so_1_rounded = so_1 + so_1_lo
     so_2_rounded = so_2 + so_2_lo
@@ -1198,25 +1414,28 @@ def hsrx(D):
     """so = h_rx: column 3 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 12 add, 6 product error, 3 sum error.  Error <= u |result| + (lin: 4, ang: 0) u^2 S,
-    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     so_0a = D_20 * D_13
     so_0b = D_10 * D_23
     so_0 = so_0a - so_0b
-    so_0_lo1 = difference_error(so_0a, so_0b, so_0) + product_error(D_20, D_13, so_0a)
-    so_0_lo = so_0_lo1 - product_error(D_10, D_23, so_0b)
+    so_0_right = so_0a - so_0
+    so_0_left_rest = product_rest(D_20, D_13, so_0a, so_0 + so_0_right)
+    so_0_lo = so_0_left_rest - product_rest(D_10, D_23, so_0b, so_0_right)
     so_1a = D_00 * D_23
     so_1b = D_20 * D_03
     so_1 = so_1a - so_1b
-    so_1_lo1 = difference_error(so_1a, so_1b, so_1) + product_error(D_00, D_23, so_1a)
-    so_1_lo = so_1_lo1 - product_error(D_20, D_03, so_1b)
+    so_1_right = so_1a - so_1
+    so_1_left_rest = product_rest(D_00, D_23, so_1a, so_1 + so_1_right)
+    so_1_lo = so_1_left_rest - product_rest(D_20, D_03, so_1b, so_1_right)
     so_2a = D_10 * D_03
     so_2b = D_00 * D_13
     so_2 = so_2a - so_2b
-    so_2_lo1 = difference_error(so_2a, so_2b, so_2) + product_error(D_10, D_03, so_2a)
-    so_2_lo = so_2_lo1 - product_error(D_00, D_13, so_2b)
+    so_2_right = so_2a - so_2
+    so_2_left_rest = product_rest(D_10, D_03, so_2a, so_2 + so_2_right)
+    so_2_lo = so_2_left_rest - product_rest(D_00, D_13, so_2b, so_2_right)
     so_0_rounded = so_0 + so_0_lo
     so_1_rounded = so_1 + so_1_lo
     so_2_rounded = so_2 + so_2_lo
@@ -1228,25 +1447,28 @@ def hsry(D):
     """so = h_ry: column 4 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 12 add, 6 product error, 3 sum error.  Error <= u |result| + (lin: 4, ang: 0) u^2 S,
-    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     so_0a = D_21 * D_13
     so_0b = D_11 * D_23
     so_0 = so_0a - so_0b
-    so_0_lo1 = difference_error(so_0a, so_0b, so_0) + product_error(D_21, D_13, so_0a)
-    so_0_lo = so_0_lo1 - product_error(D_11, D_23, so_0b)
+    so_0_right = so_0a - so_0
+    so_0_left_rest = product_rest(D_21, D_13, so_0a, so_0 + so_0_right)
+    so_0_lo = so_0_left_rest - product_rest(D_11, D_23, so_0b, so_0_right)
     so_1a = D_01 * D_23
     so_1b = D_21 * D_03
     so_1 = so_1a - so_1b
-    so_1_lo1 = difference_error(so_1a, so_1b, so_1) + product_error(D_01, D_23, so_1a)
-    so_1_lo = so_1_lo1 - product_error(D_21, D_03, so_1b)
+    so_1_right = so_1a - so_1
+    so_1_left_rest = product_rest(D_01, D_23, so_1a, so_1 + so_1_right)
+    so_1_lo = so_1_left_rest - product_rest(D_21, D_03, so_1b, so_1_right)
     so_2a = D_11 * D_03
     so_2b = D_01 * D_13
     so_2 = so_2a - so_2b
-    so_2_lo1 = difference_error(so_2a, so_2b, so_2) + product_error(D_11, D_03, so_2a)
-    so_2_lo = so_2_lo1 - product_error(D_01, D_13, so_2b)
+    so_2_right = so_2a - so_2
+    so_2_left_rest = product_rest(D_11, D_03, so_2a, so_2 + so_2_right)
+    so_2_lo = so_2_left_rest - product_rest(D_01, D_13, so_2b, so_2_right)
     so_0_rounded = so_0 + so_0_lo
     so_1_rounded = so_1 + so_1_lo
     so_2_rounded = so_2 + so_2_lo
@@ -1258,25 +1480,28 @@ def hsrz(D):
     """so = h_rz: column 5 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 12 add, 6 product error, 3 sum error.  Error <= u |result| + (lin: 4, ang: 0) u^2 S,
-    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     so_0a = D_22 * D_13
     so_0b = D_12 * D_23
     so_0 = so_0a - so_0b
-    so_0_lo1 = difference_error(so_0a, so_0b, so_0) + product_error(D_22, D_13, so_0a)
-    so_0_lo = so_0_lo1 - product_error(D_12, D_23, so_0b)
+    so_0_right = so_0a - so_0
+    so_0_left_rest = product_rest(D_22, D_13, so_0a, so_0 + so_0_right)
+    so_0_lo = so_0_left_rest - product_rest(D_12, D_23, so_0b, so_0_right)
     so_1a = D_02 * D_23
     so_1b = D_22 * D_03
     so_1 = so_1a - so_1b
-    so_1_lo1 = difference_error(so_1a, so_1b, so_1) + product_error(D_02, D_23, so_1a)
-    so_1_lo = so_1_lo1 - product_error(D_22, D_03, so_1b)
+    so_1_right = so_1a - so_1
+    so_1_left_rest = product_rest(D_02, D_23, so_1a, so_1 + so_1_right)
+    so_1_lo = so_1_left_rest - product_rest(D_22, D_03, so_1b, so_1_right)
     so_2a = D_12 * D_03
     so_2b = D_02 * D_13
     so_2 = so_2a - so_2b
-    so_2_lo1 = difference_error(so_2a, so_2b, so_2) + product_error(D_12, D_03, so_2a)
-    so_2_lo = so_2_lo1 - product_error(D_02, D_13, so_2b)
+    so_2_right = so_2a - so_2
+    so_2_left_rest = product_rest(D_12, D_03, so_2a, so_2 + so_2_right)
+    so_2_lo = so_2_left_rest - product_rest(D_02, D_13, so_2b, so_2_right)
     so_0_rounded = so_0 + so_0_lo
     so_1_rounded = so_1 + so_1_lo
     so_2_rounded = so_2 + so_2_lo
@@ -1288,25 +1513,28 @@ def hsrxinv(D):
     """so = -h_rx: -column 3 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 12 add, 6 product error, 3 sum error, 3 neg.  Error <= u |result| + (lin: 4, ang: 0)
-    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     so_0a = D_10 * D_23
     so_0b = D_20 * D_13
     so_0 = so_0a - so_0b
-    so_0_lo1 = difference_error(so_0a, so_0b, so_0) + product_error(D_10, D_23, so_0a)
-    so_0_lo = so_0_lo1 - product_error(D_20, D_13, so_0b)
+    so_0_right = so_0a - so_0
+    so_0_left_rest = product_rest(D_10, D_23, so_0a, so_0 + so_0_right)
+    so_0_lo = so_0_left_rest - product_rest(D_20, D_13, so_0b, so_0_right)
     so_1a = D_20 * D_03
     so_1b = D_00 * D_23
     so_1 = so_1a - so_1b
-    so_1_lo1 = difference_error(so_1a, so_1b, so_1) + product_error(D_20, D_03, so_1a)
-    so_1_lo = so_1_lo1 - product_error(D_00, D_23, so_1b)
+    so_1_right = so_1a - so_1
+    so_1_left_rest = product_rest(D_20, D_03, so_1a, so_1 + so_1_right)
+    so_1_lo = so_1_left_rest - product_rest(D_00, D_23, so_1b, so_1_right)
     so_2a = D_00 * D_13
     so_2b = D_10 * D_03
     so_2 = so_2a - so_2b
-    so_2_lo1 = difference_error(so_2a, so_2b, so_2) + product_error(D_00, D_13, so_2a)
-    so_2_lo = so_2_lo1 - product_error(D_10, D_03, so_2b)
+    so_2_right = so_2a - so_2
+    so_2_left_rest = product_rest(D_00, D_13, so_2a, so_2 + so_2_right)
+    so_2_lo = so_2_left_rest - product_rest(D_10, D_03, so_2b, so_2_right)
     so_3 = -D_00
     so_4 = -D_10
     so_5 = -D_20
@@ -1321,25 +1549,28 @@ def hsryinv(D):
     """so = -h_ry: -column 4 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 12 add, 6 product error, 3 sum error, 3 neg.  Error <= u |result| + (lin: 4, ang: 0)
-    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     so_0a = D_11 * D_23
     so_0b = D_21 * D_13
     so_0 = so_0a - so_0b
-    so_0_lo1 = difference_error(so_0a, so_0b, so_0) + product_error(D_11, D_23, so_0a)
-    so_0_lo = so_0_lo1 - product_error(D_21, D_13, so_0b)
+    so_0_right = so_0a - so_0
+    so_0_left_rest = product_rest(D_11, D_23, so_0a, so_0 + so_0_right)
+    so_0_lo = so_0_left_rest - product_rest(D_21, D_13, so_0b, so_0_right)
     so_1a = D_21 * D_03
     so_1b = D_01 * D_23
     so_1 = so_1a - so_1b
-    so_1_lo1 = difference_error(so_1a, so_1b, so_1) + product_error(D_21, D_03, so_1a)
-    so_1_lo = so_1_lo1 - product_error(D_01, D_23, so_1b)
+    so_1_right = so_1a - so_1
+    so_1_left_rest = product_rest(D_21, D_03, so_1a, so_1 + so_1_right)
+    so_1_lo = so_1_left_rest - product_rest(D_01, D_23, so_1b, so_1_right)
     so_2a = D_01 * D_13
     so_2b = D_11 * D_03
     so_2 = so_2a - so_2b
-    so_2_lo1 = difference_error(so_2a, so_2b, so_2) + product_error(D_01, D_13, so_2a)
-    so_2_lo = so_2_lo1 - product_error(D_11, D_03, so_2b)
+    so_2_right = so_2a - so_2
+    so_2_left_rest = product_rest(D_01, D_13, so_2a, so_2 + so_2_right)
+    so_2_lo = so_2_left_rest - product_rest(D_11, D_03, so_2b, so_2_right)
     so_3 = -D_01
     so_4 = -D_11
     so_5 = -D_21
@@ -1354,25 +1585,28 @@ def hsrzinv(D):
     """so = -h_rz: -column 5 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 12 add, 6 product error, 3 sum error, 3 neg.  Error <= u |result| + (lin: 4, ang: 0)
-    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     so_0a = D_12 * D_23
     so_0b = D_22 * D_13
     so_0 = so_0a - so_0b
-    so_0_lo1 = difference_error(so_0a, so_0b, so_0) + product_error(D_12, D_23, so_0a)
-    so_0_lo = so_0_lo1 - product_error(D_22, D_13, so_0b)
+    so_0_right = so_0a - so_0
+    so_0_left_rest = product_rest(D_12, D_23, so_0a, so_0 + so_0_right)
+    so_0_lo = so_0_left_rest - product_rest(D_22, D_13, so_0b, so_0_right)
     so_1a = D_22 * D_03
     so_1b = D_02 * D_23
     so_1 = so_1a - so_1b
-    so_1_lo1 = difference_error(so_1a, so_1b, so_1) + product_error(D_22, D_03, so_1a)
-    so_1_lo = so_1_lo1 - product_error(D_02, D_23, so_1b)
+    so_1_right = so_1a - so_1
+    so_1_left_rest = product_rest(D_22, D_03, so_1a, so_1 + so_1_right)
+    so_1_lo = so_1_left_rest - product_rest(D_02, D_23, so_1b, so_1_right)
     so_2a = D_02 * D_13
     so_2b = D_12 * D_03
     so_2 = so_2a - so_2b
-    so_2_lo1 = difference_error(so_2a, so_2b, so_2) + product_error(D_02, D_13, so_2a)
-    so_2_lo = so_2_lo1 - product_error(D_12, D_03, so_2b)
+    so_2_right = so_2a - so_2
+    so_2_left_rest = product_rest(D_02, D_13, so_2a, so_2 + so_2_right)
+    so_2_lo = so_2_left_rest - product_rest(D_12, D_03, so_2b, so_2_right)
     so_3 = -D_02
     so_4 = -D_12
     so_5 = -D_22
@@ -1387,55 +1621,64 @@ def Ad(D):
     """M = [Ad](D).
 
     (3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-    18 mul, 36 add, 18 product error, 9 sum error.  Error <= u |result| + 4 u^2 S, S the sum of
-    the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 45 add, 18 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     M_03a = D_20 * D_13
     M_03b = D_10 * D_23
     M_03 = M_03a - M_03b
-    M_03_lo1 = difference_error(M_03a, M_03b, M_03) + product_error(D_20, D_13, M_03a)
-    M_03_lo = M_03_lo1 - product_error(D_10, D_23, M_03b)
+    M_03_right = M_03a - M_03
+    M_03_left_rest = product_rest(D_20, D_13, M_03a, M_03 + M_03_right)
+    M_03_lo = M_03_left_rest - product_rest(D_10, D_23, M_03b, M_03_right)
     M_04a = D_21 * D_13
     M_04b = D_11 * D_23
     M_04 = M_04a - M_04b
-    M_04_lo1 = difference_error(M_04a, M_04b, M_04) + product_error(D_21, D_13, M_04a)
-    M_04_lo = M_04_lo1 - product_error(D_11, D_23, M_04b)
+    M_04_right = M_04a - M_04
+    M_04_left_rest = product_rest(D_21, D_13, M_04a, M_04 + M_04_right)
+    M_04_lo = M_04_left_rest - product_rest(D_11, D_23, M_04b, M_04_right)
     M_05a = D_22 * D_13
     M_05b = D_12 * D_23
     M_05 = M_05a - M_05b
-    M_05_lo1 = difference_error(M_05a, M_05b, M_05) + product_error(D_22, D_13, M_05a)
-    M_05_lo = M_05_lo1 - product_error(D_12, D_23, M_05b)
+    M_05_right = M_05a - M_05
+    M_05_left_rest = product_rest(D_22, D_13, M_05a, M_05 + M_05_right)
+    M_05_lo = M_05_left_rest - product_rest(D_12, D_23, M_05b, M_05_right)
     M_13a = D_00 * D_23
     M_13b = D_20 * D_03
     M_13 = M_13a - M_13b
-    M_13_lo1 = difference_error(M_13a, M_13b, M_13) + product_error(D_00, D_23, M_13a)
-    M_13_lo = M_13_lo1 - product_error(D_20, D_03, M_13b)
+    M_13_right = M_13a - M_13
+    M_13_left_rest = product_rest(D_00, D_23, M_13a, M_13 + M_13_right)
+    M_13_lo = M_13_left_rest - product_rest(D_20, D_03, M_13b, M_13_right)
     M_14a = D_01 * D_23
     M_14b = D_21 * D_03
     M_14 = M_14a - M_14b
-    M_14_lo1 = difference_error(M_14a, M_14b, M_14) + product_error(D_01, D_23, M_14a)
-    M_14_lo = M_14_lo1 - product_error(D_21, D_03, M_14b)
+    M_14_right = M_14a - M_14
+    M_14_left_rest = product_rest(D_01, D_23, M_14a, M_14 + M_14_right)
+    M_14_lo = M_14_left_rest - product_rest(D_21, D_03, M_14b, M_14_right)
     M_15a = D_02 * D_23
     M_15b = D_22 * D_03
     M_15 = M_15a - M_15b
-    M_15_lo1 = difference_error(M_15a, M_15b, M_15) + product_error(D_02, D_23, M_15a)
-    M_15_lo = M_15_lo1 - product_error(D_22, D_03, M_15b)
+    M_15_right = M_15a - M_15
+    M_15_left_rest = product_rest(D_02, D_23, M_15a, M_15 + M_15_right)
+    M_15_lo = M_15_left_rest - product_rest(D_22, D_03, M_15b, M_15_right)
     M_23a = D_10 * D_03
     M_23b = D_00 * D_13
     M_23 = M_23a - M_23b
-    M_23_lo1 = difference_error(M_23a, M_23b, M_23) + product_error(D_10, D_03, M_23a)
-    M_23_lo = M_23_lo1 - product_error(D_00, D_13, M_23b)
+    M_23_right = M_23a - M_23
+    M_23_left_rest = product_rest(D_10, D_03, M_23a, M_23 + M_23_right)
+    M_23_lo = M_23_left_rest - product_rest(D_00, D_13, M_23b, M_23_right)
     M_24a = D_11 * D_03
     M_24b = D_01 * D_13
     M_24 = M_24a - M_24b
-    M_24_lo1 = difference_error(M_24a, M_24b, M_24) + product_error(D_11, D_03, M_24a)
-    M_24_lo = M_24_lo1 - product_error(D_01, D_13, M_24b)
+    M_24_right = M_24a - M_24
+    M_24_left_rest = product_rest(D_11, D_03, M_24a, M_24 + M_24_right)
+    M_24_lo = M_24_left_rest - product_rest(D_01, D_13, M_24b, M_24_right)
     M_25a = D_12 * D_03
     M_25b = D_02 * D_13
     M_25 = M_25a - M_25b
-    M_25_lo1 = difference_error(M_25a, M_25b, M_25) + product_error(D_12, D_03, M_25a)
-    M_25_lo = M_25_lo1 - product_error(D_02, D_13, M_25b)
+    M_25_right = M_25a - M_25
+    M_25_left_rest = product_rest(D_12, D_03, M_25a, M_25 + M_25_right)
+    M_25_lo = M_25_left_rest - product_rest(D_02, D_13, M_25b, M_25_right)
     M_03_rounded = M_03 + M_03_lo
     M_04_rounded = M_04 + M_04_lo
     M_05_rounded = M_05 + M_05_lo
@@ -1456,32 +1699,40 @@ def dot_cs(c, s):
     """power = f·v + τ·ω, in W.
 
     (6),(6)->().  c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s); power: number.
-    6 mul, 16 add, 6 product error, 5 sum error.  Error <= u |result| + 18 u^2 S, S the sum of
-    the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 29 add, 6 product rest.  Error <= u |result| + 19 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
     c_0, c_1, c_2, c_3, c_4, c_5 = c
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     power_a = c_0 * s_0
     power_b = c_1 * s_1
     power_c = power_a + power_b
-    power_c_lo1 = sum_error(power_a, power_b, power_c) + product_error(c_0, s_0, power_a)
-    power_c_lo = power_c_lo1 + product_error(c_1, s_1, power_b)
+    power_c_right = power_c - power_a
+    power_c_left_rest = product_rest(c_0, s_0, power_a, power_c - power_c_right)
+    power_c_lo = power_c_left_rest + product_rest(c_1, s_1, power_b, power_c_right)
     power_d = c_2 * s_2
     power_e = power_c + power_d
-    power_e_lo1 = sum_error(power_c, power_d, power_e) + power_c_lo
-    power_e_lo = power_e_lo1 + product_error(c_2, s_2, power_d)
+    power_e_right = power_e - power_c
+    power_e_right_rest = product_rest(c_2, s_2, power_d, power_e_right)
+    power_e_lo1 = power_c - (power_e - power_e_right) + power_e_right_rest
+    power_e_lo = power_e_lo1 + power_c_lo
     power_f = c_3 * s_3
     power_g = c_4 * s_4
     power_h = power_f + power_g
-    power_h_lo1 = sum_error(power_f, power_g, power_h) + product_error(c_3, s_3, power_f)
-    power_h_lo = power_h_lo1 + product_error(c_4, s_4, power_g)
+    power_h_right = power_h - power_f
+    power_h_left_rest = product_rest(c_3, s_3, power_f, power_h - power_h_right)
+    power_h_lo = power_h_left_rest + product_rest(c_4, s_4, power_g, power_h_right)
     power_i = c_5 * s_5
     power_j = power_h + power_i
-    power_j_lo1 = sum_error(power_h, power_i, power_j) + power_h_lo
-    power_j_lo = power_j_lo1 + product_error(c_5, s_5, power_i)
+    power_j_right = power_j - power_h
+    power_j_right_rest = product_rest(c_5, s_5, power_i, power_j_right)
+    power_j_lo1 = power_h - (power_j - power_j_right) + power_j_right_rest
+    power_j_lo = power_j_lo1 + power_h_lo
     power = power_e + power_j
-    power_lo1 = sum_error(power_e, power_j, power) + power_e_lo
-    power_lo = power_lo1 + power_j_lo
+    power_right = power - power_e
+    power_lo1 = power_e - (power - power_right) + (power_j - power_right)
+    power_lo2 = power_lo1 + power_j_lo
+    power_lo = power_lo2 + power_e_lo
     power_rounded = power + power_lo
     return power_rounded
 
@@ -1492,65 +1743,80 @@ def cross_ss(s1, s2):
     overflow.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    18 mul, 42 add, 18 product error, 12 sum error.  Error <= u |result| + (lin: 10, ang: 4) u^2
-    S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    18 mul, 66 add, 18 product rest.  Error <= u |result| + (lin: 12, ang: 6) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
     s1_0, s1_1, s1_2, s1_3, s1_4, s1_5 = s1
     s2_0, s2_1, s2_2, s2_3, s2_4, s2_5 = s2
     so_0a = s1_1 * s2_5
     so_0b = s1_5 * s2_1
     so_0c = so_0a - so_0b
-    so_0c_lo1 = difference_error(so_0a, so_0b, so_0c) + product_error(s1_1, s2_5, so_0a)
-    so_0c_lo = so_0c_lo1 - product_error(s1_5, s2_1, so_0b)
+    so_0c_right = so_0a - so_0c
+    so_0c_left_rest = product_rest(s1_1, s2_5, so_0a, so_0c + so_0c_right)
+    so_0c_lo = so_0c_left_rest - product_rest(s1_5, s2_1, so_0b, so_0c_right)
     so_0d = s1_4 * s2_2
     so_0e = s1_2 * s2_4
     so_0f = so_0d - so_0e
-    so_0f_lo1 = difference_error(so_0d, so_0e, so_0f) + product_error(s1_4, s2_2, so_0d)
-    so_0f_lo = so_0f_lo1 - product_error(s1_2, s2_4, so_0e)
+    so_0f_right = so_0d - so_0f
+    so_0f_left_rest = product_rest(s1_4, s2_2, so_0d, so_0f + so_0f_right)
+    so_0f_lo = so_0f_left_rest - product_rest(s1_2, s2_4, so_0e, so_0f_right)
     so_0 = so_0c + so_0f
-    so_0_lo1 = sum_error(so_0c, so_0f, so_0) + so_0c_lo
-    so_0_lo = so_0_lo1 + so_0f_lo
+    so_0_right = so_0 - so_0c
+    so_0_lo1 = so_0c - (so_0 - so_0_right) + (so_0f - so_0_right)
+    so_0_lo2 = so_0_lo1 + so_0f_lo
+    so_0_lo = so_0_lo2 + so_0c_lo
     so_1a = s1_5 * s2_0
     so_1b = s1_0 * s2_5
     so_1c = so_1a - so_1b
-    so_1c_lo1 = difference_error(so_1a, so_1b, so_1c) + product_error(s1_5, s2_0, so_1a)
-    so_1c_lo = so_1c_lo1 - product_error(s1_0, s2_5, so_1b)
+    so_1c_right = so_1a - so_1c
+    so_1c_left_rest = product_rest(s1_5, s2_0, so_1a, so_1c + so_1c_right)
+    so_1c_lo = so_1c_left_rest - product_rest(s1_0, s2_5, so_1b, so_1c_right)
     so_1d = s1_2 * s2_3
     so_1e = s1_3 * s2_2
     so_1f = so_1d - so_1e
-    so_1f_lo1 = difference_error(so_1d, so_1e, so_1f) + product_error(s1_2, s2_3, so_1d)
-    so_1f_lo = so_1f_lo1 - product_error(s1_3, s2_2, so_1e)
+    so_1f_right = so_1d - so_1f
+    so_1f_left_rest = product_rest(s1_2, s2_3, so_1d, so_1f + so_1f_right)
+    so_1f_lo = so_1f_left_rest - product_rest(s1_3, s2_2, so_1e, so_1f_right)
     so_1 = so_1c + so_1f
-    so_1_lo1 = sum_error(so_1c, so_1f, so_1) + so_1c_lo
-    so_1_lo = so_1_lo1 + so_1f_lo
+    so_1_right = so_1 - so_1c
+    so_1_lo1 = so_1c - (so_1 - so_1_right) + (so_1f - so_1_right)
+    so_1_lo2 = so_1_lo1 + so_1f_lo
+    so_1_lo = so_1_lo2 + so_1c_lo
     so_2a = s1_0 * s2_4
     so_2b = s1_4 * s2_0
     so_2c = so_2a - so_2b
-    so_2c_lo1 = difference_error(so_2a, so_2b, so_2c) + product_error(s1_0, s2_4, so_2a)
-    so_2c_lo = so_2c_lo1 - product_error(s1_4, s2_0, so_2b)
+    so_2c_right = so_2a - so_2c
+    so_2c_left_rest = product_rest(s1_0, s2_4, so_2a, so_2c + so_2c_right)
+    so_2c_lo = so_2c_left_rest - product_rest(s1_4, s2_0, so_2b, so_2c_right)
     so_2d = s1_3 * s2_1
     so_2e = s1_1 * s2_3
     so_2f = so_2d - so_2e
-    so_2f_lo1 = difference_error(so_2d, so_2e, so_2f) + product_error(s1_3, s2_1, so_2d)
-    so_2f_lo = so_2f_lo1 - product_error(s1_1, s2_3, so_2e)
+    so_2f_right = so_2d - so_2f
+    so_2f_left_rest = product_rest(s1_3, s2_1, so_2d, so_2f + so_2f_right)
+    so_2f_lo = so_2f_left_rest - product_rest(s1_1, s2_3, so_2e, so_2f_right)
     so_2 = so_2c + so_2f
-    so_2_lo1 = sum_error(so_2c, so_2f, so_2) + so_2c_lo
-    so_2_lo = so_2_lo1 + so_2f_lo
+    so_2_right = so_2 - so_2c
+    so_2_lo1 = so_2c - (so_2 - so_2_right) + (so_2f - so_2_right)
+    so_2_lo2 = so_2_lo1 + so_2f_lo
+    so_2_lo = so_2_lo2 + so_2c_lo
     so_3a = s1_4 * s2_5
     so_3b = s1_5 * s2_4
     so_3 = so_3a - so_3b
-    so_3_lo1 = difference_error(so_3a, so_3b, so_3) + product_error(s1_4, s2_5, so_3a)
-    so_3_lo = so_3_lo1 - product_error(s1_5, s2_4, so_3b)
+    so_3_right = so_3a - so_3
+    so_3_left_rest = product_rest(s1_4, s2_5, so_3a, so_3 + so_3_right)
+    so_3_lo = so_3_left_rest - product_rest(s1_5, s2_4, so_3b, so_3_right)
     so_4a = s1_5 * s2_3
     so_4b = s1_3 * s2_5
     so_4 = so_4a - so_4b
-    so_4_lo1 = difference_error(so_4a, so_4b, so_4) + product_error(s1_5, s2_3, so_4a)
-    so_4_lo = so_4_lo1 - product_error(s1_3, s2_5, so_4b)
+    so_4_right = so_4a - so_4
+    so_4_left_rest = product_rest(s1_5, s2_3, so_4a, so_4 + so_4_right)
+    so_4_lo = so_4_left_rest - product_rest(s1_3, s2_5, so_4b, so_4_right)
     so_5a = s1_3 * s2_4
     so_5b = s1_4 * s2_3
     so_5 = so_5a - so_5b
-    so_5_lo1 = difference_error(so_5a, so_5b, so_5) + product_error(s1_3, s2_4, so_5a)
-    so_5_lo = so_5_lo1 - product_error(s1_4, s2_3, so_5b)
+    so_5_right = so_5a - so_5
+    so_5_left_rest = product_rest(s1_3, s2_4, so_5a, so_5 + so_5_right)
+    so_5_lo = so_5_left_rest - product_rest(s1_4, s2_3, so_5b, so_5_right)
     so_0_rounded = so_0 + so_0_lo
     so_1_rounded = so_1 + so_1_lo
     so_2_rounded = so_2 + so_2_lo
@@ -1565,26 +1831,29 @@ def cross_sst(s1, s2):
     """so = (ω1×v2 ; 0).
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    6 mul, 12 add, 6 product error, 3 sum error.  Error <= u |result| + (lin: 4, ang: 0) u^2 S,
-    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
     s1_0, s1_1, s1_2, s1_3, s1_4, s1_5 = s1
     s2_0, s2_1, s2_2, s2_3, s2_4, s2_5 = s2
     so_0a = s1_4 * s2_2
     so_0b = s1_5 * s2_1
     so_0 = so_0a - so_0b
-    so_0_lo1 = difference_error(so_0a, so_0b, so_0) + product_error(s1_4, s2_2, so_0a)
-    so_0_lo = so_0_lo1 - product_error(s1_5, s2_1, so_0b)
+    so_0_right = so_0a - so_0
+    so_0_left_rest = product_rest(s1_4, s2_2, so_0a, so_0 + so_0_right)
+    so_0_lo = so_0_left_rest - product_rest(s1_5, s2_1, so_0b, so_0_right)
     so_1a = s1_5 * s2_0
     so_1b = s1_3 * s2_2
     so_1 = so_1a - so_1b
-    so_1_lo1 = difference_error(so_1a, so_1b, so_1) + product_error(s1_5, s2_0, so_1a)
-    so_1_lo = so_1_lo1 - product_error(s1_3, s2_2, so_1b)
+    so_1_right = so_1a - so_1
+    so_1_left_rest = product_rest(s1_5, s2_0, so_1a, so_1 + so_1_right)
+    so_1_lo = so_1_left_rest - product_rest(s1_3, s2_2, so_1b, so_1_right)
     so_2a = s1_3 * s2_1
     so_2b = s1_4 * s2_0
     so_2 = so_2a - so_2b
-    so_2_lo1 = difference_error(so_2a, so_2b, so_2) + product_error(s1_3, s2_1, so_2a)
-    so_2_lo = so_2_lo1 - product_error(s1_4, s2_0, so_2b)
+    so_2_right = so_2a - so_2
+    so_2_left_rest = product_rest(s1_3, s2_1, so_2a, so_2 + so_2_right)
+    so_2_lo = so_2_left_rest - product_rest(s1_4, s2_0, so_2b, so_2_right)
     so_0_rounded = so_0 + so_0_lo
     so_1_rounded = so_1 + so_1_lo
     so_2_rounded = so_2 + so_2_lo
@@ -1597,56 +1866,65 @@ def hsra(D, axis):
 
     (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
     m/s; ω in rad/s).
-    21 mul, 39 add, 15 product error, 9 sum error.  Error <= u |result| + (lin: 27, ang: 10) u^2
-    S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    21 mul, 54 add, 15 product rest.  Error <= u |result| + (lin: 28, ang: 11) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     axis_0, axis_1, axis_2 = axis
     a_0a = D_00 * axis_0
     a_0b = D_01 * axis_1
     a_0c = a_0a + a_0b
-    a_0c_lo1 = sum_error(a_0a, a_0b, a_0c) + product_error(D_00, axis_0, a_0a)
-    a_0c_lo = a_0c_lo1 + product_error(D_01, axis_1, a_0b)
+    a_0c_right = a_0c - a_0a
+    a_0c_left_rest = product_rest(D_00, axis_0, a_0a, a_0c - a_0c_right)
+    a_0c_lo = a_0c_left_rest + product_rest(D_01, axis_1, a_0b, a_0c_right)
     a_0d = D_02 * axis_2
     a_0 = a_0c + a_0d
-    a_0_lo1 = sum_error(a_0c, a_0d, a_0) + a_0c_lo
-    a_0_lo = a_0_lo1 + product_error(D_02, axis_2, a_0d)
+    a_0_right = a_0 - a_0c
+    a_0_lo1 = a_0c - (a_0 - a_0_right) + product_rest(D_02, axis_2, a_0d, a_0_right)
+    a_0_lo = a_0_lo1 + a_0c_lo
     a_1a = D_10 * axis_0
     a_1b = D_11 * axis_1
     a_1c = a_1a + a_1b
-    a_1c_lo1 = sum_error(a_1a, a_1b, a_1c) + product_error(D_10, axis_0, a_1a)
-    a_1c_lo = a_1c_lo1 + product_error(D_11, axis_1, a_1b)
+    a_1c_right = a_1c - a_1a
+    a_1c_left_rest = product_rest(D_10, axis_0, a_1a, a_1c - a_1c_right)
+    a_1c_lo = a_1c_left_rest + product_rest(D_11, axis_1, a_1b, a_1c_right)
     a_1d = D_12 * axis_2
     a_1 = a_1c + a_1d
-    a_1_lo1 = sum_error(a_1c, a_1d, a_1) + a_1c_lo
-    a_1_lo = a_1_lo1 + product_error(D_12, axis_2, a_1d)
+    a_1_right = a_1 - a_1c
+    a_1_lo1 = a_1c - (a_1 - a_1_right) + product_rest(D_12, axis_2, a_1d, a_1_right)
+    a_1_lo = a_1_lo1 + a_1c_lo
     a_2a = D_20 * axis_0
     a_2b = D_21 * axis_1
     a_2c = a_2a + a_2b
-    a_2c_lo1 = sum_error(a_2a, a_2b, a_2c) + product_error(D_20, axis_0, a_2a)
-    a_2c_lo = a_2c_lo1 + product_error(D_21, axis_1, a_2b)
+    a_2c_right = a_2c - a_2a
+    a_2c_left_rest = product_rest(D_20, axis_0, a_2a, a_2c - a_2c_right)
+    a_2c_lo = a_2c_left_rest + product_rest(D_21, axis_1, a_2b, a_2c_right)
     a_2d = D_22 * axis_2
     a_2 = a_2c + a_2d
-    a_2_lo1 = sum_error(a_2c, a_2d, a_2) + a_2c_lo
-    a_2_lo = a_2_lo1 + product_error(D_22, axis_2, a_2d)
+    a_2_right = a_2 - a_2c
+    a_2_lo1 = a_2c - (a_2 - a_2_right) + product_rest(D_22, axis_2, a_2d, a_2_right)
+    a_2_lo = a_2_lo1 + a_2c_lo
     so_0a = D_13 * a_2
-    so_0a_lo = product_error(D_13, a_2, so_0a) + D_13 * a_2_lo
     so_0b = D_23 * a_1
     so_0 = so_0a - so_0b
-    so_0_lo1 = difference_error(so_0a, so_0b, so_0) + so_0a_lo
-    so_0_lo = so_0_lo1 - (product_error(D_23, a_1, so_0b) + D_23 * a_1_lo)
+    so_0_right = so_0a - so_0
+    so_0_left_rest = product_rest(D_13, a_2, so_0a, so_0 + so_0_right)
+    so_0_lo1 = so_0_left_rest - product_rest(D_23, a_1, so_0b, so_0_right)
+    so_0_lo = so_0_lo1 + (D_13 * a_2_lo - D_23 * a_1_lo)
     so_1a = D_23 * a_0
-    so_1a_lo = product_error(D_23, a_0, so_1a) + D_23 * a_0_lo
     so_1b = D_03 * a_2
     so_1 = so_1a - so_1b
-    so_1_lo1 = difference_error(so_1a, so_1b, so_1) + so_1a_lo
-    so_1_lo = so_1_lo1 - (product_error(D_03, a_2, so_1b) + D_03 * a_2_lo)
+    so_1_right = so_1a - so_1
+    so_1_left_rest = product_rest(D_23, a_0, so_1a, so_1 + so_1_right)
+    so_1_lo1 = so_1_left_rest - product_rest(D_03, a_2, so_1b, so_1_right)
+    so_1_lo = so_1_lo1 + (D_23 * a_0_lo - D_03 * a_2_lo)
     so_2a = D_03 * a_1
-    so_2a_lo = product_error(D_03, a_1, so_2a) + D_03 * a_1_lo
     so_2b = D_13 * a_0
     so_2 = so_2a - so_2b
-    so_2_lo1 = difference_error(so_2a, so_2b, so_2) + so_2a_lo
-    so_2_lo = so_2_lo1 - (product_error(D_13, a_0, so_2b) + D_13 * a_0_lo)
+    so_2_right = so_2a - so_2
+    so_2_left_rest = product_rest(D_03, a_1, so_2a, so_2 + so_2_right)
+    so_2_lo1 = so_2_left_rest - product_rest(D_13, a_0, so_2b, so_2_right)
+    so_2_lo = so_2_lo1 + (D_03 * a_1_lo - D_13 * a_0_lo)
     so_0_rounded = so_0 + so_0_lo
     so_1_rounded = so_1 + so_1_lo
     so_2_rounded = so_2 + so_2_lo
@@ -1662,38 +1940,44 @@ def hsta(D, axis):
 
     (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
     m/s; ω in rad/s).
-    9 mul, 21 add, 9 product error, 6 sum error.  Error <= u |result| + (lin: 10, ang: 0) u^2 S,
-    S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    9 mul, 33 add, 9 product rest.  Error <= u |result| + (lin: 11, ang: 0) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     axis_0, axis_1, axis_2 = axis
     so_0a = D_00 * axis_0
     so_0b = D_01 * axis_1
     so_0c = so_0a + so_0b
-    so_0c_lo1 = sum_error(so_0a, so_0b, so_0c) + product_error(D_00, axis_0, so_0a)
-    so_0c_lo = so_0c_lo1 + product_error(D_01, axis_1, so_0b)
+    so_0c_right = so_0c - so_0a
+    so_0c_left_rest = product_rest(D_00, axis_0, so_0a, so_0c - so_0c_right)
+    so_0c_lo = so_0c_left_rest + product_rest(D_01, axis_1, so_0b, so_0c_right)
     so_0d = D_02 * axis_2
     so_0 = so_0c + so_0d
-    so_0_lo1 = sum_error(so_0c, so_0d, so_0) + so_0c_lo
-    so_0_lo = so_0_lo1 + product_error(D_02, axis_2, so_0d)
+    so_0_right = so_0 - so_0c
+    so_0_lo1 = so_0c - (so_0 - so_0_right) + product_rest(D_02, axis_2, so_0d, so_0_right)
+    so_0_lo = so_0_lo1 + so_0c_lo
     so_1a = D_10 * axis_0
     so_1b = D_11 * axis_1
     so_1c = so_1a + so_1b
-    so_1c_lo1 = sum_error(so_1a, so_1b, so_1c) + product_error(D_10, axis_0, so_1a)
-    so_1c_lo = so_1c_lo1 + product_error(D_11, axis_1, so_1b)
+    so_1c_right = so_1c - so_1a
+    so_1c_left_rest = product_rest(D_10, axis_0, so_1a, so_1c - so_1c_right)
+    so_1c_lo = so_1c_left_rest + product_rest(D_11, axis_1, so_1b, so_1c_right)
     so_1d = D_12 * axis_2
     so_1 = so_1c + so_1d
-    so_1_lo1 = sum_error(so_1c, so_1d, so_1) + so_1c_lo
-    so_1_lo = so_1_lo1 + product_error(D_12, axis_2, so_1d)
+    so_1_right = so_1 - so_1c
+    so_1_lo1 = so_1c - (so_1 - so_1_right) + product_rest(D_12, axis_2, so_1d, so_1_right)
+    so_1_lo = so_1_lo1 + so_1c_lo
     so_2a = D_20 * axis_0
     so_2b = D_21 * axis_1
     so_2c = so_2a + so_2b
-    so_2c_lo1 = sum_error(so_2a, so_2b, so_2c) + product_error(D_20, axis_0, so_2a)
-    so_2c_lo = so_2c_lo1 + product_error(D_21, axis_1, so_2b)
+    so_2c_right = so_2c - so_2a
+    so_2c_left_rest = product_rest(D_20, axis_0, so_2a, so_2c - so_2c_right)
+    so_2c_lo = so_2c_left_rest + product_rest(D_21, axis_1, so_2b, so_2c_right)
     so_2d = D_22 * axis_2
     so_2 = so_2c + so_2d
-    so_2_lo1 = sum_error(so_2c, so_2d, so_2) + so_2c_lo
-    so_2_lo = so_2_lo1 + product_error(D_22, axis_2, so_2d)
+    so_2_right = so_2 - so_2c
+    so_2_lo1 = so_2c - (so_2 - so_2_right) + product_rest(D_22, axis_2, so_2d, so_2_right)
+    so_2_lo = so_2_lo1 + so_2c_lo
     so_0_rounded = so_0 + so_0_lo
     so_1_rounded = so_1 + so_1_lo
     so_2_rounded = so_2 + so_2_lo

@@ -5,7 +5,7 @@ In double precision, accurate tier.
 """
 
 from numpy import absolute, arctan2, float64, sqrt, where
-from coscrew._exact import difference_error, product_error, sum_error
+from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
 
 
@@ -31,20 +31,23 @@ def axpy_vv(a, x, y):
     """y = a x + y.
 
     (),(3),(3)->(3).  a: number; x, y: vector.
-    3 mul, 9 add, 3 product error, 3 sum error.  Error <= u |result| + 2 u^2 S, S the sum of the
-    |terms| of the expanded formula; barring over- and underflow.
+    3 mul, 18 add, 3 product rest.  Error <= u |result| + 3 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
     x_0, x_1, x_2 = x
     y_0, y_1, y_2 = y
     y_0_new_a = a * x_0
     y_0_new = y_0_new_a + y_0
-    y_0_new_lo = sum_error(y_0_new_a, y_0, y_0_new) + product_error(a, x_0, y_0_new_a)
+    y_0_new_right = y_0_new - y_0_new_a
+    y_0_new_lo = product_rest(a, x_0, y_0_new_a, y_0_new - y_0_new_right) + (y_0 - y_0_new_right)
     y_1_new_a = a * x_1
     y_1_new = y_1_new_a + y_1
-    y_1_new_lo = sum_error(y_1_new_a, y_1, y_1_new) + product_error(a, x_1, y_1_new_a)
+    y_1_new_right = y_1_new - y_1_new_a
+    y_1_new_lo = product_rest(a, x_1, y_1_new_a, y_1_new - y_1_new_right) + (y_1 - y_1_new_right)
     y_2_new_a = a * x_2
     y_2_new = y_2_new_a + y_2
-    y_2_new_lo = sum_error(y_2_new_a, y_2, y_2_new) + product_error(a, x_2, y_2_new_a)
+    y_2_new_right = y_2_new - y_2_new_a
+    y_2_new_lo = product_rest(a, x_2, y_2_new_a, y_2_new - y_2_new_right) + (y_2 - y_2_new_right)
     y_0_new_rounded = y_0_new + y_0_new_lo
     y_1_new_rounded = y_1_new + y_1_new_lo
     y_2_new_rounded = y_2_new + y_2_new_lo
@@ -56,16 +59,19 @@ def xpy_vv(x, y):
     """y = x + y.
 
     (3),(3)->(3).  x, y: vector.
-    6 add, 3 sum error.  Error <= u |result|, barring over- and underflow.
+    21 add.  Error <= u |result|, barring over- and underflow.
     """
     x_0, x_1, x_2 = x
     y_0, y_1, y_2 = y
     y_0_new = x_0 + y_0
+    y_0_new_right = y_0_new - x_0
     y_1_new = x_1 + y_1
+    y_1_new_right = y_1_new - x_1
     y_2_new = x_2 + y_2
-    y_0_new_rounded = y_0_new + sum_error(x_0, y_0, y_0_new)
-    y_1_new_rounded = y_1_new + sum_error(x_1, y_1, y_1_new)
-    y_2_new_rounded = y_2_new + sum_error(x_2, y_2, y_2_new)
+    y_2_new_right = y_2_new - x_2
+    y_0_new_rounded = y_0_new + (x_0 - (y_0_new - y_0_new_right) + (y_0 - y_0_new_right))
+    y_1_new_rounded = y_1_new + (x_1 - (y_1_new - y_1_new_right) + (y_1 - y_1_new_right))
+    y_2_new_rounded = y_2_new + (x_2 - (y_2_new - y_2_new_right) + (y_2 - y_2_new_right))
     return (y_0_new_rounded, y_1_new_rounded, y_2_new_rounded)
 
 
@@ -74,16 +80,19 @@ def nxpy_vv(x, y):
     """y = -x + y.
 
     (3),(3)->(3).  x, y: vector.
-    6 add, 3 sum error.  Error <= u |result|, barring over- and underflow.
+    21 add.  Error <= u |result|, barring over- and underflow.
     """
     x_0, x_1, x_2 = x
     y_0, y_1, y_2 = y
     y_0_new = y_0 - x_0
+    y_0_new_right = y_0 - y_0_new
     y_1_new = y_1 - x_1
+    y_1_new_right = y_1 - y_1_new
     y_2_new = y_2 - x_2
-    y_0_new_rounded = y_0_new + difference_error(y_0, x_0, y_0_new)
-    y_1_new_rounded = y_1_new + difference_error(y_1, x_1, y_1_new)
-    y_2_new_rounded = y_2_new + difference_error(y_2, x_2, y_2_new)
+    y_2_new_right = y_2 - y_2_new
+    y_0_new_rounded = y_0_new + (y_0 - (y_0_new + y_0_new_right) - (x_0 - y_0_new_right))
+    y_1_new_rounded = y_1_new + (y_1 - (y_1_new + y_1_new_right) - (x_1 - y_1_new_right))
+    y_2_new_rounded = y_2_new + (y_2 - (y_2_new + y_2_new_right) - (x_2 - y_2_new_right))
     return (y_0_new_rounded, y_1_new_rounded, y_2_new_rounded)
 
 
@@ -109,16 +118,19 @@ def add_vv(v1, v2):
     """vo = v1 + v2.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    6 add, 3 sum error.  Error <= u |result|, barring over- and underflow.
+    21 add.  Error <= u |result|, barring over- and underflow.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
     vo_0 = v1_0 + v2_0
+    vo_0_right = vo_0 - v1_0
     vo_1 = v1_1 + v2_1
+    vo_1_right = vo_1 - v1_1
     vo_2 = v1_2 + v2_2
-    vo_0_rounded = vo_0 + sum_error(v1_0, v2_0, vo_0)
-    vo_1_rounded = vo_1 + sum_error(v1_1, v2_1, vo_1)
-    vo_2_rounded = vo_2 + sum_error(v1_2, v2_2, vo_2)
+    vo_2_right = vo_2 - v1_2
+    vo_0_rounded = vo_0 + (v1_0 - (vo_0 - vo_0_right) + (v2_0 - vo_0_right))
+    vo_1_rounded = vo_1 + (v1_1 - (vo_1 - vo_1_right) + (v2_1 - vo_1_right))
+    vo_2_rounded = vo_2 + (v1_2 - (vo_2 - vo_2_right) + (v2_2 - vo_2_right))
     return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
 
 
@@ -127,16 +139,19 @@ def subtract_vv(v1, v2):
     """vo = v1 - v2.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    6 add, 3 sum error.  Error <= u |result|, barring over- and underflow.
+    21 add.  Error <= u |result|, barring over- and underflow.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
     vo_0 = v1_0 - v2_0
+    vo_0_right = v1_0 - vo_0
     vo_1 = v1_1 - v2_1
+    vo_1_right = v1_1 - vo_1
     vo_2 = v1_2 - v2_2
-    vo_0_rounded = vo_0 + difference_error(v1_0, v2_0, vo_0)
-    vo_1_rounded = vo_1 + difference_error(v1_1, v2_1, vo_1)
-    vo_2_rounded = vo_2 + difference_error(v1_2, v2_2, vo_2)
+    vo_2_right = v1_2 - vo_2
+    vo_0_rounded = vo_0 + (v1_0 - (vo_0 + vo_0_right) - (v2_0 - vo_0_right))
+    vo_1_rounded = vo_1 + (v1_1 - (vo_1 + vo_1_right) - (v2_1 - vo_1_right))
+    vo_2_rounded = vo_2 + (v1_2 - (vo_2 + vo_2_right) - (v2_2 - vo_2_right))
     return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
 
 
@@ -162,7 +177,7 @@ def vec3_l2norm(v):
     """|v| = sqrt(v·v).
 
     (3)->().  v: vector; norm: number.
-    10 mul, 15 add, 4 product error, 4 sum error, 2 div, 1 sqrt, 3 abs, 6 less, 3 equal, 9
+    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 3 abs, 6 less, 3 equal, 9
     select.
     """
     v_0, v_1, v_2 = v
@@ -179,25 +194,30 @@ def vec3_l2norm(v):
     n_a = y_0 * y_0
     n_b = y_1 * y_1
     n_c = n_a + n_b
-    n_c_lo = sum_error(n_a, n_b, n_c) + product_error(y_0, y_0, n_a) + product_error(y_1, y_1, n_b)
+    n_c_right = n_c - n_a
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_d = y_2 * y_2
     n_e = n_c + n_d
-    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
-    n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
+    n_e_right = n_e - n_c
+    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
+    n_e_lo = n_e_lo1 + n_c_lo
     n_of_n_e = n_e + n_e_lo
+    n_of_n_e_right = n_of_n_e - n_e
     n = sqrt(n_of_n_e)
     n_product = n * n
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + sum_error(n_e, n_e_lo, n_of_n_e)
+    n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
     r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
     r = where(1 < s, 2.409919865102884e-181, r_b)
     norm_of_n = n + n_lo
+    norm_of_n_right = norm_of_n - n
     norm = norm_of_n * r
     norm_lost = norm_of_n - norm * (1 / r)
-    norm_total = norm + where(norm_lost == 0, 0, (norm_lost + sum_error(n, n_lo, norm_of_n)) * r)
-    norm_rounded = where(norm_total == norm_total, norm_total, norm)
-    return norm_rounded
+    norm_small = (norm_lost + (n - (norm_of_n - norm_of_n_right) + (n_lo - norm_of_n_right))) * r
+    norm_lo = where(norm_lost == 0, 0, norm_small)
+    norm_rounded = norm + norm_lo
+    return where(norm_rounded == norm_rounded, norm_rounded, norm)
 
 
 @kernel("(3)->(3)")
@@ -205,7 +225,7 @@ def vec3_normalize(self):
     """self = self / |self|; the zero vector stays zero.
 
     (3)->(3).  self: vector.
-    25 mul, 33 add, 7 product error, 7 sum error, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+    25 mul, 62 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
     select.
     """
     self_0, self_1, self_2 = self
@@ -222,16 +242,19 @@ def vec3_normalize(self):
     n_a = y_0 * y_0
     n_b = y_1 * y_1
     n_c = n_a + n_b
-    n_c_lo = sum_error(n_a, n_b, n_c) + product_error(y_0, y_0, n_a) + product_error(y_1, y_1, n_b)
+    n_c_right = n_c - n_a
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_d = y_2 * y_2
     n_e = n_c + n_d
-    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
-    n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
+    n_e_right = n_e - n_c
+    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
+    n_e_lo = n_e_lo1 + n_c_lo
     n_of_n_e = n_e + n_e_lo
+    n_of_n_e_right = n_of_n_e - n_e
     n = sqrt(n_of_n_e)
     n_product = n * n
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + sum_error(n_e, n_e_lo, n_of_n_e)
+    n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor = where(n == 0, 1, n)
     divisor_lo = where(n == 0, 0, n_lo)
@@ -241,7 +264,11 @@ def vec3_normalize(self):
     enlarged_1 = self_1 * up
     enlarged_2 = self_2 * up
     quotient_0_of_divisor = divisor + divisor_lo
-    quotient_0_of_divisor_lo = sum_error(divisor, divisor_lo, quotient_0_of_divisor)
+    quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
+    quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
+    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
+    quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
+    quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
     quotient_0 = enlarged_0 / quotient_0_of_divisor
     quotient_0_product = quotient_0 * quotient_0_of_divisor
     quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
@@ -261,7 +288,11 @@ def vec3_normalize(self):
     quotient_2_residual = quotient_2_exact - quotient_2 * quotient_0_of_divisor_lo
     quotient_2_lo = quotient_2_residual / quotient_0_of_divisor
     self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo
-    self_0_new_of_quotient_0_lo = sum_error(quotient_0, quotient_0_lo, self_0_new_of_quotient_0)
+    self_0_new_of_quotient_0_right = self_0_new_of_quotient_0 - quotient_0
+    self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right
+    self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left
+    self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right
+    self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest
     self_0_new = self_0_new_of_quotient_0 * down
     self_0_new_inverse = 1 / down
     self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * self_0_new_inverse
@@ -269,26 +300,33 @@ def vec3_normalize(self):
     self_0_new_small = self_0_new_rest * down
     self_0_new_lo = where(self_0_new_lost == 0, 0, self_0_new_small)
     self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo
-    self_1_new_of_quotient_1_lo = sum_error(quotient_1, quotient_1_lo, self_1_new_of_quotient_1)
+    self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1
+    self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right
+    self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left
+    self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right
+    self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest
     self_1_new = self_1_new_of_quotient_1 * down
     self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * self_0_new_inverse
     self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo
     self_1_new_small = self_1_new_rest * down
     self_1_new_lo = where(self_1_new_lost == 0, 0, self_1_new_small)
     self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo
-    self_2_new_of_quotient_2_lo = sum_error(quotient_2, quotient_2_lo, self_2_new_of_quotient_2)
+    self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2
+    self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right
+    self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left
+    self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right
+    self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest
     self_2_new = self_2_new_of_quotient_2 * down
     self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * self_0_new_inverse
     self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo
     self_2_new_small = self_2_new_rest * down
     self_2_new_lo = where(self_2_new_lost == 0, 0, self_2_new_small)
-    self_0_new_total = self_0_new + self_0_new_lo
-    self_0_new_rounded = where(self_0_new_total == self_0_new_total, self_0_new_total, self_0_new)
-    self_1_new_total = self_1_new + self_1_new_lo
-    self_1_new_rounded = where(self_1_new_total == self_1_new_total, self_1_new_total, self_1_new)
-    self_2_new_total = self_2_new + self_2_new_lo
-    self_2_new_rounded = where(self_2_new_total == self_2_new_total, self_2_new_total, self_2_new)
-    return (self_0_new_rounded, self_1_new_rounded, self_2_new_rounded)
+    self_0_new_rounded = self_0_new + self_0_new_lo
+    self_1_new_rounded = self_1_new + self_1_new_lo
+    self_2_new_rounded = self_2_new + self_2_new_lo
+    return (where(self_0_new_rounded == self_0_new_rounded, self_0_new_rounded, self_0_new),
+        where(self_1_new_rounded == self_1_new_rounded, self_1_new_rounded, self_1_new),
+        where(self_2_new_rounded == self_2_new_rounded, self_2_new_rounded, self_2_new))
 
 
 @kernel("(3)->(3)")
@@ -296,7 +334,7 @@ def vec3_normalized(v):
     """vo = v / |v|; the zero vector stays zero.
 
     (3)->(3).  v, vo: vector.
-    25 mul, 33 add, 7 product error, 7 sum error, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+    25 mul, 62 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
     select.
     """
     v_0, v_1, v_2 = v
@@ -313,16 +351,19 @@ def vec3_normalized(v):
     n_a = y_0 * y_0
     n_b = y_1 * y_1
     n_c = n_a + n_b
-    n_c_lo = sum_error(n_a, n_b, n_c) + product_error(y_0, y_0, n_a) + product_error(y_1, y_1, n_b)
+    n_c_right = n_c - n_a
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_d = y_2 * y_2
     n_e = n_c + n_d
-    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
-    n_e_lo = n_e_lo1 + product_error(y_2, y_2, n_d)
+    n_e_right = n_e - n_c
+    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
+    n_e_lo = n_e_lo1 + n_c_lo
     n_of_n_e = n_e + n_e_lo
+    n_of_n_e_right = n_of_n_e - n_e
     n = sqrt(n_of_n_e)
     n_product = n * n
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + sum_error(n_e, n_e_lo, n_of_n_e)
+    n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor = where(n == 0, 1, n)
     divisor_lo = where(n == 0, 0, n_lo)
@@ -332,7 +373,11 @@ def vec3_normalized(v):
     enlarged_1 = v_1 * up
     enlarged_2 = v_2 * up
     quotient_0_of_divisor = divisor + divisor_lo
-    quotient_0_of_divisor_lo = sum_error(divisor, divisor_lo, quotient_0_of_divisor)
+    quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
+    quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
+    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
+    quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
+    quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
     quotient_0 = enlarged_0 / quotient_0_of_divisor
     quotient_0_product = quotient_0 * quotient_0_of_divisor
     quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
@@ -352,28 +397,42 @@ def vec3_normalized(v):
     quotient_2_residual = quotient_2_exact - quotient_2 * quotient_0_of_divisor_lo
     quotient_2_lo = quotient_2_residual / quotient_0_of_divisor
     vo_0_of_quotient_0 = quotient_0 + quotient_0_lo
+    vo_0_of_quotient_0_right = vo_0_of_quotient_0 - quotient_0
+    vo_0_of_quotient_0_left_rest = quotient_0 - (vo_0_of_quotient_0 - vo_0_of_quotient_0_right)
+    vo_0_of_quotient_0_right_rest = quotient_0_lo - vo_0_of_quotient_0_right
+    vo_0_of_quotient_0_lo = vo_0_of_quotient_0_left_rest + vo_0_of_quotient_0_right_rest
     vo_0 = vo_0_of_quotient_0 * down
     vo_0_inverse = 1 / down
     vo_0_lost = vo_0_of_quotient_0 - vo_0 * vo_0_inverse
-    vo_0_small = (vo_0_lost + sum_error(quotient_0, quotient_0_lo, vo_0_of_quotient_0)) * down
+    vo_0_rest = vo_0_lost + vo_0_of_quotient_0_lo
+    vo_0_small = vo_0_rest * down
     vo_0_lo = where(vo_0_lost == 0, 0, vo_0_small)
     vo_1_of_quotient_1 = quotient_1 + quotient_1_lo
+    vo_1_of_quotient_1_right = vo_1_of_quotient_1 - quotient_1
+    vo_1_of_quotient_1_left_rest = quotient_1 - (vo_1_of_quotient_1 - vo_1_of_quotient_1_right)
+    vo_1_of_quotient_1_right_rest = quotient_1_lo - vo_1_of_quotient_1_right
+    vo_1_of_quotient_1_lo = vo_1_of_quotient_1_left_rest + vo_1_of_quotient_1_right_rest
     vo_1 = vo_1_of_quotient_1 * down
     vo_1_lost = vo_1_of_quotient_1 - vo_1 * vo_0_inverse
-    vo_1_small = (vo_1_lost + sum_error(quotient_1, quotient_1_lo, vo_1_of_quotient_1)) * down
+    vo_1_rest = vo_1_lost + vo_1_of_quotient_1_lo
+    vo_1_small = vo_1_rest * down
     vo_1_lo = where(vo_1_lost == 0, 0, vo_1_small)
     vo_2_of_quotient_2 = quotient_2 + quotient_2_lo
+    vo_2_of_quotient_2_right = vo_2_of_quotient_2 - quotient_2
+    vo_2_of_quotient_2_left_rest = quotient_2 - (vo_2_of_quotient_2 - vo_2_of_quotient_2_right)
+    vo_2_of_quotient_2_right_rest = quotient_2_lo - vo_2_of_quotient_2_right
+    vo_2_of_quotient_2_lo = vo_2_of_quotient_2_left_rest + vo_2_of_quotient_2_right_rest
     vo_2 = vo_2_of_quotient_2 * down
     vo_2_lost = vo_2_of_quotient_2 - vo_2 * vo_0_inverse
-    vo_2_small = (vo_2_lost + sum_error(quotient_2, quotient_2_lo, vo_2_of_quotient_2)) * down
+    vo_2_rest = vo_2_lost + vo_2_of_quotient_2_lo
+    vo_2_small = vo_2_rest * down
     vo_2_lo = where(vo_2_lost == 0, 0, vo_2_small)
-    vo_0_total = vo_0 + vo_0_lo
-    vo_0_rounded = where(vo_0_total == vo_0_total, vo_0_total, vo_0)
-    vo_1_total = vo_1 + vo_1_lo
-    vo_1_rounded = where(vo_1_total == vo_1_total, vo_1_total, vo_1)
-    vo_2_total = vo_2 + vo_2_lo
-    vo_2_rounded = where(vo_2_total == vo_2_total, vo_2_total, vo_2)
-    return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
+    vo_0_rounded = vo_0 + vo_0_lo
+    vo_1_rounded = vo_1 + vo_1_lo
+    vo_2_rounded = vo_2 + vo_2_lo
+    return (where(vo_0_rounded == vo_0_rounded, vo_0_rounded, vo_0),
+        where(vo_1_rounded == vo_1_rounded, vo_1_rounded, vo_1),
+        where(vo_2_rounded == vo_2_rounded, vo_2_rounded, vo_2))
 
 
 @kernel("(3),(3)->()")
@@ -381,8 +440,8 @@ def angle_vv(v1, v2):
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
 
     (3),(3)->().  v1, v2: vector; angle: number.
-    41 mul, 49 add, 13 product error, 14 sum error, 4 div, 1 sqrt, 1 atan2, 3 neg, 9 abs, 17
-    less, 6 equal, 25 select.
+    41 mul, 95 add, 1 product error, 12 product rest, 4 div, 1 sqrt, 1 atan2, 9 abs, 14 less, 6
+    equal, 20 select.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
@@ -409,81 +468,105 @@ def angle_vv(v1, v2):
     c_0a = scaled_s1_1 * scaled_s2_2
     c_0b = scaled_s1_2 * scaled_s2_1
     c_0 = c_0a - c_0b
-    c_0_lo1 = difference_error(c_0a, c_0b, c_0) + product_error(scaled_s1_1, scaled_s2_2, c_0a)
-    c_0_lo = c_0_lo1 - product_error(scaled_s1_2, scaled_s2_1, c_0b)
+    c_0_right = c_0a - c_0
+    c_0_left_rest = product_rest(scaled_s1_1, scaled_s2_2, c_0a, c_0 + c_0_right)
+    c_0_lo = c_0_left_rest - product_rest(scaled_s1_2, scaled_s2_1, c_0b, c_0_right)
     c_1a = scaled_s1_2 * scaled_s2_0
     c_1b = scaled_s1_0 * scaled_s2_2
     c_1 = c_1a - c_1b
-    c_1_lo1 = difference_error(c_1a, c_1b, c_1) + product_error(scaled_s1_2, scaled_s2_0, c_1a)
-    c_1_lo = c_1_lo1 - product_error(scaled_s1_0, scaled_s2_2, c_1b)
+    c_1_right = c_1a - c_1
+    c_1_left_rest = product_rest(scaled_s1_2, scaled_s2_0, c_1a, c_1 + c_1_right)
+    c_1_lo = c_1_left_rest - product_rest(scaled_s1_0, scaled_s2_2, c_1b, c_1_right)
     c_2a = scaled_s1_0 * scaled_s2_1
     c_2b = scaled_s1_1 * scaled_s2_0
     c_2 = c_2a - c_2b
-    c_2_lo1 = difference_error(c_2a, c_2b, c_2) + product_error(scaled_s1_0, scaled_s2_1, c_2a)
-    c_2_lo = c_2_lo1 - product_error(scaled_s1_1, scaled_s2_0, c_2b)
+    c_2_right = c_2a - c_2
+    c_2_left_rest = product_rest(scaled_s1_0, scaled_s2_1, c_2a, c_2 + c_2_right)
+    c_2_lo = c_2_left_rest - product_rest(scaled_s1_1, scaled_s2_0, c_2b, c_2_right)
     s_size_0 = absolute(c_0)
     s_size_1 = absolute(c_1)
-    s_size_1_lo = where(c_1 < 0, -c_1_lo, c_1_lo)
     s_size_2 = absolute(c_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
-    s_largest1_lo = where(s_size_0 < s_size_1, s_size_1_lo, where(c_0 < 0, -c_0_lo, c_0_lo))
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_largest2_lo = where(s_largest1 < s_size_2, where(c_2 < 0, -c_2_lo, c_2_lo), s_largest1_lo)
     s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
     s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
     y_0_of_c_0 = c_0 + c_0_lo
+    y_0_of_c_0_right = y_0_of_c_0 - c_0
     y_0 = y_0_of_c_0 * s
     y_0_inverse = 1 / s
     y_0_lost = y_0_of_c_0 - y_0 * y_0_inverse
-    y_0_lo = where(y_0_lost == 0, 0, (y_0_lost + sum_error(c_0, c_0_lo, y_0_of_c_0)) * s)
+    y_0_rest = y_0_lost + (c_0 - (y_0_of_c_0 - y_0_of_c_0_right) + (c_0_lo - y_0_of_c_0_right))
+    y_0_small = y_0_rest * s
+    y_0_lo = where(y_0_lost == 0, 0, y_0_small)
     y_1_of_c_1 = c_1 + c_1_lo
+    y_1_of_c_1_right = y_1_of_c_1 - c_1
     y_1 = y_1_of_c_1 * s
     y_1_lost = y_1_of_c_1 - y_1 * y_0_inverse
-    y_1_lo = where(y_1_lost == 0, 0, (y_1_lost + sum_error(c_1, c_1_lo, y_1_of_c_1)) * s)
+    y_1_rest = y_1_lost + (c_1 - (y_1_of_c_1 - y_1_of_c_1_right) + (c_1_lo - y_1_of_c_1_right))
+    y_1_small = y_1_rest * s
+    y_1_lo = where(y_1_lost == 0, 0, y_1_small)
     y_2_of_c_2 = c_2 + c_2_lo
+    y_2_of_c_2_right = y_2_of_c_2 - c_2
     y_2 = y_2_of_c_2 * s
     y_2_lost = y_2_of_c_2 - y_2 * y_0_inverse
-    y_2_lo = where(y_2_lost == 0, 0, (y_2_lost + sum_error(c_2, c_2_lo, y_2_of_c_2)) * s)
+    y_2_rest = y_2_lost + (c_2 - (y_2_of_c_2 - y_2_of_c_2_right) + (c_2_lo - y_2_of_c_2_right))
+    y_2_small = y_2_rest * s
+    y_2_lo = where(y_2_lost == 0, 0, y_2_small)
     n_a = y_0 * y_0
-    n_a_lo = product_error(y_0, y_0, n_a) + y_0_lo * y_0 + y_0 * y_0_lo
     n_b = y_1 * y_1
     n_c = n_a + n_b
-    n_c_lo1 = sum_error(n_a, n_b, n_c) + n_a_lo
-    n_c_lo = n_c_lo1 + (product_error(y_1, y_1, n_b) + y_1_lo * y_1 + y_1 * y_1_lo)
+    n_c_right = n_c - n_a
+    n_c_lo1 = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
+    n_c_lo = n_c_lo1 + (y_0_lo * y_0 + y_0 * y_0_lo + (y_1_lo * y_1 + y_1 * y_1_lo))
     n_d = y_2 * y_2
     n_e = n_c + n_d
-    n_e_lo1 = sum_error(n_c, n_d, n_e) + n_c_lo
-    n_e_lo = n_e_lo1 + (product_error(y_2, y_2, n_d) + y_2_lo * y_2 + y_2 * y_2_lo)
+    n_e_right = n_e - n_c
+    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
+    n_e_lo2 = n_e_lo1 + (y_2_lo * y_2 + y_2 * y_2_lo)
+    n_e_lo = n_e_lo2 + n_c_lo
     n_of_n_e = n_e + n_e_lo
+    n_of_n_e_right = n_of_n_e - n_e
     n = sqrt(n_of_n_e)
     n_product = n * n
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + sum_error(n_e, n_e_lo, n_of_n_e)
+    n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
     r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
     r = where(1 < s, 2.409919865102884e-181, r_b)
     cross_of_n = n + n_lo
+    cross_of_n_right = cross_of_n - n
     cross = cross_of_n * r
     cross_lost = cross_of_n - cross * (1 / r)
-    cross_lo = where(cross_lost == 0, 0, (cross_lost + sum_error(n, n_lo, cross_of_n)) * r)
+    cross_rest = cross_lost + (n - (cross_of_n - cross_of_n_right) + (n_lo - cross_of_n_right))
+    cross_small = cross_rest * r
+    cross_lo = where(cross_lost == 0, 0, cross_small)
     dot__a = scaled_s1_0 * scaled_s2_0
     dot__b = scaled_s1_1 * scaled_s2_1
     dot__c = dot__a + dot__b
-    dot__c_lo1 = sum_error(dot__a, dot__b, dot__c) + product_error(scaled_s1_0, scaled_s2_0, dot__a)
-    dot__c_lo = dot__c_lo1 + product_error(scaled_s1_1, scaled_s2_1, dot__b)
+    dot__c_right = dot__c - dot__a
+    dot__c_left_rest = product_rest(scaled_s1_0, scaled_s2_0, dot__a, dot__c - dot__c_right)
+    dot__c_lo = dot__c_left_rest + product_rest(scaled_s1_1, scaled_s2_1, dot__b, dot__c_right)
     dot__d = scaled_s1_2 * scaled_s2_2
     dot_ = dot__c + dot__d
-    dot__lo1 = sum_error(dot__c, dot__d, dot_) + dot__c_lo
-    dot__lo = dot__lo1 + product_error(scaled_s1_2, scaled_s2_2, dot__d)
+    dot__right = dot_ - dot__c
+    dot__right_rest = product_rest(scaled_s1_2, scaled_s2_2, dot__d, dot__right)
+    dot__lo1 = dot__c - (dot_ - dot__right) + dot__right_rest
+    dot__lo = dot__lo1 + dot__c_lo
     angle_of_cross = cross + cross_lo
+    angle_of_cross_right = angle_of_cross - cross
+    angle_of_cross_left_rest = cross - (angle_of_cross - angle_of_cross_right)
+    angle_of_cross_lo = angle_of_cross_left_rest + (cross_lo - angle_of_cross_right)
     angle_of_dot_ = dot_ + dot__lo
+    angle_of_dot__right = angle_of_dot_ - dot_
+    angle_of_dot__left_rest = dot_ - (angle_of_dot_ - angle_of_dot__right)
+    angle_of_dot__lo = angle_of_dot__left_rest + (dot__lo - angle_of_dot__right)
     angle = arctan2(angle_of_cross, angle_of_dot_)
-    angle_cross0 = angle_of_dot_ * sum_error(cross, cross_lo, angle_of_cross)
-    angle_cross = angle_cross0 - angle_of_cross * sum_error(dot_, dot__lo, angle_of_dot_)
+    angle_cross1 = angle_of_dot_ * angle_of_cross_lo
+    angle_cross2 = angle_of_cross * angle_of_dot__lo
+    angle_cross = angle_cross1 - angle_cross2
     angle_lo = angle_cross / (angle_of_dot_ * angle_of_dot_ + angle_of_cross * angle_of_cross)
-    angle_total = angle + angle_lo
-    angle_rounded = where(angle_total == angle_total, angle_total, angle)
-    return angle_rounded
+    angle_rounded = angle + angle_lo
+    return where(angle_rounded == angle_rounded, angle_rounded, angle)
 
 
 @kernel("(3),(3)->()")
@@ -491,20 +574,22 @@ def dot_vv(v1, v2):
     """v1·v2.
 
     (3),(3)->().  v1, v2: vector; dot: number.
-    3 mul, 7 add, 3 product error, 2 sum error.  Error <= u |result| + 10 u^2 S, S the sum of
-    the |terms| of the expanded formula; barring over- and underflow.
+    3 mul, 11 add, 3 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
     dot_a = v1_0 * v2_0
     dot_b = v1_1 * v2_1
     dot_c = dot_a + dot_b
-    dot_c_lo1 = sum_error(dot_a, dot_b, dot_c) + product_error(v1_0, v2_0, dot_a)
-    dot_c_lo = dot_c_lo1 + product_error(v1_1, v2_1, dot_b)
+    dot_c_right = dot_c - dot_a
+    dot_c_left_rest = product_rest(v1_0, v2_0, dot_a, dot_c - dot_c_right)
+    dot_c_lo = dot_c_left_rest + product_rest(v1_1, v2_1, dot_b, dot_c_right)
     dot_d = v1_2 * v2_2
     dot = dot_c + dot_d
-    dot_lo1 = sum_error(dot_c, dot_d, dot) + dot_c_lo
-    dot_lo = dot_lo1 + product_error(v1_2, v2_2, dot_d)
+    dot_right = dot - dot_c
+    dot_lo1 = dot_c - (dot - dot_right) + product_rest(v1_2, v2_2, dot_d, dot_right)
+    dot_lo = dot_lo1 + dot_c_lo
     dot_rounded = dot + dot_lo
     return dot_rounded
 
@@ -543,13 +628,12 @@ def product_ainvv(k, v):
     vo_1_product = vo_1 * k
     vo_2 = v_2 / k
     vo_2_product = vo_2 * k
-    vo_0_total = vo_0 + (v_0 - vo_0_product - product_error(vo_0, k, vo_0_product)) / k
-    vo_0_rounded = where(vo_0_total == vo_0_total, vo_0_total, vo_0)
-    vo_1_total = vo_1 + (v_1 - vo_1_product - product_error(vo_1, k, vo_1_product)) / k
-    vo_1_rounded = where(vo_1_total == vo_1_total, vo_1_total, vo_1)
-    vo_2_total = vo_2 + (v_2 - vo_2_product - product_error(vo_2, k, vo_2_product)) / k
-    vo_2_rounded = where(vo_2_total == vo_2_total, vo_2_total, vo_2)
-    return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
+    vo_0_rounded = vo_0 + (v_0 - vo_0_product - product_error(vo_0, k, vo_0_product)) / k
+    vo_1_rounded = vo_1 + (v_1 - vo_1_product - product_error(vo_1, k, vo_1_product)) / k
+    vo_2_rounded = vo_2 + (v_2 - vo_2_product - product_error(vo_2, k, vo_2_product)) / k
+    return (where(vo_0_rounded == vo_0_rounded, vo_0_rounded, vo_0),
+        where(vo_1_rounded == vo_1_rounded, vo_1_rounded, vo_1),
+        where(vo_2_rounded == vo_2_rounded, vo_2_rounded, vo_2))
 
 
 @kernel("(3),(3)->(3)")
@@ -557,26 +641,29 @@ def cross_vv(v1, v2):
     """vo = v1 × v2.  Exactly zero for v1 = v2, unless products overflow.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    6 mul, 12 add, 6 product error, 3 sum error.  Error <= u |result| + 4 u^2 S, S the sum of
-    the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
     vo_0a = v1_1 * v2_2
     vo_0b = v1_2 * v2_1
     vo_0 = vo_0a - vo_0b
-    vo_0_lo1 = difference_error(vo_0a, vo_0b, vo_0) + product_error(v1_1, v2_2, vo_0a)
-    vo_0_lo = vo_0_lo1 - product_error(v1_2, v2_1, vo_0b)
+    vo_0_right = vo_0a - vo_0
+    vo_0_left_rest = product_rest(v1_1, v2_2, vo_0a, vo_0 + vo_0_right)
+    vo_0_lo = vo_0_left_rest - product_rest(v1_2, v2_1, vo_0b, vo_0_right)
     vo_1a = v1_2 * v2_0
     vo_1b = v1_0 * v2_2
     vo_1 = vo_1a - vo_1b
-    vo_1_lo1 = difference_error(vo_1a, vo_1b, vo_1) + product_error(v1_2, v2_0, vo_1a)
-    vo_1_lo = vo_1_lo1 - product_error(v1_0, v2_2, vo_1b)
+    vo_1_right = vo_1a - vo_1
+    vo_1_left_rest = product_rest(v1_2, v2_0, vo_1a, vo_1 + vo_1_right)
+    vo_1_lo = vo_1_left_rest - product_rest(v1_0, v2_2, vo_1b, vo_1_right)
     vo_2a = v1_0 * v2_1
     vo_2b = v1_1 * v2_0
     vo_2 = vo_2a - vo_2b
-    vo_2_lo1 = difference_error(vo_2a, vo_2b, vo_2) + product_error(v1_0, v2_1, vo_2a)
-    vo_2_lo = vo_2_lo1 - product_error(v1_1, v2_0, vo_2b)
+    vo_2_right = vo_2a - vo_2
+    vo_2_left_rest = product_rest(v1_0, v2_1, vo_2a, vo_2 + vo_2_right)
+    vo_2_lo = vo_2_left_rest - product_rest(v1_1, v2_0, vo_2b, vo_2_right)
     vo_0_rounded = vo_0 + vo_0_lo
     vo_1_rounded = vo_1 + vo_1_lo
     vo_2_rounded = vo_2 + vo_2_lo
@@ -588,26 +675,29 @@ def cross_vvinv(v1, v2):
     """vo = v1 × (-v2).
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    6 mul, 12 add, 6 product error, 3 sum error.  Error <= u |result| + 4 u^2 S, S the sum of
-    the |terms| of the expanded formula; barring over- and underflow.
+    6 mul, 15 add, 6 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
     vo_0a = v1_2 * v2_1
     vo_0b = v1_1 * v2_2
     vo_0 = vo_0a - vo_0b
-    vo_0_lo1 = difference_error(vo_0a, vo_0b, vo_0) + product_error(v1_2, v2_1, vo_0a)
-    vo_0_lo = vo_0_lo1 - product_error(v1_1, v2_2, vo_0b)
+    vo_0_right = vo_0a - vo_0
+    vo_0_left_rest = product_rest(v1_2, v2_1, vo_0a, vo_0 + vo_0_right)
+    vo_0_lo = vo_0_left_rest - product_rest(v1_1, v2_2, vo_0b, vo_0_right)
     vo_1a = v1_0 * v2_2
     vo_1b = v1_2 * v2_0
     vo_1 = vo_1a - vo_1b
-    vo_1_lo1 = difference_error(vo_1a, vo_1b, vo_1) + product_error(v1_0, v2_2, vo_1a)
-    vo_1_lo = vo_1_lo1 - product_error(v1_2, v2_0, vo_1b)
+    vo_1_right = vo_1a - vo_1
+    vo_1_left_rest = product_rest(v1_0, v2_2, vo_1a, vo_1 + vo_1_right)
+    vo_1_lo = vo_1_left_rest - product_rest(v1_2, v2_0, vo_1b, vo_1_right)
     vo_2a = v1_1 * v2_0
     vo_2b = v1_0 * v2_1
     vo_2 = vo_2a - vo_2b
-    vo_2_lo1 = difference_error(vo_2a, vo_2b, vo_2) + product_error(v1_1, v2_0, vo_2a)
-    vo_2_lo = vo_2_lo1 - product_error(v1_0, v2_1, vo_2b)
+    vo_2_right = vo_2a - vo_2
+    vo_2_left_rest = product_rest(v1_1, v2_0, vo_2a, vo_2 + vo_2_right)
+    vo_2_lo = vo_2_left_rest - product_rest(v1_0, v2_1, vo_2b, vo_2_right)
     vo_0_rounded = vo_0 + vo_0_lo
     vo_1_rounded = vo_1 + vo_1_lo
     vo_2_rounded = vo_2 + vo_2_lo
@@ -619,11 +709,12 @@ def add_vvx(v, k):
     """vo = v + k e_x.
 
     (3),()->(3).  v, vo: vector; k: number.
-    2 add, 1 sum error.  Error <= u |result|, barring over- and underflow.
+    7 add.  Error <= u |result|, barring over- and underflow.
     """
     v_0, v_1, v_2 = v
     vo_0 = v_0 + k
-    vo_0_rounded = vo_0 + sum_error(v_0, k, vo_0)
+    vo_0_right = vo_0 - v_0
+    vo_0_rounded = vo_0 + (v_0 - (vo_0 - vo_0_right) + (k - vo_0_right))
     return (vo_0_rounded, v_1, v_2)
 
 
@@ -632,11 +723,12 @@ def add_vvxinv(v, k):
     """vo = v - k e_x.
 
     (3),()->(3).  v, vo: vector; k: number.
-    2 add, 1 sum error.  Error <= u |result|, barring over- and underflow.
+    7 add.  Error <= u |result|, barring over- and underflow.
     """
     v_0, v_1, v_2 = v
     vo_0 = v_0 - k
-    vo_0_rounded = vo_0 + difference_error(v_0, k, vo_0)
+    vo_0_right = v_0 - vo_0
+    vo_0_rounded = vo_0 + (v_0 - (vo_0 + vo_0_right) - (k - vo_0_right))
     return (vo_0_rounded, v_1, v_2)
 
 
@@ -645,11 +737,12 @@ def add_vvy(v, k):
     """vo = v + k e_y.
 
     (3),()->(3).  v, vo: vector; k: number.
-    2 add, 1 sum error.  Error <= u |result|, barring over- and underflow.
+    7 add.  Error <= u |result|, barring over- and underflow.
     """
     v_0, v_1, v_2 = v
     vo_1 = v_1 + k
-    vo_1_rounded = vo_1 + sum_error(v_1, k, vo_1)
+    vo_1_right = vo_1 - v_1
+    vo_1_rounded = vo_1 + (v_1 - (vo_1 - vo_1_right) + (k - vo_1_right))
     return (v_0, vo_1_rounded, v_2)
 
 
@@ -658,11 +751,12 @@ def add_vvyinv(v, k):
     """vo = v - k e_y.
 
     (3),()->(3).  v, vo: vector; k: number.
-    2 add, 1 sum error.  Error <= u |result|, barring over- and underflow.
+    7 add.  Error <= u |result|, barring over- and underflow.
     """
     v_0, v_1, v_2 = v
     vo_1 = v_1 - k
-    vo_1_rounded = vo_1 + difference_error(v_1, k, vo_1)
+    vo_1_right = v_1 - vo_1
+    vo_1_rounded = vo_1 + (v_1 - (vo_1 + vo_1_right) - (k - vo_1_right))
     return (v_0, vo_1_rounded, v_2)
 
 
@@ -671,11 +765,12 @@ def add_vvz(v, k):
     """vo = v + k e_z.
 
     (3),()->(3).  v, vo: vector; k: number.
-    2 add, 1 sum error.  Error <= u |result|, barring over- and underflow.
+    7 add.  Error <= u |result|, barring over- and underflow.
     """
     v_0, v_1, v_2 = v
     vo_2 = v_2 + k
-    vo_2_rounded = vo_2 + sum_error(v_2, k, vo_2)
+    vo_2_right = vo_2 - v_2
+    vo_2_rounded = vo_2 + (v_2 - (vo_2 - vo_2_right) + (k - vo_2_right))
     return (v_0, v_1, vo_2_rounded)
 
 
@@ -684,9 +779,10 @@ def add_vvzinv(v, k):
     """vo = v - k e_z.
 
     (3),()->(3).  v, vo: vector; k: number.
-    2 add, 1 sum error.  Error <= u |result|, barring over- and underflow.
+    7 add.  Error <= u |result|, barring over- and underflow.
     """
     v_0, v_1, v_2 = v
     vo_2 = v_2 - k
-    vo_2_rounded = vo_2 + difference_error(v_2, k, vo_2)
+    vo_2_right = v_2 - vo_2
+    vo_2_rounded = vo_2 + (v_2 - (vo_2 + vo_2_right) - (k - vo_2_right))
     return (v_0, v_1, vo_2_rounded)

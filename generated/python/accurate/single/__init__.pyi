@@ -6,14 +6,15 @@ def vec3_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float32] | None = 
     """self = a self.
 
     (3),()->(3).  self: vector; a: number.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def axpy_vv(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """y = a x + y.
 
     (),(3),(3)->(3).  a: number; x, y: vector.
-    3 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    3 mul, 3 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -21,42 +22,48 @@ def xpy_vv(x: ArrayLike, y: ArrayLike, out: NDArray[np.float32] | None = ...) ->
     """y = x + y.
 
     (3),(3)->(3).  x, y: vector.
-    3 add.  Error <= u |result|, barring over- and underflow.
+    3 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def nxpy_vv(x: ArrayLike, y: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """y = -x + y.
 
     (3),(3)->(3).  x, y: vector.
-    3 add.  Error <= u |result|, barring over- and underflow.
+    3 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def product_av(a: ArrayLike, vi: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = a vi.
 
     (),(3)->(3).  a: number; vi, vo: vector.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def add_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = v1 + v2.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    3 add.  Error <= u |result|, barring over- and underflow.
+    3 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def subtract_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = v1 - v2.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    3 add.  Error <= u |result|, barring over- and underflow.
+    3 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def vec3_scaled(v: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = k v.
 
     (3),()->(3).  v, vo: vector; k: number.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def vec3_l2norm(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -91,7 +98,7 @@ def dot_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float32] | None = ...) 
     """v1·v2.
 
     (3),(3)->().  v1, v2: vector; dot: number.
-    3 mul, 2 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    3 mul, 2 add.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -99,7 +106,8 @@ def product_avinv(k: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = 
     """vo = k (-v).
 
     (),(3)->(3).  k: number; v, vo: vector.
-    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 neg.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_ainvv(k: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -113,7 +121,7 @@ def cross_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float32] | None = ...
     """vo = v1 × v2.  Exactly zero for v1 = v2, unless products overflow.
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    6 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    6 mul, 3 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -121,7 +129,7 @@ def cross_vvinv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float32] | None = 
     """vo = v1 × (-v2).
 
     (3),(3)->(3).  v1, v2, vo: vector.
-    6 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    6 mul, 3 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -129,49 +137,55 @@ def add_vvx(v: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...) -
     """vo = v + k e_x.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    1 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def add_vvxinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = v - k e_x.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    1 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def add_vvy(v: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = v + k e_y.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    1 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def add_vvyinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = v - k e_y.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    1 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def add_vvz(v: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = v + k e_z.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    1 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def add_vvzinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = v - k e_z.
 
     (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
+    1 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def mat3x3_determinant(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """det R.
 
     (3,3)->().  R: rotation or other 3×3 matrix; det: number.
-    9 mul, 5 add.  Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded
+    9 mul, 5 add.  Error <= u |result| + 5/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -179,23 +193,23 @@ def SE3_invert(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArra
     """self = self^-1 = [R^T | -R^T t].
 
     (3,4)->(3,4).  self: displacement [R | t], R rotation, t in m.
-    9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of
-    the expanded formula; barring over- and underflow.
+    9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 3/32) u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def SE3_inverted(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Do = D^-1 = [R^T | -R^T t].
 
     (3,4)->(3,4).  D, Do: displacement [R | t], R rotation, t in m.
-    9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of
-    the expanded formula; barring over- and underflow.
+    9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 3/32) u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def product_drv(R: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = R v.
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    9 mul, 6 add.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -203,15 +217,15 @@ def product_drvinv(R: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None =
     """vo = R (-v).
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add, 3 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    9 mul, 6 add, 3 neg.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_drinvv(R: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = R^T v.
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    9 mul, 6 add.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -219,15 +233,15 @@ def product_drinvvinv(R: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | Non
     """vo = R^T (-v).
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
-    9 mul, 6 add, 3 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    9 mul, 6 add, 3 neg.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_dv(D: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = R v + t.
 
     (3,4),(3)->(3).  D: displacement [R | t], R rotation, t in m; v, vo: vector.
-    9 mul, 9 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    9 mul, 9 add.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -235,7 +249,7 @@ def product_dinvv(D: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = 
     """vo = R^T (v - t).
 
     (3,4),(3)->(3).  D: displacement [R | t], R rotation, t in m; v, vo: vector.
-    9 mul, 9 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    9 mul, 9 add.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -243,7 +257,7 @@ def product_drdr(R1: ArrayLike, R2: ArrayLike, out: NDArray[np.float32] | None =
     """Ro = R1 R2.
 
     (3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    27 mul, 18 add.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -251,7 +265,7 @@ def product_drdrinv(R1: ArrayLike, R2: ArrayLike, out: NDArray[np.float32] | Non
     """Ro = R1 R2^T.
 
     (3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    27 mul, 18 add.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -259,7 +273,7 @@ def product_drinvdr(R1: ArrayLike, R2: ArrayLike, out: NDArray[np.float32] | Non
     """Ro = R1^T R2.
 
     (3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.
-    27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    27 mul, 18 add.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -267,24 +281,24 @@ def product_dd(D1: ArrayLike, D2: ArrayLike, out: NDArray[np.float32] | None = .
     """Do = D1 D2 = [R1 R2 | R1 t2 + t1].
 
     (3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.
-    36 mul, 27 add.  Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    36 mul, 27 add.  Error <= u |result| + (R: 3/32, t: 1/8) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_ddinv(D1: ArrayLike, D2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T.
 
     (3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.
-    36 mul, 27 add.  Error <= u |result| + (R: 2, t: 6) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    36 mul, 27 add.  Error <= u |result| + (R: 3/32, t: 7/32) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_dinvd(D1: ArrayLike, D2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)].
 
     (3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.
-    36 mul, 27 add.  Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    36 mul, 27 add.  Error <= u |result| + (R: 3/32, t: 1/8) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_ddr(D: ArrayLike, R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -292,8 +306,8 @@ def product_ddr(D: ArrayLike, R: ArrayLike, out: NDArray[np.float32] | None = ..
 
     (3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other
     3×3 matrix.
-    27 mul, 18 add.  Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    27 mul, 18 add.  Error <= u |result| + (R: 3/32, t: 0) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_ddrinv(D: ArrayLike, R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -301,15 +315,15 @@ def product_ddrinv(D: ArrayLike, R: ArrayLike, out: NDArray[np.float32] | None =
 
     (3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other
     3×3 matrix.
-    27 mul, 18 add.  Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    27 mul, 18 add.  Error <= u |result| + (R: 3/32, t: 0) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_ddt(D: ArrayLike, t: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Do = D [I | t].
 
     (3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.
-    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the
+    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 1/8) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -317,7 +331,7 @@ def product_ddtinv(D: ArrayLike, t: ArrayLike, out: NDArray[np.float32] | None =
     """Do = D [I | -t].
 
     (3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.
-    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the
+    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 1/8) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -325,7 +339,7 @@ def product_dinvdt(D: ArrayLike, t: ArrayLike, out: NDArray[np.float32] | None =
     """Do = D^-1 [I | t] = [R^T | R^T (t - t_D)].
 
     (3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.
-    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the
+    9 mul, 9 add.  Error <= u |result| + (R: 0, t: 1/8) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -333,14 +347,15 @@ def product_drvtx(R: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = 
     """vo = R (k e_x).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def product_drdrx(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Ro = R R_x(θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    12 mul, 6 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -348,7 +363,7 @@ def product_ddrx(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = 
     """Do = D [R_x(θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    12 mul, 6 add.  Error <= u |result| + (R: 1/16, t: 0) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -356,7 +371,7 @@ def product_ddtx(D: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = .
     """Do = D [I | k e_x].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -364,14 +379,15 @@ def product_drvtxinv(R: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None
     """vo = R (-k e_x).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 neg.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_drdrxinv(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Ro = R R_x(-θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    12 mul, 6 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -379,7 +395,7 @@ def product_ddrxinv(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None
     """Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    12 mul, 6 add.  Error <= u |result| + (R: 1/16, t: 0) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -387,7 +403,7 @@ def product_ddtxinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None 
     """Do = D [I | -k e_x].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -395,14 +411,15 @@ def product_drvty(R: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = 
     """vo = R (k e_y).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def product_drdry(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Ro = R R_y(θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    12 mul, 6 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -410,7 +427,7 @@ def product_ddry(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = 
     """Do = D [R_y(θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    12 mul, 6 add.  Error <= u |result| + (R: 1/16, t: 0) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -418,7 +435,7 @@ def product_ddty(D: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = .
     """Do = D [I | k e_y].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -426,14 +443,15 @@ def product_drvtyinv(R: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None
     """vo = R (-k e_y).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 neg.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_drdryinv(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Ro = R R_y(-θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    12 mul, 6 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -441,7 +459,7 @@ def product_ddryinv(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None
     """Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    12 mul, 6 add.  Error <= u |result| + (R: 1/16, t: 0) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -449,7 +467,7 @@ def product_ddtyinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None 
     """Do = D [I | -k e_y].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -457,14 +475,15 @@ def product_drvtz(R: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = 
     """vo = R (k e_z).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def product_drdrz(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Ro = R R_z(θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    12 mul, 6 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -472,7 +491,7 @@ def product_ddrz(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = 
     """Do = D [R_z(θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    12 mul, 6 add.  Error <= u |result| + (R: 1/16, t: 0) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -480,7 +499,7 @@ def product_ddtz(D: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = .
     """Do = D [I | k e_z].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -488,14 +507,15 @@ def product_drvtzinv(R: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None
     """vo = R (-k e_z).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
-    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
+    3 mul, 3 neg.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_drdrzinv(R: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Ro = R R_z(-θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    12 mul, 6 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -503,7 +523,7 @@ def product_ddrzinv(D: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None
     """Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
-    12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the
+    12 mul, 6 add.  Error <= u |result| + (R: 1/16, t: 0) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -511,7 +531,7 @@ def product_ddtzinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None 
     """Do = D [I | -k e_z].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
-    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the
+    3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -519,14 +539,15 @@ def screw_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float32] | None =
     """self = a self.
 
     (6),()->(6).  self: screw (v in m/s; ω in rad/s); a: number.
-    6 mul.  Error <= u |result|, barring over- and underflow.
+    6 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def axpy_ss(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """y = a x + y.
 
     (),(6),(6)->(6).  a: number; x, y: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    6 mul, 6 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -534,35 +555,40 @@ def xpy_ss(x: ArrayLike, y: ArrayLike, out: NDArray[np.float32] | None = ...) ->
     """y = x + y.
 
     (6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    6 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def nxpy_ss(x: ArrayLike, y: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """y = -x + y.
 
     (6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    6 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def product_as(a: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = a si.
 
     (),(6)->(6).  a: number; si, so: screw (v in m/s; ω in rad/s).
-    6 mul.  Error <= u |result|, barring over- and underflow.
+    6 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def add_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = s1 + s2.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    6 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def subtract_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = s1 - s2.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    6 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def screw_norm(si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -590,38 +616,39 @@ def add_sst(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float32] | None = ...)
     """so = (s1.lin + s2.lin ; s1.ang).
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    3 add.  Error <= u |result|, barring over- and underflow.
+    3 add.  Error <= u |result| + (lin: 1/32, ang: 0) u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_Adts(t: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = [Ad](t) si.
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 6 add.  Error <= u |result| + (lin: 3/32, ang: 0) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_Adtinvs(t: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = [Ad](t)^-1 si.
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 6 add.  Error <= u |result| + (lin: 3/32, ang: 0) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_Adtsinv(t: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = [Ad](t) (-si).
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
-    6 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 3/32, ang: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_Adrs(R: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = [Ad](R) si.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    18 mul, 12 add.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -629,7 +656,7 @@ def product_Adrinvs(R: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None
     """so = [Ad](R)^-1 si.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    18 mul, 12 add.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -637,7 +664,7 @@ def product_Adrsinv(R: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None
     """so = [Ad](R) (-si).
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add, 6 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the
+    18 mul, 12 add, 6 neg.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -646,8 +673,8 @@ def product_Ads(D: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None = .
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
     rad/s).
-    24 mul, 18 add.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    24 mul, 18 add.  Error <= u |result| + (lin: 3/16, ang: 3/32) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_Adinvs(D: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -655,8 +682,8 @@ def product_Adinvs(D: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None 
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
     rad/s).
-    24 mul, 18 add.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    24 mul, 18 add.  Error <= u |result| + (lin: 3/16, ang: 3/32) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_Adsinv(D: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -664,63 +691,63 @@ def product_Adsinv(D: ArrayLike, si: ArrayLike, out: NDArray[np.float32] | None 
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
     rad/s).
-    24 mul, 18 add, 6 neg.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    24 mul, 18 add, 6 neg.  Error <= u |result| + (lin: 3/16, ang: 3/32) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsrx(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = h_rx: column 3 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def hsry(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = h_ry: column 4 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def hsrz(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = h_rz: column 5 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def hsrxinv(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = -h_rx: -column 3 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsryinv(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = -h_ry: -column 4 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hsrzinv(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = -h_rz: -column 5 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def Ad(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """M = [Ad](D).
 
     (3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-    18 mul, 9 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    18 mul, 9 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -728,7 +755,7 @@ def dot_cs(c: ArrayLike, s: ArrayLike, out: NDArray[np.float32] | None = ...) ->
     """power = f·v + τ·ω, in W.
 
     (6),(6)->().  c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s); power: number.
-    6 mul, 5 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    6 mul, 5 add.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -737,16 +764,16 @@ def cross_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float32] | None = ...
     overflow.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    18 mul, 12 add.  Error <= u |result| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    18 mul, 12 add.  Error <= u |result| + (lin: 3/32, ang: 1/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def cross_sst(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = (ω1×v2 ; 0).
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
-    6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def hsra(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -754,8 +781,8 @@ def hsra(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float32] | None = ...) -
 
     (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
     m/s; ω in rad/s).
-    15 mul, 9 add.  Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    15 mul, 9 add.  Error <= u |result| + (lin: 5/32, ang: 3/32) u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def hsta(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -763,22 +790,23 @@ def hsta(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float32] | None = ...) -
 
     (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
     m/s; ω in rad/s).
-    9 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    9 mul, 6 add.  Error <= u |result| + (lin: 3/32, ang: 0) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def coscrew_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """self = a self.
 
     (6),()->(6).  self: coscrew (f in N; τ in N m); a: number.
-    6 mul.  Error <= u |result|, barring over- and underflow.
+    6 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def axpy_cc(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """y = a x + y.
 
     (),(6),(6)->(6).  a: number; x, y: coscrew (f in N; τ in N m).
-    6 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    6 mul, 6 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -786,35 +814,40 @@ def xpy_cc(x: ArrayLike, y: ArrayLike, out: NDArray[np.float32] | None = ...) ->
     """y = x + y.
 
     (6),(6)->(6).  x, y: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    6 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def nxpy_cc(x: ArrayLike, y: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """y = -x + y.
 
     (6),(6)->(6).  x, y: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    6 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def product_ac(a: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = a ci.
 
     (),(6)->(6).  a: number; ci, co: coscrew (f in N; τ in N m).
-    6 mul.  Error <= u |result|, barring over- and underflow.
+    6 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def add_cc(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = c1 + c2.
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    6 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def subtract_cc(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = c1 - c2.
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    6 add.  Error <= u |result|, barring over- and underflow.
+    6 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def coscrew_norm(ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -842,38 +875,39 @@ def add_cct(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.float32] | None = ...)
     """co = (c1.lin + c2.lin ; c1.ang).
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
-    3 add.  Error <= u |result|, barring over- and underflow.
+    3 add.  Error <= u |result| + (lin: 1/32, ang: 0) u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def product_CoAdtc(t: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = [Ad]*(t) ci.
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 6 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 6 add.  Error <= u |result| + (lin: 0, ang: 3/32) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdtinvc(t: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = [Ad]*(t)^-1 ci.
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 6 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 6 add.  Error <= u |result| + (lin: 0, ang: 3/32) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdtcinv(t: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = [Ad]*(t) (-ci).
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
-    6 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 3/32) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdrc(R: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = [Ad]*(R) ci.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    18 mul, 12 add.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -881,7 +915,7 @@ def product_CoAdrinvc(R: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | No
     """co = [Ad]*(R)^-1 ci.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    18 mul, 12 add.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -889,7 +923,7 @@ def product_CoAdrcinv(R: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | No
     """co = [Ad]*(R) (-ci).
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add, 6 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the
+    18 mul, 12 add, 6 neg.  Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -898,8 +932,8 @@ def product_CoAdc(D: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | None =
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
     N m).
-    24 mul, 18 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    24 mul, 18 add.  Error <= u |result| + (lin: 3/32, ang: 3/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdinvc(D: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -907,8 +941,8 @@ def product_CoAdinvc(D: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | Non
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
     N m).
-    24 mul, 18 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    24 mul, 18 add.  Error <= u |result| + (lin: 3/32, ang: 3/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_CoAdcinv(D: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -916,63 +950,63 @@ def product_CoAdcinv(D: ArrayLike, ci: ArrayLike, out: NDArray[np.float32] | Non
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
     N m).
-    24 mul, 18 add, 6 neg.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    24 mul, 18 add, 6 neg.  Error <= u |result| + (lin: 3/32, ang: 3/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hctx(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = h_tx: column 0 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def hcty(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = h_ty: column 1 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def hctz(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = h_tz: column 2 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def hctxinv(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = -h_tx: -column 0 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hctyinv(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = -h_ty: -column 1 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def hctzinv(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = -h_tz: -column 2 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
-    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
+    6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def CoAd(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """M = [Ad]*(D).
 
     (3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
-    18 mul, 9 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    18 mul, 9 add.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -981,7 +1015,7 @@ def reciprocal_product(c: ArrayLike, x: ArrayLike, out: NDArray[np.float32] | No
 
     (6),(6)->().  c: coscrew (f in N; τ in N m); x: six components with the angular part on top;
     power: number.
-    6 mul, 5 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    6 mul, 5 add.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -989,16 +1023,16 @@ def cross_sc(s: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) 
     """co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
 
     (6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-    18 mul, 12 add.  Error <= u |result| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    18 mul, 12 add.  Error <= u |result| + (lin: 1/16, ang: 3/32) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def cross_sca(s: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = (0 ; ω×τ).
 
     (6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
-    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def constraint_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1006,8 +1040,8 @@ def constraint_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None =
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    21 mul, 15 add.  Error <= u |result| + (lin: 1/16, ang: 5/32) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1015,8 +1049,8 @@ def constraint_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None =
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    21 mul, 15 add.  Error <= u |result| + (lin: 1/16, ang: 5/32) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1024,8 +1058,8 @@ def constraint_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None =
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    21 mul, 15 add.  Error <= u |result| + (lin: 1/16, ang: 5/32) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1033,8 +1067,8 @@ def constraint_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None =
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    21 mul, 15 add.  Error <= u |result| + (lin: 3/32, ang: 3/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1042,8 +1076,8 @@ def constraint_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None =
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    21 mul, 15 add.  Error <= u |result| + (lin: 3/32, ang: 3/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def constraint_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1051,8 +1085,8 @@ def constraint_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None =
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    21 mul, 15 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    21 mul, 15 add.  Error <= u |result| + (lin: 3/32, ang: 3/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def working_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1060,8 +1094,8 @@ def working_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ..
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    9 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    9 mul, 3 add.  Error <= u |result| + (lin: 1/32, ang: 3/32) u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def working_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1069,8 +1103,8 @@ def working_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ..
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    9 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    9 mul, 3 add.  Error <= u |result| + (lin: 1/32, ang: 3/32) u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def working_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1078,8 +1112,8 @@ def working_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ..
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    9 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    9 mul, 3 add.  Error <= u |result| + (lin: 1/32, ang: 3/32) u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def working_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1087,7 +1121,8 @@ def working_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ..
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul.  Error <= u |result| + (lin: 0, ang: 1/32) u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def working_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1095,7 +1130,8 @@ def working_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ..
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul.  Error <= u |result| + (lin: 0, ang: 1/32) u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def working_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1103,14 +1139,16 @@ def working_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ..
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
     m).
-    3 mul.  Error <= u |result|, barring over- and underflow.
+    3 mul.  Error <= u |result| + (lin: 0, ang: 1/32) u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def quaternion_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """self = a self.
 
     (4),()->(4).  self: quaternion (w; x, y, z), the scalar first; a: number.
-    4 mul.  Error <= u |result|, barring over- and underflow.
+    4 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def quaternion_norm(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1138,7 +1176,7 @@ def product_qq(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.float32] | None = .
     """qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
 
     (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-    16 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    16 mul, 12 add.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -1146,23 +1184,23 @@ def product_qconjq(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.float32] | None
     """qo = q1* q2, q1* the conjugate.
 
     (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-    16 mul, 12 add.  Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    16 mul, 12 add.  Error <= u |result| + (w: 1/8, v: 3/32) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_qqconj(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """qo = q1 q2*, q2* the conjugate.
 
     (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-    16 mul, 12 add.  Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    16 mul, 12 add.  Error <= u |result| + (w: 1/8, v: 3/32) u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
     """
 
 def product_qv(q: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = R(q) v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-    18 mul, 12 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded
+    18 mul, 12 add.  Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -1170,7 +1208,7 @@ def product_qconjv(q: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None =
     """vo = R(q)^T v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-    18 mul, 12 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded
+    18 mul, 12 add.  Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -1222,7 +1260,7 @@ def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.float32] | None = ...
     """self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
-    51 mul, 42 add, 3 neg.  Error <= u |result| + 8 u S, S the sum of the |terms| of the
+    51 mul, 42 add, 3 neg.  Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -1230,7 +1268,7 @@ def mat3x3_orthonormalized(R: ArrayLike, out: NDArray[np.float32] | None = ...) 
     """Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
-    51 mul, 42 add, 3 neg.  Error <= u |result| + 8 u S, S the sum of the |terms| of the
+    51 mul, 42 add, 3 neg.  Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -1287,7 +1325,8 @@ def inertia_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float32] | None
 
     (10),()->(10).  self: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
     zz, xy, xz, yz in kg m^2); a: number.
-    10 mul.  Error <= u |result|, barring over- and underflow.
+    10 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def add_BB(B1: ArrayLike, B2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1295,7 +1334,8 @@ def add_BB(B1: ArrayLike, B2: ArrayLike, out: NDArray[np.float32] | None = ...) 
 
     (10),(10)->(10).  B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin,
     xx, yy, zz, xy, xz, yz in kg m^2).
-    10 add.  Error <= u |result|, barring over- and underflow.
+    10 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def subtract_BB(B1: ArrayLike, B2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1303,7 +1343,8 @@ def subtract_BB(B1: ArrayLike, B2: ArrayLike, out: NDArray[np.float32] | None = 
 
     (10),(10)->(10).  B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin,
     xx, yy, zz, xy, xz, yz in kg m^2).
-    10 add.  Error <= u |result|, barring over- and underflow.
+    10 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
     """
 
 def inertia_from_com(m: ArrayLike, com: ArrayLike, Ic: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1312,8 +1353,8 @@ def inertia_from_com(m: ArrayLike, com: ArrayLike, Ic: ArrayLike, out: NDArray[n
 
     (),(3),(3,3)->(10).  m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial
     inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
-    9 mul, 9 add.  Error <= u |result| + (m: 0, h: 0, I: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    9 mul, 9 add.  Error <= u |result| + (m: 0, h: 1/32, I: 1/8) u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def inertia_com(B: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1337,8 +1378,8 @@ def product_Bs(B: ArrayLike, s: ArrayLike, out: NDArray[np.float32] | None = ...
 
     (10),(6)->(6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
     zz, xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
-    24 mul, 18 add.  Error <= u |result| + (lin: 2, ang: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
+    24 mul, 18 add.  Error <= u |result| + (lin: 3/32, ang: 1/8) u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def inertia_energy(B: ArrayLike, s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1346,7 +1387,7 @@ def inertia_energy(B: ArrayLike, s: ArrayLike, out: NDArray[np.float32] | None =
 
     (10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
     xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy: number.
-    31 mul, 23 add.  Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded
+    31 mul, 23 add.  Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -1355,8 +1396,8 @@ def inertia_shifted(t: ArrayLike, B: ArrayLike, out: NDArray[np.float32] | None 
 
     (3),(10)->(10).  t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the
     origin, xx, yy, zz, xy, xz, yz in kg m^2).
-    15 mul, 18 add.  Error <= u |result| + (m: 0, h: 1, I: 5) u S, S the sum of the |terms| of
-    the expanded formula; barring over- and underflow.
+    15 mul, 18 add.  Error <= u |result| + (m: 0, h: 1/16, I: 3/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def inertia_transformed(D: ArrayLike, B: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1364,8 +1405,8 @@ def inertia_transformed(D: ArrayLike, B: ArrayLike, out: NDArray[np.float32] | N
 
     (3,4),(10)->(10).  D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in
     kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
-    69 mul, 54 add.  Error <= u |result| + (m: 0, h: 3, I: 7) u S, S the sum of the |terms| of
-    the expanded formula; barring over- and underflow.
+    69 mul, 54 add.  Error <= u |result| + (m: 0, h: 1/8, I: 1/4) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def inertia_consistency(B: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:

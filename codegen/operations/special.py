@@ -1,0 +1,47 @@
+"""Functions that formulas are written in where mathematics has no polynomial or closed form for them.
+
+`codegen/special.py` evaluates them to any number of digits.
+"""
+
+import sympy as sp
+
+
+class g(sp.Function):
+    """g(k, θ²) = Σ (-θ²)^j / (2j + k)!: cos θ, sin θ / θ, (1 - cos θ) / θ², (θ - sin θ) / θ³, …."""
+
+
+class b(sp.Function):
+    """b(θ²) = (1 - θ/2 cot θ/2) / θ²; singular at θ = 2π."""
+
+
+class quaternion_of(sp.Function):
+    """quaternion_of(i, R00, R01, …): component i of the quaternion, w >= 0, of the nearest rotation."""
+
+
+class quaternion_log(sp.Function):
+    """quaternion_log(i, w, x, y, z): component i of the rotation vector of a quaternion's multiple."""
+
+
+class slerp(sp.Function):
+    """slerp(i, p…, q…, k): component i of p (p* q)^k along the shorter arc."""
+
+
+class interpolated(sp.Function):
+    """interpolated(row, column, D1…, D2…, k): entry of D1 exp(k log(D1^-1 D2))."""
+
+
+class factor(sp.Function):
+    """factor(i, j, a00, a10, a11, …): entry of L, on the diagonal of D, of A = L D L^T."""
+
+
+class smallest_pivot(sp.Function):
+    """smallest_pivot(a00, a10, a11, …): min d_i / a_ii."""
+
+
+class solution(sp.Function):
+    """solution(i, b0, b1, …, a00, a10, a11, …): component i of A^-1 b."""
+
+
+def vector(function: type[sp.Function], size: int, *arguments: sp.Expr) -> sp.Matrix:
+    """The components 0, 1, … of a function."""
+    return sp.Matrix([function(i, *arguments) for i in range(size)])

@@ -1,0 +1,171 @@
+"""C text: every kernel in three loops, to be timed.  Knows types and layouts, no arithmetic.
+
+A loop gets pointers to all inputs, then all outputs (in place or not, they are apart, so that the
+same call can be repeated), then to a zero.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from coscrew_codegen.operations import Operation
+from coscrew_codegen.program import Constant, Input, Op, Operand, Program
+from coscrew_codegen.quantity import Argument
+from coscrew_codegen.render import render
+from coscrew_codegen.targets.c import STRUCTS, c_name, c_type, member, parameters, returned
+from coscrew_codegen.targets.precision import Precision
+
+PADDING = 8  # elements between planes, lest their addresses are equal modulo a cache way
+_CACHE = 16384  # bytes of inputs and outputs, half of a small first-level cache
+
+# Latencies of today's processors in cycles, to find the result that comes last.
+_CYCLES = {Op.DIV: 13, Op.SQRT: 18, Op.SIN: 60, Op.COS: 60, Op.NEG: 1, Op.ABS: 1, Op.SELECT: 1,
+           Op.LESS: 3, Op.EQUAL: 3, Op.PRODUCT_ERROR: 4, Op.SUM_ERROR: 16,
+           Op.DIFFERENCE_ERROR: 16}
+
+
+@dataclass(frozen=True)
+class Variant:
+    """A kernel: the operation as a tier has it, perhaps with further outputs, and its program."""
+
+    operation: Operation
+    precision: Precision
+    tier: str
+    program: Program
+
+    @property
+    def name(self) -> str:
+        """As the headers call it, without ksl_."""
+        name = c_name(self.operation.name, self.precision).removeprefix("ksl_")
+        return name if self.tier == "plain" else f"{name}_{self.tier}"
+
+    @property
+    def elements(self) -> int:
+        """How many elements fit the first-level cache: of 16 to 256, a multiple of 16."""
+        arguments = (*self.operation.inputs, *self.operation.outputs)
+        size = sum(a.quantity.size for a in arguments) * self.precision.bytes
+        return max(16, min(256, _CACHE // size // 16 * 16))
+
+
+@dataclass(frozen=True)
+class _Loops:
+    """What the template's holes take."""
+
+    name: str
+    rows: str
+    row: str
+    planes: str
+    plane: str
+    links: str
+    link: str
+
+
+def kernels_text(variants: Sequence[Variant]) -> str:
+    """The C text for variants of one tier."""
+    tier = variants[0].tier
+    return render("report/kernels.c", header="ksl" if tier == "plain" else f"ksl_{tier}",
+                  kernels=list(map(_loops, variants)))
+
+
+def last_component(program: Program) -> int:
+    """The number of the result whose longest way from an input takes longest."""
+    ready: dict[str, int] = {}
+
+    def when(operand: Operand) -> int:
+        return 0 if isinstance(operand, (Input, Constant)) else ready[operand.name]
+
+    for step in program.instructions:
+        ready[step.name] = max(map(when, step.operands)) + _CYCLES.get(step.op, 4)
+    return max(range(len(program.results)), key=lambda i: when(program.results[i]))
+
+
+def _loops(variant: Variant) -> _Loops:
+    rows, row = _rows(variant)
+    planes, plane = _planes(variant)
+    links, link = _chain(variant)
+    return _Loops(variant.name, "\n  ".join(rows), "\n    ".join(row), "\n  ".join(planes),
+                  "\n    ".join(plane), "\n  ".join(links), "\n    ".join(link))
+
+
+def _rows(variant: Variant) -> tuple[list[str], list[str]]:
+    """out[i] = kernel(in[i]); what is updated in place is copied first."""
+    pointers, copies, values = [], [], {}
+    for number, a, read in _numbered(variant.operation):
+        kind, size = _declaration(a, variant.precision)
+        const, name = ("const ", f"{a.name}_in") if read else ("", f"{a.name}_out")
+        star = f"(*{name}){size}" if size else f"*{name}"
+        pointers.append(f"{const}{kind} {star} = arguments[{number}];")
+        if not read and a in variant.operation.inputs:
+            copies.append(f"memcpy(&{name}[i], &{a.name}_in[i], sizeof {name}[i]);")
+        values[a.name] = f"{name}[i]"
+    return pointers, [*copies, _call(variant, values)]
+
+
+def _planes(variant: Variant) -> tuple[list[str], list[str]]:
+    """Components gathered from planes, the kernel, results scattered to planes."""
+    real, stride = variant.precision.c_type, variant.elements + PADDING
+    pointers, gathers, scatters = [], [], []
+    for number, a, read in _numbered(variant.operation):
+        const, name = ("const ", f"{a.name}_in") if read else ("", f"{a.name}_out")
+        pointers.append(f"{const}{real} (*{name})[{stride}] = arguments[{number}];")
+        for k in range(a.quantity.size):
+            local, plane = f"{a.name}{member(a.quantity, k)}", f"{name}[{k}][i]"
+            (gathers if read else scatters).append(
+                f"{local} = {plane};" if read else f"{plane} = {local};")
+    call = _call(variant, {a.name: a.name for a in _distinct(variant.operation)})
+    return pointers, [*_locals(variant), *gathers, call, *scatters]
+
+
+def _chain(variant: Variant) -> tuple[list[str], list[str]]:
+    """Every input waits for the result that comes last, of the call before: in + 0 · out, where no
+    compiler knows that the zero is one; all results are stored."""
+    operation, real = variant.operation, variant.precision.c_type
+    outputs = [(a, k) for a in operation.outputs for k in range(a.quantity.size)]
+    last, component = outputs[last_component(variant.program)]
+    pointers, links = [], []
+    for number, a, read in _numbered(operation):
+        if read:
+            kind, size = _declaration(a, variant.precision)
+            star = f"(*{a.name}_in){size}" if size else f"*{a.name}_in"
+            pointers.append(f"const {kind} {star} = arguments[{number}];")
+            links += [f"{a.name}{m} = {a.name}_in[0]{m} + fed;"
+                      for m in (member(a.quantity, k) for k in range(a.quantity.size))]
+    zero = len(operation.inputs) + len(operation.outputs)
+    pointers += [f"const {real} zero = *(const {real} *)arguments[{zero}];", f"{real} fed = zero;"]
+    call = _call(variant, {a.name: a.name for a in _distinct(operation)})
+    kept = ", ".join(f'"m"({a.name})' for a in operation.outputs)
+    return pointers, [*_locals(variant), *links, call,
+                      f"fed = zero * {last.name}{member(last.quantity, component)};",
+                      f'__asm__ volatile("" ::{kept});']
+
+
+def _numbered(operation: Operation) -> list[tuple[int, Argument, bool]]:
+    """(number, argument, whether it is read): all inputs, then all outputs."""
+    both = [(a, True) for a in operation.inputs] + [(a, False) for a in operation.outputs]
+    return [(number, a, read) for number, (a, read) in enumerate(both)]
+
+
+def _distinct(operation: Operation) -> tuple[Argument, ...]:
+    return tuple({a.name: a for a in (*operation.inputs, *operation.outputs)}.values())
+
+
+def _declaration(argument: Argument, precision: Precision) -> tuple[str, str]:
+    """Type and, of a plain array, size."""
+    array = argument.quantity.shape and argument.quantity.name not in STRUCTS
+    return c_type(argument.quantity, precision), f"[{argument.quantity.size}]" if array else ""
+
+
+def _locals(variant: Variant) -> list[str]:
+    return [f"{kind} {a.name}{size};" for a in _distinct(variant.operation)
+            for kind, size in [_declaration(a, variant.precision)]]
+
+
+def _call(variant: Variant, values: dict[str, str]) -> str:
+    """The statement that calls the kernel; `values` gives the lvalue of each argument."""
+    operation, value = variant.operation, returned(variant.operation)
+
+    def passed(a: Argument) -> str:
+        pointer = a.quantity.name in STRUCTS or not a.quantity.shape and a in operation.outputs
+        return f"&{values[a.name]}" if pointer and not operation.by_value else values[a.name]
+
+    result = f"{values[value.name]} = " if value else ""
+    return f"{result}ksl_{variant.name}({', '.join(map(passed, parameters(operation)))});"

@@ -1,0 +1,92 @@
+"""`coscrew report`: options, report.json, the page, a short table.
+
+Imports what measures only when it is asked to, since the generator does without."""
+
+import argparse
+import math
+import tempfile
+from dataclasses import replace
+from importlib.util import find_spec
+from pathlib import Path
+
+from coscrew_codegen.emit import EmitError, write
+from coscrew_codegen.report import ReportError
+from coscrew_codegen.report.schema import Report
+from coscrew_codegen.selection import operations_named
+
+
+def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add `report` to the command line."""
+    parser = commands.add_parser(
+        "report", help="measure errors and times on this machine",
+        description="Measure every kernel's errors, against exact truth, and times, here.")
+    parser.add_argument("--op", metavar="NAME", action="append", default=[],
+                        help="only this operation; may be repeated")
+    parser.add_argument("--minutes", type=float, default=2.0, metavar="M",
+                        help="about how long to measure (default: 2)")
+    parser.add_argument("--seed", type=int, default=1, metavar="N",
+                        help="of the inputs (default: 1)")
+    parser.add_argument("--output", metavar="DIR", default="build/report",
+                        help="folder to write to (default: build/report)")
+    parser.add_argument("--compare", metavar="FILE", help="an earlier report.json")
+    parser.add_argument("--hard-cases", metavar="DIR", help="folder of further hard inputs, *.txt")
+    parser.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Measure and write the report; returns the exit status."""
+    try:
+        from coscrew_codegen.report import inputs, measure, ranking, summary
+    except ModuleNotFoundError as error:
+        raise ReportError(f"the report needs {error.name}; run `pip install \"coscrew[report]\"`"
+                          ) from None
+    if not (math.isfinite(options.minutes) and options.minutes > 0):
+        raise ReportError(f"--minutes: wanted a positive number; got {options.minutes}")
+    if options.seed < 0:
+        raise ReportError(f"--seed: wanted an integer from 0 on; got {options.seed}")
+    operations = operations_named(options.op)
+    before = _earlier(options.compare) if options.compare else None
+    folder = Path(options.output)
+    _writable(folder)
+    corpus = inputs.corpus(_folder(options.hard_cases)) if options.hard_cases else {}
+    words = ["coscrew report", *(f"--op {name}" for name in options.op),
+             f"--minutes {options.minutes:g}", f"--seed {options.seed}"]
+    report = measure.measure(measure.Plan(operations, options.minutes, options.seed, corpus,
+                                          " ".join(words)))
+    if before:
+        report = replace(report, compare=ranking.compared(before, report,
+                                                          Path(options.compare).name))
+    write({"report.json": report.to_json()}, folder)
+    made = [folder / "report.json"]
+    if find_spec("coscrew_codegen.report.page"):
+        from coscrew_codegen.report import page
+
+        made += page.write(report, folder)
+    print(summary.table(report, measure.TELLING))
+    print("\n".join(map(str, made)))
+    return 0
+
+
+def _earlier(name: str) -> Report:
+    try:
+        return Report.from_json(Path(name).read_text(encoding="utf-8"))
+    except OSError as error:
+        raise ReportError(f"--compare: cannot read {name}: {error.strerror}") from None
+    except ValueError as error:
+        raise ReportError(f"--compare: {name} is no report: {error}") from None
+
+
+def _folder(name: str) -> Path:
+    if not Path(name).is_dir():
+        raise ReportError(f"--hard-cases: wanted a folder; got {name!r}")
+    return Path(name)
+
+
+def _writable(folder: Path) -> None:
+    """Find out before measuring whether the report can be written."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            pass
+    except OSError as error:
+        raise EmitError(f"cannot write {folder}: {error.strerror}; nothing was measured") from error

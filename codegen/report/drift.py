@@ -1,0 +1,75 @@
+"""What many compositions D ← D E do to a displacement, with and without re-orthonormalising."""
+
+import ctypes
+import time
+from collections.abc import Iterator
+
+import mpmath
+import numpy as np
+
+from coscrew_codegen.exact import DIGITS, UNIT
+from coscrew_codegen.report.native import Library, loaded
+from coscrew_codegen.report.schema import Drift
+from coscrew_codegen.targets.precision import PRECISIONS, Precision
+
+STEPS = 1_000_000
+EVERY = 1000  # steps between two Newton steps R ← R (3I - R^T R) / 2
+_RUNS = 3
+
+
+def drifts(library: Library, steps: int = STEPS) -> Iterator[Drift]:
+    """The drift in both precisions, without and with re-orthonormalising."""
+    for precision in PRECISIONS:
+        E = _step().astype(precision.numpy_type)
+        truth = power(E, steps)
+        for every in (0, EVERY):
+            D, ns = _run(library, precision, E, steps, every)
+            defect, error = deviations(D, truth)
+            u = float(UNIT[precision.name])
+            yield Drift(precision.name, bool(every), steps, defect / u, error / u, ns / steps)
+
+
+def power(E: np.ndarray, steps: int) -> mpmath.matrix:
+    """The rigid motion nearest to E = [R | t], composed with itself so many times: R becomes its
+    orthogonal polar factor, which has no defect to add up."""
+    with mpmath.workdps(DIGITS):
+        motion = mpmath.matrix([*map(list, E.astype(float).tolist()), [0, 0, 0, 1]])
+        R = motion[:3, :3]
+        for _ in range(10):  # the defect is squared each time: 1e-7 is nothing after 5
+            R = R * (3 * mpmath.eye(3) - R.T * R) / 2
+        motion[:3, :3] = R
+        return motion**steps
+
+
+def deviations(D: np.ndarray, truth: mpmath.matrix) -> tuple[float, float]:
+    """(largest |R^T R - I|, largest error of a component relative to the largest of R or of t)."""
+    with mpmath.workdps(DIGITS):
+        found = mpmath.matrix(D.astype(float).tolist())
+        R, t = found[:, :3], found[:, 3]
+        defect = max(map(abs, R.T * R - mpmath.eye(3)))
+        errors = [max(map(abs, x - y)) / max(map(abs, y))
+                  for x, y in ((R, truth[:3, :3]), (t, truth[:3, 3]))]
+        return float(defect), float(max(errors))
+
+
+def _step() -> np.ndarray:
+    """A screw motion about (1, 2, 3), by an angle no multiple of which is a whole turn."""
+    x, y, z = np.array([1, 2, 3]) / np.sqrt(14)
+    k = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    angle = 0.0037
+    R = np.eye(3) + np.sin(angle) * k + 2 * np.sin(angle / 2)**2 * (k @ k)
+    return np.hstack([R, [[0.001], [0.002], [-0.0005]]])
+
+
+def _run(library: Library, precision: Precision, E: np.ndarray, steps: int,
+         every: int) -> tuple[np.ndarray, float]:
+    """The displacement after all steps, and the shortest time of a few runs, in ns."""
+    step, times = np.ascontiguousarray(E.T), []
+    run = getattr(loaded(library.path), f"drift{precision.suffix}")
+    for _ in range(_RUNS):
+        D = np.ascontiguousarray(np.eye(4, 3, dtype=E.dtype))
+        start = time.perf_counter_ns()
+        run(ctypes.c_void_p(D.ctypes.data), ctypes.c_void_p(step.ctypes.data),
+            ctypes.c_long(steps), ctypes.c_long(every))
+        times.append(time.perf_counter_ns() - start)
+    return D.T, float(min(times))

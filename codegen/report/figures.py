@@ -1,0 +1,158 @@
+"""Figures of a report as SVG, the same bytes for the same report: the headline, and per operation
+time against error and error against condition."""
+
+import io
+from collections.abc import Iterable
+from math import isfinite, isnan
+
+import matplotlib
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from coscrew_codegen.report.overview import (
+    PRECISIONS,
+    TIERS,
+    first_layout,
+    formatted,
+    headline_operations,
+    time_of,
+)
+from coscrew_codegen.report.schema import Entry, ProvenBound, Report
+
+_COLOURS = {"plain": "#6b7280", "fused": "#0072b2", "accurate": "#c2570c", "certified": "#00805d"}
+_MARKERS = {"double": "o", "single": "s"}
+_DASHES = {"double": "-", "single": "--"}
+_UNIT_ROUNDOFF = {"double": 2.0**-53, "single": 2.0**-24}
+_LINEAR_BELOW = 0.1  # ulp: zero has its place on a symmetrical logarithmic axis
+
+# Text as paths, so that it looks alike everywhere; ids from a fixed salt, no date.
+_STYLE = {"svg.hashsalt": "coscrew", "svg.fonttype": "path", "font.family": "DejaVu Sans",
+          "font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
+          "axes.grid": True, "grid.color": "#e3e6eb", "axes.edgecolor": "#9aa2b1",
+          "axes.axisbelow": True, "axes.titlelocation": "left"}
+
+
+def figures(report: Report, operations: tuple[str, ...]) -> dict[str, str]:
+    """The SVG texts by file name."""
+    layout = first_layout(report)
+    drawn = {"headline.svg": _headline(report, layout)}
+    for name in operations:
+        entries = [entry for entry in report.entries if entry.operation == name]
+        drawn[f"pareto-{name}.svg"] = _pareto(name, entries, layout)
+        if any(map(_finite_pairs, entries)):
+            drawn[f"condition-{name}.svg"] = _condition(name, entries)
+    return drawn
+
+
+def _headline(report: Report, layout: str) -> str:
+    """What accuracy costs in time: one panel per precision, one line per operation."""
+    operations = headline_operations(report)
+    with matplotlib.rc_context(_STYLE):
+        figure = Figure(figsize=(9, 4), layout="constrained")
+        for axes, precision in zip(figure.subplots(1, 2, sharey=True), PRECISIONS, strict=True):
+            axes.set_title(f"{precision} precision")
+            for name in operations:
+                entries = [e for e in report.entries
+                           if (e.operation, e.precision) == (name, precision)]
+                _tiers(axes, entries, layout, name)
+            _axes(axes, report.entries, layout)
+        figure.axes[1].set_ylabel("")
+        return _text(figure)
+
+
+def _pareto(operation: str, entries: list[Entry], layout: str) -> str:
+    """Time against the worst error of one operation; hollow marks are dominated."""
+    with matplotlib.rc_context(_STYLE):
+        figure = Figure(figsize=(6, 4), layout="constrained")
+        axes = figure.subplots()
+        axes.set_title(operation)
+        for precision in PRECISIONS:
+            _tiers(axes, [e for e in entries if e.precision == precision], layout, precision)
+        _axes(axes, entries, layout)
+        return _text(figure)
+
+
+def _tiers(axes: Axes, entries: Iterable[Entry], layout: str, name: str) -> None:
+    """One mark per tier at (ns, worst error), joined where not dominated, named at the last."""
+    marks = []
+    for entry in entries:
+        time, errors = time_of(entry, layout), entry.hard or entry.benign
+        if time and errors and not isnan(errors.worst):
+            marks.append((time.ns, errors.worst, entry, time.dominated))
+    best = sorted((x, y) for x, y, _, dominated in marks if not dominated)
+    axes.plot([x for x, _ in best], [y for _, y in best], ":", color="#9aa2b1", zorder=1)
+    for x, y, entry, dominated in marks:
+        colour = _COLOURS[entry.tier]
+        # An infinite error stands at the upper edge of the axes.
+        at, transform = (y, axes.transData) if isfinite(y) else (1, axes.get_xaxis_transform())
+        axes.plot([x], [at], _MARKERS[entry.precision], color=colour, transform=transform,
+                  markerfacecolor="white" if dominated else colour, clip_on=False,
+                  gid=f"{entry.operation}-{entry.precision}-{entry.tier}")
+    if best:
+        axes.annotate(name, best[0], (-4, 9), textcoords="offset points")
+
+
+def _axes(axes: Axes, entries: Iterable[Entry], layout: str) -> None:
+    _logarithmic(axes)
+    axes.margins(x=0.2)
+    axes.xaxis.set_major_formatter(lambda x, _: formatted(x))
+    axes.xaxis.set_minor_formatter(lambda x, _: formatted(x) if f"{x:e}"[0] in "25" else "")
+    axes.set_xlabel(f"ns per element: {layout}")
+    axes.set_ylabel(f"worst error, hard inputs ({_measures(entries)})")
+    for tier in (tier for tier in TIERS if any(entry.tier == tier for entry in entries)):
+        axes.plot([], [], "o", color=_COLOURS[tier], label=tier)
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(frameon=False)
+
+
+def _logarithmic(axes: Axes) -> None:
+    """Both axes logarithmic, the vertical one from zero and with room above for names."""
+    axes.set_xscale("log")
+    axes.set_yscale("symlog", linthresh=_LINEAR_BELOW)
+    axes.set_ylim(0, 50 * max(axes.get_ylim()[1], _LINEAR_BELOW))
+    axes.yaxis.get_major_locator().set_params(numticks=9)
+
+
+def _condition(operation: str, entries: list[Entry]) -> str:
+    """Errors against condition, and the proven bounds 1 + (c1 + c2 u) S/|x| as lines."""
+    with matplotlib.rc_context(_STYLE):
+        figure = Figure(figsize=(6, 4), layout="constrained")
+        axes = figure.subplots()
+        axes.set_title(f"{operation}: errors, and proven bounds as lines")
+        for entry in entries:
+            found = _finite_pairs(entry)
+            if found:
+                axes.plot(*zip(*found, strict=True), _MARKERS[entry.precision], markersize=3,
+                          color=_COLOURS[entry.tier], alpha=0.5, markeredgewidth=0,
+                          label=f"{entry.precision} {entry.tier}")
+            if found and entry.bound:
+                _bound_line(axes, entry, entry.bound, [x for x, _ in found])
+        _logarithmic(axes)
+        axes.set_xlabel("condition S/|x|")
+        axes.set_ylabel(f"error ({_measures(entries)})")
+        axes.legend(frameon=False)
+        return _text(figure)
+
+
+def _finite_pairs(entry: Entry) -> list[tuple[float, float]]:
+    return [pair for pair in entry.condition if all(map(isfinite, pair))]
+
+
+def _bound_line(axes: Axes, entry: Entry, bound: ProvenBound, conditions: list[float]) -> None:
+    """In ulp, as in u |x|: |err| <= u |x̂| + (c1 u + c2 u²) S and 1 ulp >= u |x|."""
+    low, high = min(conditions), max(conditions)
+    steps = [low * (high / low) ** (i / 60) for i in range(61)]
+    slope = bound.c1 + bound.c2 * _UNIT_ROUNDOFF[entry.precision]
+    axes.plot(steps, [bound.rounded + slope * x for x in steps], _DASHES[entry.precision],
+              color=_COLOURS[entry.tier], linewidth=1.2)
+
+
+def _measures(entries: Iterable[Entry]) -> str:
+    return " or ".join(dict.fromkeys(entry.measure for entry in entries))
+
+
+def _text(figure: Figure) -> str:
+    """The figure as SVG."""
+    text = io.StringIO()
+    figure.savefig(text, format="svg", metadata={"Date": None, "Creator": None})
+    return text.getvalue()

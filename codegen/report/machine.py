@@ -1,0 +1,48 @@
+"""Where figures come from: processor, system, versions, the command; no names of hosts or users."""
+
+import os
+import platform
+import sys
+from importlib.metadata import version
+from pathlib import Path
+from shutil import which
+from subprocess import run
+
+import numpy as np
+
+from coscrew_codegen.report.schema import Compiler, Provenance
+
+
+def provenance(command: str, seed: int, compilers: tuple[Compiler, ...],
+               seconds: float) -> Provenance:
+    """This machine, as a report states it."""
+    return Provenance(command, seed, _version(), _processor(), os.cpu_count() or 1,
+                      f"{platform.system()} {platform.machine()}",
+                      f"{platform.python_implementation()} {platform.python_version()}",
+                      np.__version__, compilers, seconds)
+
+
+def _version() -> str:
+    """The distribution's version and, in a git working tree, the commit."""
+    told = run(["git", "-C", str(Path(__file__).parent), "describe", "--always", "--dirty"],
+               capture_output=True, text=True) if _in_working_tree() else None
+    commit = told.stdout.strip() if told and told.returncode == 0 else ""
+    return f"{version('coscrew')} ({commit})" if commit else version("coscrew")
+
+
+def _in_working_tree() -> bool:
+    return bool(which("git")) and (Path(__file__).resolve().parents[2] / ".git").exists()
+
+
+def _processor() -> str:
+    """The processor's model, where the system tells it."""
+    cpuinfo = Path("/proc/cpuinfo")
+    if cpuinfo.exists():
+        for line in cpuinfo.read_text(errors="replace").splitlines():
+            key, _, value = line.partition(":")
+            if key.strip() in ("model name", "Model"):
+                return value.strip()
+    if sys.platform == "darwin":
+        return run(["sysctl", "-n", "machdep.cpu.brand_string"], capture_output=True,
+                   text=True).stdout.strip()
+    return platform.processor() or platform.machine()

@@ -1,0 +1,178 @@
+"""Measures operations: exact errors, times in C and Python, drift → Report."""
+
+import os
+import signal
+import sys
+import tempfile
+import time
+from collections.abc import Iterable, Iterator
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TypeVar
+
+import numpy as np
+import sympy as sp
+from tqdm import tqdm
+
+from coscrew_codegen.exact import formula, is_polynomial, measured_normwise
+from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.program import counts_in_words
+from coscrew_codegen.report import errors, timing
+from coscrew_codegen.report.c_text import Variant
+from coscrew_codegen.report.drift import drifts
+from coscrew_codegen.report.errors import Accuracy, Arrays
+from coscrew_codegen.report.inputs import Corpus
+from coscrew_codegen.report.machine import provenance
+from coscrew_codegen.report.native import Library, compilers, libraries
+from coscrew_codegen.report.ranking import Key, times
+from coscrew_codegen.report.schema import SCHEMA, Drift, Entry, Report, Time
+from coscrew_codegen.report.timing import COUNTS, Timed
+from coscrew_codegen.report.variants import flops, variants_of
+from coscrew_codegen.targets.precision import PRECISIONS, Precision
+
+# The operations most telling of the library: first where time is short, and printed.
+TELLING = ("product_CoAdc", "product_CoAdinvc", "product_Ads", "cross_sc", "cross_ss", "dot_cs",
+           "product_dd", "product_dv", "screw_normalized")
+
+# What compiling and errors leave of the time, no less than a quarter of it all, goes to loops in
+# C and to calls in Python, of one, 1000 and 1e6 elements.
+_LEAST_LEFT = 0.25
+_C_SHARE = 0.5
+_PYTHON_SHARES = (0.1, 0.15, 0.25)
+
+# Rows for errors are counted, not timed, so that every machine draws the same: this many a minute,
+# were `_row_cost` 1.
+_ROW_BUDGET = 600_000.0
+_MOST_ROWS = 20_000
+
+Item = TypeVar("Item")
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What to measure, how long, from which seed, and the command that asked for it."""
+
+    operations: tuple[Operation, ...]
+    minutes: float
+    seed: int
+    corpus: Corpus
+    command: str
+
+
+@dataclass(frozen=True)
+class Task:
+    """Errors of one operation in one precision, all tiers; names, since formulas cannot be sent to
+    another process."""
+
+    operation: str
+    precision: Precision
+    rows: int
+    seed: int
+    corpus: tuple[tuple[float, ...], ...]
+    library: Library | None
+
+    def run(self) -> dict[Key, Accuracy]:
+        """The accuracy of each variant that can be called."""
+        operation = next(op for op in OPERATIONS if op.name == self.operation)
+        benign, hard = errors.samples(operation, self.precision, self.rows, self.seed, self.corpus)
+        evaluate = self.library.call if self.library else _called_in_python
+        return {_key(v): errors.accuracy(operation, v, benign, hard, evaluate)
+                for v in variants_of(operation, self.precision)
+                if self.library or timing.python_function(v)}
+
+
+def measure(plan: Plan) -> Report:
+    """The report, without a comparison.  Without a compiler, of what there is in Python."""
+    started = time.monotonic()
+    variants = [v for operation in _progress(plan.operations, "deriving", len(plan.operations))
+                for precision in PRECISIONS for v in variants_of(operation, precision)]
+    with tempfile.TemporaryDirectory(prefix="coscrew-") as name:
+        found = compilers(Path(name))
+        if not found:
+            print("coscrew: no C compiler works here; Python alone is measured", file=sys.stderr)
+        built = tuple(_progress(libraries(variants, found, Path(name)), "compiling", len(found)))
+        accuracies = _accuracies(plan, built[0] if built else None)
+        left = max(60 * plan.minutes - (time.monotonic() - started),
+                   60 * plan.minutes * _LEAST_LEFT)
+        timed = [*_timed_in_c(variants, built, plan.seed, left * _C_SHARE),
+                 *_timed_in_python(variants, plan.seed, left)]
+        drift: tuple[Drift, ...] = tuple(
+            _progress(drifts(built[0]), "drift", 2 * len(PRECISIONS))) if built else ()
+    worst = {k: a.hard.worst for k, a in accuracies.items() if a.hard}
+    ranked = times(timed, worst)
+    entries = tuple(_entry(v, accuracies[_key(v)], ranked.get(_key(v), ()))
+                    for v in variants if _key(v) in accuracies)
+    seconds = round(time.monotonic() - started, 1)
+    return Report(SCHEMA, provenance(plan.command, plan.seed, found, seconds), entries, drift, None)
+
+
+def tasks(plan: Plan, library: Library | None) -> list[Task]:
+    """One for each operation and precision; each gets the same share of the rows' budget."""
+    share = _ROW_BUDGET * plan.minutes / len(plan.operations) / len(PRECISIONS)
+    return [Task(operation.name, precision,
+                 int(min(max(share / _row_cost(operation), 8), _MOST_ROWS)), plan.seed,
+                 plan.corpus.get((operation.name, precision.name), ()), library)
+            for operation in plan.operations for precision in PRECISIONS]
+
+
+def _row_cost(operation: Operation) -> float:
+    """About what the truth of a row costs, in components of polynomials."""
+    components = formula(operation)
+    if is_polynomial(operation):
+        return max(len(components), 3)
+    bindings, values = sp.cse(components)
+    return len(components) + 0.1 * sum(map(sp.count_ops, (*(x for _, x in bindings), *values)))
+
+
+def _accuracies(plan: Plan, library: Library | None) -> dict[Key, Accuracy]:
+    todo = tasks(plan, library)
+    found: dict[Key, Accuracy] = {}
+    with ProcessPoolExecutor(os.cpu_count(), initializer=_ignore_interrupts) as pool:
+        for accuracies in _progress(pool.map(Task.run, todo), "errors", len(todo)):
+            found |= accuracies
+    return found
+
+
+def _ignore_interrupts() -> None:
+    """Ctrl-C reaches all processes; the first one ends the others."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+def _timed_in_c(variants: list[Variant], built: tuple[Library, ...], seed: int,
+                seconds: float) -> Iterator[Timed]:
+    for library in built:
+        yield from _progress(timing.compiled(library, variants, seed, seconds / len(built)),
+                             f"times, {library.compiler.name}",
+                             len(variants) * len(timing.LAYOUTS))
+
+
+def _timed_in_python(variants: list[Variant], seed: int, seconds: float) -> Iterator[Timed]:
+    callable_ = [v for v in variants if timing.python_function(v)]
+    telling = sorted(callable_, key=lambda v: v.operation.name not in TELLING)
+    for count, share in zip(COUNTS, _PYTHON_SHARES, strict=True):
+        found = timing.in_python(telling, count, seed, share * seconds)
+        yield from filter(None, _progress(found, f"times, Python, N = {count}", len(telling)))
+
+
+def _called_in_python(variant: Variant, arguments: Arrays) -> Arrays:
+    with np.errstate(all="ignore"):
+        found = timing.python_function(variant)(*arguments)
+    return found if isinstance(found, tuple) else (found,)
+
+
+def _entry(variant: Variant, accuracy: Accuracy, its_times: tuple[Time, ...]) -> Entry:
+    operation = variant.operation
+    return Entry(operation.name, operation.family, operation.statement, variant.precision.name,
+                 variant.tier, "u" if measured_normwise(operation) else "ulp", accuracy.benign,
+                 accuracy.hard, accuracy.bound, accuracy.condition, flops(variant.program),
+                 counts_in_words(variant.program), its_times)
+
+
+def _key(variant: Variant) -> Key:
+    return variant.operation.name, variant.precision.name, variant.tier
+
+
+def _progress(items: Iterable[Item], what: str, total: int) -> Iterator[Item]:
+    """The items, counted on standard error if that is a terminal."""
+    yield from tqdm(items, what, total, leave=False, disable=None, file=sys.stderr)

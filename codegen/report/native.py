@@ -1,0 +1,145 @@
+"""Compiled kernels: all variants built by the system's C compilers, called and timed."""
+
+import ctypes
+import functools
+import os
+import subprocess
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+from shutil import which
+
+import numpy as np
+
+import coscrew
+from coscrew_codegen.quantity import Argument
+from coscrew_codegen.render import render
+from coscrew_codegen.report import ReportError
+from coscrew_codegen.report.c_text import PADDING, Variant, kernels_text
+from coscrew_codegen.report.schema import Compiler
+
+_FLAGS = ("-std=c11", "-O3", "-march=native", "-ffp-contract=off")
+_SAMPLE = 20e3  # ns a timed sample takes at least, many times what clocks resolve
+Arrays = tuple[np.ndarray, ...]
+
+
+def compilers(folder: Path) -> tuple[Compiler, ...]:
+    """gcc and clang, or else cc: those that make a library here, with the flags they understand."""
+    found = [name for name in ("gcc", "clang") if which(name)] or [n for n in ("cc",) if which(n)]
+    flags = (_FLAGS, tuple(flag for flag in _FLAGS if not flag.startswith("-march")))
+    (folder / "empty.c").write_text("#include <math.h>\nint one(void) { return 1; }\n")
+    working = []
+    for name in found:
+        usable = next((f for f in flags if _runs(
+            name, *f, "-shared", "-fPIC", folder / "empty.c", "-o", folder / "empty.so")), None)
+        if usable:
+            said = subprocess.run([name, "--version"], capture_output=True, text=True).stdout
+            working.append(Compiler(name, said.partition("\n")[0], " ".join(usable)))
+    return tuple(working)
+
+
+@dataclass(frozen=True)
+class Library:
+    """Where one compiler put the loops of all variants."""
+
+    compiler: Compiler
+    path: Path
+
+    def call(self, variant: Variant, inputs: Arrays) -> Arrays:
+        """The kernel's outputs, each (n, *shape), for inputs of as many rows."""
+        n = len(inputs[0])
+        read = [_as_structs(x) for x in inputs]
+        written = [np.full((n, *a.quantity.shape[::-1]), np.nan, variant.precision.numpy_type)
+                   for a in variant.operation.outputs]
+        getattr(loaded(self.path), f"rows_{variant.name}")(
+            ctypes.c_long(n), _pointers((*read, *written)))
+        return tuple(_transposed(x) for x in written)
+
+    def time(self, variant: Variant, layout: str, inputs: Arrays, ns: float) -> tuple[float, float]:
+        """(minimum, median) ns per element of the loop `layout`, measured for about `ns`."""
+        n, real = variant.elements, variant.precision.numpy_type
+        outputs = [np.ones((n, *a.quantity.shape)) for a in variant.operation.outputs]
+        arrange = _as_planes if layout == "planes" else _as_structs
+        arguments = [arrange(x[:n].astype(real)) for x in (*inputs, *outputs)]
+        run = functools.partial(_time, loaded(self.path), f"{layout}_{variant.name}", n,
+                                _pointers((*arguments, np.zeros(1, real))))
+        calls = 1
+        while (sample := run(calls, 3).min() * n * calls) < _SAMPLE:
+            calls *= 2
+        samples = run(calls, max(5, int(ns / sample)))
+        return float(samples.min()), float(np.median(samples))
+
+
+def libraries(variants: Sequence[Variant], found: Sequence[Compiler],
+              folder: Path) -> Iterator[Library]:
+    """The library of each compiler, once its parts, compiled side by side, are done."""
+    sources = [folder / "driver.c", folder / "drift.c"]
+    for source in sources:
+        source.write_text(render(f"report/{source.name}"))
+    for tier, precision in dict.fromkeys((v.tier, v.precision) for v in variants):
+        sources.append(folder / f"{tier}_{precision.name}.c")
+        sources[-1].write_text(kernels_text(
+            [v for v in variants if (v.tier, v.precision) == (tier, precision)]))
+    pool = ThreadPoolExecutor(os.cpu_count())
+    jobs = {c.name: [pool.submit(_object, c, source) for source in sources] for c in found}
+    try:
+        for compiler in found:
+            objects = [job.result() for job in jobs[compiler.name]]
+            path = folder / f"{compiler.name}.so"
+            _run(compiler.name, "-shared", *objects, "-o", path, "-lm")
+            yield Library(compiler, path)
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def _object(compiler: Compiler, source: Path) -> Path:
+    path = source.with_name(f"{source.stem}_{compiler.name}.o")
+    _run(compiler.name, *compiler.flags.split(), "-fPIC", "-I", coscrew.get_include(), "-c", source,
+         "-o", path)
+    return path
+
+
+def _run(*words: str | Path) -> None:
+    done = subprocess.run(list(map(str, words)), capture_output=True, text=True)
+    if done.returncode:
+        raise ReportError(f"{words[0]} cannot compile the kernels:\n{done.stderr.strip()}")
+
+
+def _runs(*words: str | Path) -> bool:
+    return subprocess.run(list(map(str, words)), capture_output=True).returncode == 0
+
+
+@functools.cache
+def loaded(path: Path) -> ctypes.CDLL:
+    """The library, opened once."""
+    return ctypes.CDLL(str(path))
+
+
+def _time(library: ctypes.CDLL, name: str, n: int, arguments: ctypes.Array, calls: int,
+          repeats: int) -> np.ndarray:
+    samples = np.empty(repeats)
+    library.time_kernel(getattr(library, name), ctypes.c_long(n), arguments, ctypes.c_long(calls),
+                        ctypes.c_long(repeats), samples.ctypes.data_as(ctypes.c_void_p))
+    return samples
+
+
+def _pointers(arrays: Sequence[np.ndarray]) -> ctypes.Array:
+    """void *[]; the caller keeps the arrays."""
+    array = (ctypes.c_void_p * len(arrays))(*(a.ctypes.data for a in arrays))
+    array.kept = tuple(arrays)
+    return array
+
+
+def _transposed(x: np.ndarray) -> np.ndarray:
+    return x.swapaxes(-1, -2) if x.ndim == 3 else x
+
+
+def _as_structs(x: np.ndarray) -> np.ndarray:
+    """Matrices column by column, as C stores them."""
+    return np.ascontiguousarray(_transposed(x))
+
+
+def _as_planes(x: np.ndarray) -> np.ndarray:
+    """A plane for each component, row by row, PADDING apart."""
+    return np.ascontiguousarray(np.pad(x.reshape(len(x), -1).T, ((0, 0), (0, PADDING))))

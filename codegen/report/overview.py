@@ -1,0 +1,122 @@
+"""What a report says in a few sentences, and what its figures show first."""
+
+from collections.abc import Iterator
+from decimal import ROUND_HALF_UP, Context
+from math import inf, isfinite, isnan, log
+
+from coscrew_codegen.report.schema import Change, Comparison, Entry, Report, Time
+
+TIERS = ("plain", "fused", "accurate", "certified")
+PRECISIONS = ("double", "single")
+HEADLINE = ("product_CoAdc", "cross_sc", "dot_cs")
+
+MOST_CHANGES = 60
+
+_THREE_DIGITS = Context(prec=3, rounding=ROUND_HALF_UP)
+
+
+def formatted(x: float | None) -> str:
+    """Three significant digits; – for what is no number.  The page formats by the same rule."""
+    if x is None or isnan(x):
+        return "–"
+    if not isfinite(x):
+        return "∞" if x > 0 else "-∞"
+    rounded = _THREE_DIGITS.create_decimal(x).normalize(_THREE_DIGITS)
+    if x and not 1e-3 <= abs(x) < 1e5:
+        digits, _, exponent = f"{rounded:e}".partition("e")
+        return f"{digits}e{int(exponent)}"
+    return f"{rounded:f}" if x else "0"
+
+
+def layout_name(time: Time) -> str:
+    """How a time is called: language, compiler, layout."""
+    return ", ".join(filter(None, (time.language, time.compiler, time.layout)))
+
+
+def first_layout(report: Report) -> str:
+    """The times shown first: C over a structure of arrays, the first compiler's; else the first."""
+    times = [time for entry in report.entries for time in entry.times]
+    return next((layout_name(time) for time in times
+                 if (time.language, time.layout) == ("C", "structure of arrays")),
+                layout_name(times[0]) if times else "")
+
+
+def time_of(entry: Entry, layout: str) -> Time | None:
+    """The entry's time in this layout."""
+    return next((time for time in entry.times if layout_name(time) == layout), None)
+
+
+def headline_operations(report: Report) -> tuple[str, ...]:
+    """What figures show first: of HEADLINE what was measured, else the first with most tiers."""
+    names = [entry.operation for entry in report.entries]
+    measured = tuple(name for name in HEADLINE if name in names)
+    return measured or tuple(sorted(dict.fromkeys(names), key=names.count, reverse=True)[:3])
+
+
+def largest_changes(compare: Comparison) -> tuple[Change, ...]:
+    """What changed most, up or down; what stayed the same is left out."""
+    changed = [row for row in compare.rows if row.ratio != 1]
+    return tuple(sorted(changed, key=_size, reverse=True)[:MOST_CHANGES])
+
+
+def _size(change: Change) -> float:
+    return abs(log(change.ratio)) if 0 < change.ratio < inf else inf
+
+
+def sentences(report: Report) -> tuple[str, ...]:
+    """What the report says, each sentence from its figures."""
+    return tuple(_sentences(report))
+
+
+def _sentences(report: Report) -> Iterator[str]:
+    operations = {entry.operation for entry in report.entries}
+    outputs = sum(errors.outputs for entry in report.entries
+                  for errors in (entry.benign, entry.hard) if errors)
+    yield (f"How far from the exact result each kernel of coscrew is, and what it costs: "
+           f"{_counted(len(operations), 'operation')}, {_counted(len(report.entries), 'kernel')}, "
+           f"{outputs:,} outputs compared with exact arithmetic.")
+    for name in headline_operations(report)[:1]:
+        yield from _price(report, name)
+    yield from _bounds(report)
+
+
+def _counted(number: int, noun: str) -> str:
+    return f"{number:,} {noun}" if number == 1 else f"{number:,} {noun}s"
+
+
+def _price(report: Report, operation: str) -> Iterator[str]:
+    """What accuracy costs in time: plain beside the most accurate tier, in double precision."""
+    layout = first_layout(report)
+    by_tier = {entry.tier: entry for entry in report.entries
+               if (entry.operation, entry.precision) == (operation, "double") and entry.hard
+               and time_of(entry, layout)}
+    if "plain" not in by_tier or len(by_tier) == 1:
+        return
+    plain = by_tier.pop("plain")
+    best = min(by_tier.values(), key=lambda entry: entry.hard.worst)
+    times = time_of(plain, layout).ns, time_of(best, layout).ns
+    yield (f"Where terms cancel, plain {operation} in double precision is off by up to "
+           f"{_error(plain)} and takes {formatted(times[0])} ns; its {best.tier} tier is off by "
+           f"up to {_error(best)} and takes {formatted(times[1])} ns ({layout}).")
+
+
+def _error(entry: Entry) -> str:
+    return f"{formatted(entry.hard.worst)} {entry.measure}"
+
+
+def _bounds(report: Report) -> Iterator[str]:
+    proven = [entry for entry in report.entries
+              if entry.bound and not isnan(entry.bound.worst_ratio)]
+    over = [entry for entry in proven if entry.bound.worst_ratio > 1]
+    if over:
+        yield (f"{_counted(len(over), 'kernel')} of the {len(proven):,} with a proven bound "
+               f"exceeded it: {', '.join(map(entry_name, over[:5]))}{', …' if len(over) > 5 else ''}.")
+    elif proven:
+        nearest = max(proven, key=lambda entry: entry.bound.worst_ratio)
+        yield (f"All {len(proven):,} kernels with a proven bound kept it; the nearest, "
+               f"{entry_name(nearest)}, came to {formatted(nearest.bound.worst_ratio)} of it.")
+
+
+def entry_name(entry: Entry) -> str:
+    """The entry as it is called in sentences and plots."""
+    return f"{entry.operation} {entry.precision} {entry.tier}"

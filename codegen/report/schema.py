@@ -1,0 +1,178 @@
+"""report.json as frozen dataclasses: what `coscrew report` measures, and how it is read back.
+
+Field names are JSON keys.  A number may be `Infinity`, as Python's json writes it: the error of a
+result that is not finite where the truth is.
+"""
+
+import json
+import types
+import typing
+from dataclasses import asdict, dataclass, fields, is_dataclass
+
+SCHEMA = 1
+
+
+@dataclass(frozen=True)
+class Compiler:
+    """A C compiler: its command, the first line it prints about itself, the flags used."""
+
+    name: str
+    version: str
+    flags: str
+
+
+@dataclass(frozen=True)
+class Provenance:
+    """Where the figures come from: command, seed, version, machine, compilers, duration."""
+
+    command: str
+    seed: int
+    version: str
+    cpu: str
+    cores: int
+    system: str
+    python: str
+    numpy: str
+    compilers: tuple[Compiler, ...]
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Errors:
+    """Errors of so many outputs; the witness is the input of the worst, in hex, component by
+    component, and `component` names the output."""
+
+    outputs: int
+    worst: float
+    p999: float
+    median: float
+    witness: tuple[str, ...]
+    component: str
+
+
+@dataclass(frozen=True)
+class ProvenBound:
+    """|x̂ - x| <= u |x̂| [if rounded] + (c1 u + c2 u²) S; the constants are the largest over the
+    components, `worst_ratio` is the largest error found as a multiple of its bound."""
+
+    text: str
+    c1: float
+    c2: float
+    rounded: bool
+    worst_ratio: float
+
+
+@dataclass(frozen=True)
+class Time:
+    """The shortest time of many in ns per element; spread is median / minimum - 1, ratio is to
+    plain in the same language, compiler and layout; dominated: another tier is no slower and no
+    less accurate, and better in one of both."""
+
+    language: str
+    compiler: str | None
+    layout: str
+    ns: float
+    spread: float
+    ratio: float | None
+    dominated: bool
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One operation in one precision and tier.  Errors are in `measure`: ulp of the component, or u
+    relative to the largest component of its part; `condition` pairs S / |x| with an error."""
+
+    operation: str
+    family: str
+    statement: str
+    precision: str
+    tier: str
+    measure: str
+    benign: Errors | None
+    hard: Errors | None
+    bound: ProvenBound | None
+    condition: tuple[tuple[float, float], ...]
+    flops: int
+    counts: str
+    times: tuple[Time, ...]
+
+
+@dataclass(frozen=True)
+class Drift:
+    """A displacement after so many compositions: its rotation's orthonormality defect and its
+    error, in u, and what a step costs."""
+
+    precision: str
+    orthonormalised: bool
+    steps: int
+    defect_u: float
+    error_u: float
+    ns_per_step: float
+
+
+@dataclass(frozen=True)
+class Change:
+    """A figure of the earlier report beside the same figure of this one."""
+
+    operation: str
+    precision: str
+    tier: str
+    what: str
+    before: float
+    after: float
+    ratio: float
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """What changed since the report in `file`."""
+
+    file: str
+    rows: tuple[Change, ...]
+
+
+@dataclass(frozen=True)
+class Report:
+    """Everything `coscrew report` measured."""
+
+    schema: int
+    provenance: Provenance
+    entries: tuple[Entry, ...]
+    drift: tuple[Drift, ...]
+    compare: Comparison | None
+
+    def to_json(self) -> str:
+        """The report as the text of report.json."""
+        return json.dumps(asdict(self), ensure_ascii=False, indent=1) + "\n"
+
+    @classmethod
+    def from_json(cls, text: str) -> "Report":
+        """The report that `to_json` wrote.  Raises ValueError, naming the place, for others."""
+        found = json.loads(text)
+        if not isinstance(found, dict) or found.get("schema") != SCHEMA:
+            raise ValueError(f"not a report of schema {SCHEMA}")
+        return _read(cls, found, "report")
+
+
+def _read(kind, value, where: str):
+    """`value` as `kind`: a dataclass, a tuple, an alternative with None, or a plain type."""
+    if isinstance(kind, types.UnionType):
+        kinds = [k for k in typing.get_args(kind) if k is not type(None)]
+        return None if value is None else _read(kinds[0], value, where)
+    if is_dataclass(kind):
+        names = [field.name for field in fields(kind)]
+        if not isinstance(value, dict) or not set(value) >= set(names):
+            raise ValueError(f"{where}: wanted an object with {', '.join(names)}")
+        hints = typing.get_type_hints(kind)
+        return kind(**{name: _read(hints[name], value[name], f"{where}.{name}")
+                       for name in names})
+    if typing.get_origin(kind) is tuple:
+        first, *others = typing.get_args(kind)
+        if not isinstance(value, list) or others != [...] and len(value) != 1 + len(others):
+            raise ValueError(f"{where}: wanted a list; got {value!r}")
+        each = [first] * len(value) if others == [...] else [first, *others]
+        return tuple(_read(k, x, f"{where}[{i}]") for i, (k, x) in enumerate(zip(each, value)))
+    wanted = (int, float) if kind is float else kind
+    if not isinstance(value, wanted) or isinstance(value, bool) and kind is not bool:
+        raise ValueError(f"{where}: wanted {kind.__name__}; got {value!r}")
+    return kind(value)

@@ -1,0 +1,32 @@
+"""A report's most telling figures as a table in a terminal."""
+
+from collections.abc import Sequence
+
+from tabulate import tabulate
+
+from coscrew_codegen.report.schema import Entry, Report
+
+_HEADERS = ("operation", "precision", "tier", "benign", "hard", "error / bound", "flops", "C, ns",
+            "ratio", "Python, ns")
+
+
+def table(report: Report, telling: Sequence[str]) -> str:
+    """Worst errors, and times of structures of arrays in C and of 1000 elements in Python, of the
+    telling operations; of all where the report holds few."""
+    names = {entry.operation for entry in report.entries}
+    chosen = [e for e in report.entries if e.operation in telling or len(names) < len(telling)]
+    about = report.provenance
+    said = f"{about.cpu}, {', '.join(c.name for c in about.compilers) or 'no C compiler'}"
+    notes = ("Worst errors in ulp (u where marked), hard up to condition 0.1/u; ns per element:\n"
+             "structure of arrays in C, N = 1000 in Python.")
+    return f"{said}\n{tabulate(list(map(_row, chosen)), _HEADERS, floatfmt='.3g')}\n{notes}"
+
+
+def _row(entry: Entry) -> tuple[object, ...]:
+    mark = "" if entry.measure == "ulp" else " u"
+    errors = [f"{e.worst:.3g}{mark}" if e else "" for e in (entry.benign, entry.hard)]
+    in_c = next((t for t in entry.times if t.layout == "structure of arrays"), None)
+    in_python = next((t for t in entry.times if t.layout == "N = 1000"), None)
+    return (entry.operation, entry.precision, entry.tier, *errors,
+            entry.bound and entry.bound.worst_ratio, entry.flops, in_c and in_c.ns,
+            in_c and in_c.ratio, in_python and in_python.ns)

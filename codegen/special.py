@@ -1,0 +1,135 @@
+"""The functions of `operations/special.py` in mpmath's precision: name in formulas → function."""
+
+from collections.abc import Callable
+from math import isqrt
+
+import mpmath
+from mpmath import matrix
+
+Number = mpmath.mpf
+
+
+def g(k: Number, x: Number) -> Number:
+    """Σ (-x)^j / (2j + k)!, with as many more digits as its alternating terms cost."""
+    with mpmath.workdps(mpmath.mp.dps + int(mpmath.sqrt(x)) + 10):
+        term, total, j = 1 / mpmath.factorial(k), mpmath.mpf(0), 0
+        while abs(term) > mpmath.eps or (2 * j)**2 < x:
+            total += term
+            j += 1
+            term *= -x / ((2 * j + k - 1) * (2 * j + k))
+        return total
+
+
+def b(x: Number) -> Number:
+    """(1 - θ/2 cot θ/2) / θ² = (g3 - 2 g4) / 2 g2 with θ² = x."""
+    return (g(3, x) - 2 * g(4, x)) / (2 * g(2, x))
+
+
+# rotations
+
+
+def _skew(v: matrix) -> matrix:
+    return matrix([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
+
+
+def _series(v: matrix, first: int) -> matrix:
+    """Σ v~^k / (k + first)!: the exponential, or the left Jacobian."""
+    x, W = mpmath.fdot(v, v), _skew(v)
+    return mpmath.eye(3) / mpmath.factorial(first) + g(first + 1, x) * W + g(first + 2, x) * W * W
+
+
+def _quaternion(R: matrix) -> matrix:
+    """The eigenvector to the largest eigenvalue of the matrix whose quadratic form is tr R(q)^T R."""
+    trace = R[0, 0] + R[1, 1] + R[2, 2]
+    K = mpmath.zeros(4)
+    K[0, 0] = trace
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        K[0, i + 1] = K[i + 1, 0] = R[k, j] - R[j, k]
+        K[i + 1, i + 1] = 2 * R[i, i] - trace
+        K[i + 1, j + 1] = K[j + 1, i + 1] = R[i, j] + R[j, i]
+    values, vectors = mpmath.eigsy(K)
+    q = vectors[:, max(range(4), key=lambda i: values[i])]
+    return -q if q[0] < 0 else q
+
+
+def _log(q: matrix) -> matrix:
+    q = -q if q[0] < 0 else q
+    n = mpmath.norm(q[1:])
+    return q[1:] * (2 * mpmath.atan2(n, q[0]) / n if n else 2 / q[0])
+
+
+def _product(p: matrix, q: matrix) -> matrix:
+    v = p[0] * q[1:] + q[0] * p[1:] + _skew(p[1:]) * q[1:]
+    return matrix([p[0] * q[0] - mpmath.fdot(p[1:], q[1:]), *v])
+
+
+def quaternion_of(i: Number, *R: Number) -> Number:
+    """Of the rotation nearest to R.  Source: I. Y. Bar-Itzhack, J. Guidance 23 (2000) 1085."""
+    return _quaternion(matrix([R[:3], R[3:6], R[6:]]))[int(i)]
+
+
+def quaternion_log(i: Number, *q: Number) -> Number:
+    """2 atan2(|v|, |w|) ±v / |v|."""
+    return _log(matrix(q))[int(i)]
+
+
+def slerp(i: Number, *numbers: Number) -> Number:
+    """p (p* q)^k."""
+    p, q, k = matrix(numbers[:4]), matrix(numbers[4:8]), numbers[8]
+    half = k * _log(_product(matrix([p[0], *-p[1:]]), q)) / 2
+    x = mpmath.fdot(half, half)
+    return _product(p, matrix([g(0, x), *(g(1, x) * half)]))[int(i)]
+
+
+def interpolated(row: Number, column: Number, *numbers: Number) -> Number:
+    """D1 exp(k log(D1^-1 D2))."""
+    (R1, t1), (R2, t2), k = _parts(numbers[:12]), _parts(numbers[12:24]), numbers[24]
+    w = _log(_quaternion(R1.T * R2))
+    v = mpmath.lu_solve(_series(w, 1), R1.T * (t2 - t1))
+    R, t = R1 * _series(k * w, 0), R1 * (_series(k * w, 1) * (k * v)) + t1
+    return R[int(row), int(column)] if column < 3 else t[int(row)]
+
+
+def _parts(D: tuple[Number, ...]) -> tuple[matrix, matrix]:
+    rows = D[:4], D[4:8], D[8:]
+    return matrix([row[:3] for row in rows]), matrix([row[3] for row in rows])
+
+
+# symmetric matrices
+
+
+def _symmetric(lower_triangle: tuple[Number, ...]) -> matrix:
+    n = isqrt(2 * len(lower_triangle))
+    A, entries = mpmath.zeros(n), iter(lower_triangle)
+    for i in range(n):
+        for j in range(i + 1):
+            A[i, j] = A[j, i] = next(entries)
+    return A
+
+
+def factor(i: Number, j: Number, *lower_triangle: Number) -> Number:
+    """Quotients of minors: d_j of successive leading ones; l_ij of the leading one with row i in
+    place of row j to that itself."""
+    A, i, j = _symmetric(lower_triangle), int(i), int(j)
+    leading = mpmath.det(A[:j + 1, :j + 1])
+    if i == j:
+        return leading / (mpmath.det(A[:j, :j]) if j else 1)
+    return mpmath.det(matrix([[A[row, k] for k in range(j + 1)] for row in (*range(j), i)])) / leading
+
+
+def smallest_pivot(*lower_triangle: Number) -> Number:
+    """min d_i / a_ii."""
+    A = _symmetric(lower_triangle)
+    return min(factor(i, i, *lower_triangle) / A[i, i] for i in range(A.rows))
+
+
+def solution(i: Number, *numbers: Number) -> Number:
+    """Component i of A^-1 b: b, then A's lower triangle."""
+    n = next(n for n in (3, 6) if len(numbers) == n + n * (n + 1) // 2)
+    return mpmath.lu_solve(_symmetric(numbers[n:]), matrix(numbers[:n]))[int(i)]
+
+
+SPECIAL: dict[str, Callable[..., Number]] = {
+    f.__name__: f for f in (g, b, quaternion_of, quaternion_log, slerp, interpolated, factor,
+                            smallest_pivot, solution)}

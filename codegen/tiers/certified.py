@@ -1,0 +1,180 @@
+"""The certified tier: the plain result, bit for bit, and a bound of its error that always holds.
+
+Beside every value x̂ (exactly x) of the plain program a size s is computed, of absolute values by sums
+and products alone, such that, with the proof's own constants g (growth) and h (slack):
+
+    |x̂| <= s,    |x̂ - x| <= g (s + h).
+
+Rounding is monotonic, hence the first.  u is the unit roundoff, η half the least subnormal number;
+|fl(z) - z| <= u |fl(z)|, and η more for a product; so z <= (1 + u) fl(z) + η.  Then:
+
+    inputs, constants    g = h = 0, s = |x|
+    c = a ± b, c = a b   of exact a, b: s = |ĉ|, g = u; h = η / u for a product
+    c = a ± b            s = fl(s_a + s_b), g = (1 + u) max(g_a, g_b) + u, h = h_a + h_b
+    c = a b              s = fl(s_a s_b), 1 + g = (1 + u) (1 + g_a) (1 + g_b), h = 2 η / u,
+                         once h_a = h_b = 0
+
+What h stands for, underflow, would be multiplied by the other factor; so a factor is padded first:
+s' = fl(s + τ), τ the least normal number / u.  If 2 h <= τ, then s + h <= (1 + 4 u h / τ) s', and h = 0
+from there on: below s = τ / 4u the rounding of s' loses less than τ / 2, above it h is that small a
+part of s <= s'.  At the end the bound is fl(C s'), C >= (1 + u) g, rounded up; C s' > u τ is a normal
+number, so this product cannot underflow.  Sums of inputs alone are not padded: their error is a
+multiple of the least subnormal, and where C s is subnormal so is fl(C s), which is no smaller.
+
+Where something overflows, s is infinite or NaN, the bound with it, and says nothing.
+"""
+
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from math import ceil
+
+from coscrew_codegen.operations import Operation
+from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.quantity import Argument
+
+_ZERO = Constant(Fraction(0), Fraction(0))
+
+
+@dataclass(frozen=True)
+class Format:
+    """A binary floating-point format: its significant bits, the exponent of its least normal number."""
+
+    digits: int
+    least_exponent: int
+
+    @property
+    def u(self) -> Fraction:
+        return Fraction(1, 2**self.digits)
+
+    @property
+    def eta(self) -> Fraction:
+        return Fraction(2)**self.least_exponent * self.u
+
+    @property
+    def padding(self) -> Fraction:
+        return Fraction(2)**self.least_exponent / self.u
+
+    def rounded_up(self, x: Fraction) -> Fraction:
+        """The least number of this format, with any exponent, that is not below x >= 0."""
+        exponent = x.numerator.bit_length() - x.denominator.bit_length() - self.digits - 1
+        unit = Fraction(2)**exponent  # too small by 1 bit, or 2
+        while x / unit > 2**self.digits:
+            unit *= 2
+        return ceil(x / unit) * unit
+
+
+DOUBLE, SINGLE = Format(53, -1022), Format(24, -126)
+
+
+def bounds_of_outputs(outputs: tuple[Argument, ...]) -> tuple[Argument, ...]:
+    """The arguments that take the bounds: `co_bound` beside `co`."""
+    return tuple(Argument(f"{a.name}_bound", a.quantity) for a in outputs)
+
+
+def certified_operation(operation: Operation) -> Operation:
+    """The operation with its bounds as further outputs; its formula says what the others are."""
+    bounds = bounds_of_outputs(operation.outputs)
+    promise = ", ".join(f"|error of {a.name}| <= {b.name}"
+                        for a, b in zip(operation.outputs, bounds, strict=True))
+    order = (*operation.order, *(b.name for b in bounds)) if operation.order else ()
+    return replace(operation, statement=f"{operation.statement}; {promise} unless inf or NaN",
+                   outputs=(*operation.outputs, *bounds), order=order)
+
+
+def certified(program: Program, number: Format) -> Program:
+    """The polynomial plain program and, in this format, the bounds of its results."""
+    certifier = _Certifier(program, number)
+    for step in program.instructions:
+        certifier.follow(step)
+    bounds = tuple(map(certifier.bound, program.results))
+    return replace(program, outputs=(*program.outputs, *bounds_of_outputs(program.outputs)),
+                   instructions=(*program.instructions, *certifier.steps),
+                   results=(*program.results, *bounds))
+
+
+@dataclass(frozen=True)
+class _Size:
+    """s, g and h of the value x; without an operand s is |x|, to be computed where it is needed."""
+
+    x: Operand
+    growth: Fraction = Fraction(0)
+    slack: Fraction = Fraction(0)
+    operand: Operand | None = None
+
+
+class _Certifier:
+    """Issues the instructions of sizes and bounds, each once."""
+
+    def __init__(self, program: Program, number: Format):
+        self.steps: list[Instruction] = []
+        self._inputs, self._number = program.inputs, number
+        self._sizes: dict[Operand, _Size] = {}
+        self._issued: set[str] = set()
+
+    def follow(self, step: Instruction) -> None:
+        """The size of one plain instruction's result."""
+        x, u, eta = Ref(step.name), self._number.u, self._number.eta
+        a, b = (self._size(y) for y in (*step.operands, *step.operands)[:2])
+        if step.op is Op.NEG:
+            self._sizes[x] = a
+        elif not a.growth and not b.growth:
+            self._sizes[x] = _Size(x, u, eta / u if step.op is Op.MUL else Fraction(0))
+        elif step.op is Op.MUL:
+            a, b = (self._padded(y, step.component) for y in (a, b))
+            growth = (1 + u) * (1 + a.growth) * (1 + b.growth) - 1
+            self._sizes[x] = _Size(x, growth, 2 * eta / u,
+                                   self._combined(step, Op.MUL, a, b))
+        else:
+            growth = (1 + u) * max(a.growth, b.growth) + u
+            self._sizes[x] = _Size(x, growth, a.slack + b.slack,
+                                   self._combined(step, Op.ADD, a, b))
+
+    def bound(self, result: Operand) -> Operand:
+        """C s' of a result; 0 where nothing was rounded."""
+        size = self._size(result)
+        if not size.growth:
+            return _ZERO
+        name = f"{self._name(size.x)}_error_bound"
+        size = self._padded(size, name)
+        constant = self._number.rounded_up((1 + self._number.u) * size.growth)
+        return self._issue(name, Op.MUL, (_constant(constant), self._s(size, name)), name)
+
+    def _size(self, x: Operand) -> _Size:
+        if isinstance(x, Constant) and not x.double == x.single == self._number.rounded_up(x.double):
+            raise ValueError(f"{x} is rounded: no bound is known")
+        return self._sizes.get(x, _Size(x))
+
+    def _combined(self, step: Instruction, op: Op, a: _Size, b: _Size) -> Ref:
+        component = f"{step.component}_size"
+        return self._issue(f"{step.name}_size", op,
+                           (self._s(a, component), self._s(b, component)), component)
+
+    def _padded(self, size: _Size, component: str) -> _Size:
+        """s' = fl(s + τ) where there is slack."""
+        if not size.slack:
+            return size
+        tau = self._number.padding
+        if 2 * size.slack > tau:
+            raise ValueError(f"{self._name(size.x)}: too many products for the padding")
+        operands = self._s(size, component), _constant(tau)
+        s = self._issue(f"{self._name(size.x)}_padded", Op.ADD, operands, component)
+        return _Size(size.x, size.growth * (1 + 4 * self._number.u * size.slack / tau), operand=s)
+
+    def _s(self, size: _Size, component: str) -> Operand:
+        """The operand that holds s."""
+        if size.operand is not None or isinstance(size.x, Constant):
+            return size.operand or size.x
+        return self._issue(f"{self._name(size.x)}_abs", Op.ABS, (size.x,), component)
+
+    def _name(self, x: Operand) -> str:
+        return (self._inputs[x.argument].symbols[x.index].name if isinstance(x, Input) else x.name)
+
+    def _issue(self, name: str, op: Op, operands: tuple[Operand, ...], component: str) -> Ref:
+        if name not in self._issued:
+            self._issued.add(name)
+            self.steps.append(Instruction(name, op, operands, component))
+        return Ref(name)
+
+
+def _constant(value: Fraction) -> Constant:
+    return Constant(value, value)

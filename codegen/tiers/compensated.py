@@ -1,0 +1,114 @@
+"""Compensated sums and products: every intermediate result is carried as hi + lo.
+
+The plain program's operations give hi; lo collects their exact rounding errors and what the
+operands' own lo contribute, rounded.
+
+The error of a sum s = a + b is found as by Knuth: t = s - a, rounded, is b's share of s, and
+u = s - t is a's.  u, a - u and b - t are exact, whatever a and b are (Shewchuk, Two-Sum), and the
+last two add up to the error.  Where a is a product x y, rounded, its own error belongs to lo as
+well; (a - u) + (x y - a) is x y - u, rounded once: a single fma.
+"""
+
+from dataclasses import replace
+
+from coscrew_codegen.program import Instruction, Op, Operand, Program, Ref
+
+
+class Compensator:
+    """Issues instructions; knows the lo of each hi."""
+
+    def __init__(self) -> None:
+        self.steps: list[Instruction] = []
+        self._low: dict[str, Operand] = {}  # of a product: but for its own error
+        self._products: dict[str, Instruction] = {}  # whose own error is not in _low
+
+    def compensate(self, step: Instruction) -> None:
+        """hi of one plain instruction under its name; lo, or what lo is made of where it is used."""
+        if step.op is Op.MUL:
+            self._product(step)
+        elif step.op is Op.NEG:
+            low = self.low(step, step.operands[0])
+            self.steps.append(step)
+            if low is not None:
+                self._low[step.name] = self.issue(step, Op.NEG, (low,), "lo")
+        else:
+            self._sum(step)
+
+    def _product(self, step: Instruction) -> None:
+        """(a + a_lo)(b + b_lo): a b rounded; a_lo b + a b_lo."""
+        a, b = step.operands
+        a_lo, b_lo = (self.low(step, x) for x in step.operands)
+        self.steps.append(step)
+        cross = [self.issue(step, Op.MUL, pair, f"cross{number}")
+                 for number, pair in enumerate(((a_lo, b), (a, b_lo)), start=1)
+                 if None not in pair]
+        if len(cross) == 2:
+            cross = [self.issue(step, Op.ADD, tuple(cross), "cross")]
+        if cross:
+            self._low[step.name] = cross[0]
+        self._products[step.name] = step
+
+    def _sum(self, step: Instruction) -> None:
+        """s = a ± b: lo is what their shares leave of a and b, then b's lo, then a's.  A chain of
+        sums stands on the left, so that its lo, the largest, is rounded least; the cross terms of
+        two products are added to each other first."""
+        self.steps.append(step)
+        a, b = step.operands
+        s, add = Ref(step.name), step.op is Op.ADD
+        right = self.issue(step, Op.SUB, (s, a) if add else (a, s), "right")
+        left = self.issue(step, Op.EXACT_SUB if add else Op.EXACT_ADD, (s, right), "left")
+        rests = self._rest(step, a, left, "left_rest"), self._rest(step, b, right, "right_rest")
+        a_lo, b_lo = (self._low.get(getattr(x, "name", "")) for x in (a, b))
+        products = [getattr(x, "name", "") in self._products for x in (a, b)]
+        exact = Op.EXACT_ADD if add else Op.EXACT_SUB
+        terms = [(step.op if any(products) else exact, *rests)]
+        if all(products) and a_lo is not None and b_lo is not None:
+            cross = self.issue(step, step.op, (a_lo, b_lo), "cross")
+            terms.append((Op.ADD, cross))
+        else:
+            terms += [(op, x) for op, x in ((step.op, b_lo), (Op.ADD, a_lo)) if x is not None]
+        self._low[step.name] = self._total(step, terms)
+
+    def _total(self, step: Instruction, terms: list[tuple]) -> Operand:
+        """The terms added in order, the last partial sum named lo."""
+        (op, *operands), *more = terms
+        for number, (next_op, operand) in enumerate(more, start=1):
+            operands, op = [self.issue(step, op, tuple(operands), f"lo{number}"), operand], next_op
+        return self.issue(step, op, tuple(operands), "lo")
+
+    def _rest(self, step: Instruction, x: Operand, share: Operand, name: str) -> Operand:
+        """x - its share of the sum, which is exact; of a product, with its own error."""
+        product = self._products.get(getattr(x, "name", ""))
+        if product is None:
+            return self.issue(step, Op.EXACT_SUB, (x, share), name)
+        return self.issue(step, Op.PRODUCT_REST, (*product.operands, x, share), name)
+
+    def low(self, step: Instruction, x: Operand) -> Operand | None:
+        """lo of an operand, its own error with it."""
+        product = self._products.pop(getattr(x, "name", ""), None)
+        if product is not None:
+            own = Instruction(product.name, Op.MUL, product.operands, step.component)
+            cross = self._low.get(product.name)
+            error = self.issue(own, Op.PRODUCT_ERROR, (*product.operands, x),
+                                "lo" if cross is None else "error")
+            self._low[product.name] = (error if cross is None else
+                                       self.issue(own, Op.ADD, (error, cross), "lo"))
+        return self._low.get(getattr(x, "name", ""))
+
+    def issue(self, step: Instruction, op: Op, operands: tuple[Operand, ...], suffix: str) -> Ref:
+        """A step on the way to this one's component, named after it."""
+        name = f"{step.name}_{suffix}"
+        self.steps.append(Instruction(name, op, operands, step.component))
+        return Ref(name)
+
+    def rounded(self, result: Operand) -> Operand:
+        """hi + lo, the component's final value."""
+        name = f"{getattr(result, 'name', '')}_rounded"
+        if name in (step.name for step in self.steps):
+            return Ref(name)
+        at = Instruction(name, Op.ADD, (), name)
+        low = self.low(at, result)
+        if low is None:
+            return result
+        self.steps.append(replace(at, operands=(result, low)))
+        return Ref(name)

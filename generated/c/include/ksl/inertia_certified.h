@@ -1,0 +1,1321 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* Spatial inertias of rigid bodies: mass, first moment, second moments about the origin.
+   Certified tier: plain results, and bounds of their errors that hold. */
+#ifndef KSL_INERTIA_CERTIFIED_H
+#define KSL_INERTIA_CERTIFIED_H
+
+#include "ksl_types.h"
+
+/* self = a self; |error of self| <= self_bound unless inf or NaN.
+   self, self_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
+     xy, xz, yz in kg m^2); a: number.
+   20 mul, 10 add, 10 abs. */
+static inline void ksl_inertia_scale_certified(ksl_inertia_t *self, const double a,
+    ksl_inertia_t *self_bound) {
+  const double self_0_new = self->m * a;
+  const double self_1_new = self->h.x * a;
+  const double self_2_new = self->h.y * a;
+  const double self_3_new = self->h.z * a;
+  const double self_4_new = self->xx * a;
+  const double self_5_new = self->yy * a;
+  const double self_6_new = self->zz * a;
+  const double self_7_new = self->xy * a;
+  const double self_8_new = self->xz * a;
+  const double self_9_new = self->yz * a;
+  const double self_0_new_abs = fabs(self_0_new),
+      self_0_new_padded = self_0_new_abs + 2.004168360008973e-292,
+      self_0_new_error_bound = 1.1102230246251568e-16 * self_0_new_padded;
+  const double self_1_new_abs = fabs(self_1_new),
+      self_1_new_padded = self_1_new_abs + 2.004168360008973e-292,
+      self_1_new_error_bound = 1.1102230246251568e-16 * self_1_new_padded;
+  const double self_2_new_abs = fabs(self_2_new),
+      self_2_new_padded = self_2_new_abs + 2.004168360008973e-292,
+      self_2_new_error_bound = 1.1102230246251568e-16 * self_2_new_padded;
+  const double self_3_new_abs = fabs(self_3_new),
+      self_3_new_padded = self_3_new_abs + 2.004168360008973e-292,
+      self_3_new_error_bound = 1.1102230246251568e-16 * self_3_new_padded;
+  const double self_4_new_abs = fabs(self_4_new),
+      self_4_new_padded = self_4_new_abs + 2.004168360008973e-292,
+      self_4_new_error_bound = 1.1102230246251568e-16 * self_4_new_padded;
+  const double self_5_new_abs = fabs(self_5_new),
+      self_5_new_padded = self_5_new_abs + 2.004168360008973e-292,
+      self_5_new_error_bound = 1.1102230246251568e-16 * self_5_new_padded;
+  const double self_6_new_abs = fabs(self_6_new),
+      self_6_new_padded = self_6_new_abs + 2.004168360008973e-292,
+      self_6_new_error_bound = 1.1102230246251568e-16 * self_6_new_padded;
+  const double self_7_new_abs = fabs(self_7_new),
+      self_7_new_padded = self_7_new_abs + 2.004168360008973e-292,
+      self_7_new_error_bound = 1.1102230246251568e-16 * self_7_new_padded;
+  const double self_8_new_abs = fabs(self_8_new),
+      self_8_new_padded = self_8_new_abs + 2.004168360008973e-292,
+      self_8_new_error_bound = 1.1102230246251568e-16 * self_8_new_padded;
+  const double self_9_new_abs = fabs(self_9_new),
+      self_9_new_padded = self_9_new_abs + 2.004168360008973e-292,
+      self_9_new_error_bound = 1.1102230246251568e-16 * self_9_new_padded;
+  self->m = self_0_new;
+  self->h.x = self_1_new;
+  self->h.y = self_2_new;
+  self->h.z = self_3_new;
+  self->xx = self_4_new;
+  self->yy = self_5_new;
+  self->zz = self_6_new;
+  self->xy = self_7_new;
+  self->xz = self_8_new;
+  self->yz = self_9_new;
+  self_bound->m = self_0_new_error_bound;
+  self_bound->h.x = self_1_new_error_bound;
+  self_bound->h.y = self_2_new_error_bound;
+  self_bound->h.z = self_3_new_error_bound;
+  self_bound->xx = self_4_new_error_bound;
+  self_bound->yy = self_5_new_error_bound;
+  self_bound->zz = self_6_new_error_bound;
+  self_bound->xy = self_7_new_error_bound;
+  self_bound->xz = self_8_new_error_bound;
+  self_bound->yz = self_9_new_error_bound;
+}
+
+/* Bo = B1 + B2; |error of Bo| <= Bo_bound unless inf or NaN.
+   B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
+     zz, xy, xz, yz in kg m^2).
+   10 mul, 10 add, 10 abs. */
+static inline void ksl_add_BB_certified(const ksl_inertia_t *B1, const ksl_inertia_t *B2,
+    ksl_inertia_t *Bo, ksl_inertia_t *Bo_bound) {
+  const double Bo_0 = B1->m + B2->m;
+  const double Bo_1 = B1->h.x + B2->h.x;
+  const double Bo_2 = B1->h.y + B2->h.y;
+  const double Bo_3 = B1->h.z + B2->h.z;
+  const double Bo_4 = B1->xx + B2->xx;
+  const double Bo_5 = B1->yy + B2->yy;
+  const double Bo_6 = B1->zz + B2->zz;
+  const double Bo_7 = B1->xy + B2->xy;
+  const double Bo_8 = B1->xz + B2->xz;
+  const double Bo_9 = B1->yz + B2->yz;
+  const double Bo_0_abs = fabs(Bo_0), Bo_0_error_bound = 1.1102230246251568e-16 * Bo_0_abs;
+  const double Bo_1_abs = fabs(Bo_1), Bo_1_error_bound = 1.1102230246251568e-16 * Bo_1_abs;
+  const double Bo_2_abs = fabs(Bo_2), Bo_2_error_bound = 1.1102230246251568e-16 * Bo_2_abs;
+  const double Bo_3_abs = fabs(Bo_3), Bo_3_error_bound = 1.1102230246251568e-16 * Bo_3_abs;
+  const double Bo_4_abs = fabs(Bo_4), Bo_4_error_bound = 1.1102230246251568e-16 * Bo_4_abs;
+  const double Bo_5_abs = fabs(Bo_5), Bo_5_error_bound = 1.1102230246251568e-16 * Bo_5_abs;
+  const double Bo_6_abs = fabs(Bo_6), Bo_6_error_bound = 1.1102230246251568e-16 * Bo_6_abs;
+  const double Bo_7_abs = fabs(Bo_7), Bo_7_error_bound = 1.1102230246251568e-16 * Bo_7_abs;
+  const double Bo_8_abs = fabs(Bo_8), Bo_8_error_bound = 1.1102230246251568e-16 * Bo_8_abs;
+  const double Bo_9_abs = fabs(Bo_9), Bo_9_error_bound = 1.1102230246251568e-16 * Bo_9_abs;
+  Bo->m = Bo_0;
+  Bo->h.x = Bo_1;
+  Bo->h.y = Bo_2;
+  Bo->h.z = Bo_3;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+  Bo_bound->m = Bo_0_error_bound;
+  Bo_bound->h.x = Bo_1_error_bound;
+  Bo_bound->h.y = Bo_2_error_bound;
+  Bo_bound->h.z = Bo_3_error_bound;
+  Bo_bound->xx = Bo_4_error_bound;
+  Bo_bound->yy = Bo_5_error_bound;
+  Bo_bound->zz = Bo_6_error_bound;
+  Bo_bound->xy = Bo_7_error_bound;
+  Bo_bound->xz = Bo_8_error_bound;
+  Bo_bound->yz = Bo_9_error_bound;
+}
+
+/* Bo = B1 - B2; |error of Bo| <= Bo_bound unless inf or NaN.
+   B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
+     zz, xy, xz, yz in kg m^2).
+   10 mul, 10 add, 10 abs. */
+static inline void ksl_subtract_BB_certified(const ksl_inertia_t *B1, const ksl_inertia_t *B2,
+    ksl_inertia_t *Bo, ksl_inertia_t *Bo_bound) {
+  const double Bo_0 = B1->m - B2->m;
+  const double Bo_1 = B1->h.x - B2->h.x;
+  const double Bo_2 = B1->h.y - B2->h.y;
+  const double Bo_3 = B1->h.z - B2->h.z;
+  const double Bo_4 = B1->xx - B2->xx;
+  const double Bo_5 = B1->yy - B2->yy;
+  const double Bo_6 = B1->zz - B2->zz;
+  const double Bo_7 = B1->xy - B2->xy;
+  const double Bo_8 = B1->xz - B2->xz;
+  const double Bo_9 = B1->yz - B2->yz;
+  const double Bo_0_abs = fabs(Bo_0), Bo_0_error_bound = 1.1102230246251568e-16 * Bo_0_abs;
+  const double Bo_1_abs = fabs(Bo_1), Bo_1_error_bound = 1.1102230246251568e-16 * Bo_1_abs;
+  const double Bo_2_abs = fabs(Bo_2), Bo_2_error_bound = 1.1102230246251568e-16 * Bo_2_abs;
+  const double Bo_3_abs = fabs(Bo_3), Bo_3_error_bound = 1.1102230246251568e-16 * Bo_3_abs;
+  const double Bo_4_abs = fabs(Bo_4), Bo_4_error_bound = 1.1102230246251568e-16 * Bo_4_abs;
+  const double Bo_5_abs = fabs(Bo_5), Bo_5_error_bound = 1.1102230246251568e-16 * Bo_5_abs;
+  const double Bo_6_abs = fabs(Bo_6), Bo_6_error_bound = 1.1102230246251568e-16 * Bo_6_abs;
+  const double Bo_7_abs = fabs(Bo_7), Bo_7_error_bound = 1.1102230246251568e-16 * Bo_7_abs;
+  const double Bo_8_abs = fabs(Bo_8), Bo_8_error_bound = 1.1102230246251568e-16 * Bo_8_abs;
+  const double Bo_9_abs = fabs(Bo_9), Bo_9_error_bound = 1.1102230246251568e-16 * Bo_9_abs;
+  Bo->m = Bo_0;
+  Bo->h.x = Bo_1;
+  Bo->h.y = Bo_2;
+  Bo->h.z = Bo_3;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+  Bo_bound->m = Bo_0_error_bound;
+  Bo_bound->h.x = Bo_1_error_bound;
+  Bo_bound->h.y = Bo_2_error_bound;
+  Bo_bound->h.z = Bo_3_error_bound;
+  Bo_bound->xx = Bo_4_error_bound;
+  Bo_bound->yy = Bo_5_error_bound;
+  Bo_bound->zz = Bo_6_error_bound;
+  Bo_bound->xy = Bo_7_error_bound;
+  Bo_bound->xz = Bo_8_error_bound;
+  Bo_bound->yz = Bo_9_error_bound;
+}
+
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
+     the upper triangle): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf
+     or NaN.
+   m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo, Bo_bound: spatial inertia (m in
+     kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+   24 mul, 27 add, 12 abs. */
+static inline void ksl_inertia_from_com_certified(const double m, const ksl_vec3_t *com,
+    const ksl_mat3x3_t *Ic, ksl_inertia_t *Bo, ksl_inertia_t *Bo_bound) {
+  const double h_0 = m * com->x;
+  const double h_1 = m * com->y;
+  const double h_2 = m * com->z;
+  const double squares_0 = com->x * h_0;
+  const double squares_1 = com->y * h_1;
+  const double squares_2 = com->z * h_2;
+  const double Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
+  const double Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
+  const double Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
+  const double Bo_7a = com->y * h_0, Bo_7 = Ic->m01 - Bo_7a;
+  const double Bo_8a = com->z * h_0, Bo_8 = Ic->m02 - Bo_8a;
+  const double Bo_9a = com->z * h_1, Bo_9 = Ic->m12 - Bo_9a;
+  const double h_0_abs = fabs(h_0), h_0_padded = h_0_abs + 2.004168360008973e-292;
+  const double com_0_abs = fabs(com->x), squares_0_size = com_0_abs * h_0_padded;
+  const double h_1_abs = fabs(h_1), h_1_padded = h_1_abs + 2.004168360008973e-292;
+  const double com_1_abs = fabs(com->y), squares_1_size = com_1_abs * h_1_padded;
+  const double h_2_abs = fabs(h_2), h_2_padded = h_2_abs + 2.004168360008973e-292;
+  const double com_2_abs = fabs(com->z), squares_2_size = com_2_abs * h_2_padded;
+  const double Bo_4a_size = squares_1_size + squares_2_size, Ic_00_abs = fabs(Ic->m00),
+      Bo_4_size = Ic_00_abs + Bo_4a_size;
+  const double Bo_5a_size = squares_0_size + squares_2_size, Ic_11_abs = fabs(Ic->m11),
+      Bo_5_size = Ic_11_abs + Bo_5a_size;
+  const double Bo_6a_size = squares_0_size + squares_1_size, Ic_22_abs = fabs(Ic->m22),
+      Bo_6_size = Ic_22_abs + Bo_6a_size;
+  const double Bo_7a_size = com_1_abs * h_0_padded, Ic_01_abs = fabs(Ic->m01),
+      Bo_7_size = Ic_01_abs + Bo_7a_size;
+  const double Bo_8a_size = com_2_abs * h_0_padded, Ic_02_abs = fabs(Ic->m02),
+      Bo_8_size = Ic_02_abs + Bo_8a_size;
+  const double Bo_9a_size = com_2_abs * h_1_padded, Ic_12_abs = fabs(Ic->m12),
+      Bo_9_size = Ic_12_abs + Bo_9a_size;
+  const double h_0_error_bound = 1.1102230246251568e-16 * h_0_padded;
+  const double h_1_error_bound = 1.1102230246251568e-16 * h_1_padded;
+  const double h_2_error_bound = 1.1102230246251568e-16 * h_2_padded;
+  const double Bo_4_padded = Bo_4_size + 2.004168360008973e-292,
+      Bo_4_error_bound = 4.440892098500628e-16 * Bo_4_padded;
+  const double Bo_5_padded = Bo_5_size + 2.004168360008973e-292,
+      Bo_5_error_bound = 4.440892098500628e-16 * Bo_5_padded;
+  const double Bo_6_padded = Bo_6_size + 2.004168360008973e-292,
+      Bo_6_error_bound = 4.440892098500628e-16 * Bo_6_padded;
+  const double Bo_7_padded = Bo_7_size + 2.004168360008973e-292,
+      Bo_7_error_bound = 3.3306690738754706e-16 * Bo_7_padded;
+  const double Bo_8_padded = Bo_8_size + 2.004168360008973e-292,
+      Bo_8_error_bound = 3.3306690738754706e-16 * Bo_8_padded;
+  const double Bo_9_padded = Bo_9_size + 2.004168360008973e-292,
+      Bo_9_error_bound = 3.3306690738754706e-16 * Bo_9_padded;
+  Bo->m = m;
+  Bo->h.x = h_0;
+  Bo->h.y = h_1;
+  Bo->h.z = h_2;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+  Bo_bound->m = 0.0;
+  Bo_bound->h.x = h_0_error_bound;
+  Bo_bound->h.y = h_1_error_bound;
+  Bo_bound->h.z = h_2_error_bound;
+  Bo_bound->xx = Bo_4_error_bound;
+  Bo_bound->yy = Bo_5_error_bound;
+  Bo_bound->zz = Bo_6_error_bound;
+  Bo_bound->xy = Bo_7_error_bound;
+  Bo_bound->xz = Bo_8_error_bound;
+  Bo_bound->yz = Bo_9_error_bound;
+}
+
+/* co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s; |error of co|
+     <= co_bound unless inf or NaN.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); s: screw (v in m/s; ω in rad/s); co, co_bound: coscrew (f in N; τ in N m).
+   30 mul, 42 add, 24 abs. */
+static inline void ksl_product_Bs_certified(const ksl_inertia_t *B, const ksl_screw_t *s,
+    ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
+  const double co_0a = B->m * s->m0, co_0b = B->h.z * s->m4, co_0c = B->h.y * s->m5,
+      co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
+  const double co_1a = B->m * s->m1, co_1b = B->h.x * s->m5, co_1c = B->h.z * s->m3,
+      co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
+  const double co_2a = B->m * s->m2, co_2b = B->h.y * s->m3, co_2c = B->h.x * s->m4,
+      co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
+  const double co_3a = B->h.y * s->m2, co_3b = B->h.z * s->m1, co_3c = co_3a - co_3b,
+      co_3d = B->xx * s->m3, co_3e = B->xy * s->m4, co_3f = co_3d + co_3e, co_3g = B->xz * s->m5,
+      co_3h = co_3f + co_3g, co_3 = co_3c + co_3h;
+  const double co_4a = B->h.z * s->m0, co_4b = B->h.x * s->m2, co_4c = co_4a - co_4b,
+      co_4d = B->yy * s->m4, co_4e = B->xy * s->m3, co_4f = co_4d + co_4e, co_4g = B->yz * s->m5,
+      co_4h = co_4f + co_4g, co_4 = co_4c + co_4h;
+  const double co_5a = B->h.x * s->m1, co_5b = B->h.y * s->m0, co_5c = co_5a - co_5b,
+      co_5d = B->zz * s->m5, co_5e = B->xz * s->m3, co_5f = co_5d + co_5e, co_5g = B->yz * s->m4,
+      co_5h = co_5f + co_5g, co_5 = co_5c + co_5h;
+  const double co_0b_abs = fabs(co_0b), co_0c_abs = fabs(co_0c), co_0d_size = co_0b_abs + co_0c_abs,
+      co_0a_abs = fabs(co_0a), co_0_size = co_0a_abs + co_0d_size;
+  const double co_1b_abs = fabs(co_1b), co_1c_abs = fabs(co_1c), co_1d_size = co_1b_abs + co_1c_abs,
+      co_1a_abs = fabs(co_1a), co_1_size = co_1a_abs + co_1d_size;
+  const double co_2b_abs = fabs(co_2b), co_2c_abs = fabs(co_2c), co_2d_size = co_2b_abs + co_2c_abs,
+      co_2a_abs = fabs(co_2a), co_2_size = co_2a_abs + co_2d_size;
+  const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3c_size = co_3a_abs + co_3b_abs,
+      co_3d_abs = fabs(co_3d), co_3e_abs = fabs(co_3e), co_3f_size = co_3d_abs + co_3e_abs,
+      co_3g_abs = fabs(co_3g), co_3h_size = co_3f_size + co_3g_abs,
+      co_3_size = co_3c_size + co_3h_size;
+  const double co_4a_abs = fabs(co_4a), co_4b_abs = fabs(co_4b), co_4c_size = co_4a_abs + co_4b_abs,
+      co_4d_abs = fabs(co_4d), co_4e_abs = fabs(co_4e), co_4f_size = co_4d_abs + co_4e_abs,
+      co_4g_abs = fabs(co_4g), co_4h_size = co_4f_size + co_4g_abs,
+      co_4_size = co_4c_size + co_4h_size;
+  const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5c_size = co_5a_abs + co_5b_abs,
+      co_5d_abs = fabs(co_5d), co_5e_abs = fabs(co_5e), co_5f_size = co_5d_abs + co_5e_abs,
+      co_5g_abs = fabs(co_5g), co_5h_size = co_5f_size + co_5g_abs,
+      co_5_size = co_5c_size + co_5h_size;
+  const double co_0_padded = co_0_size + 2.004168360008973e-292,
+      co_0_error_bound = 3.3306690738754706e-16 * co_0_padded;
+  const double co_1_padded = co_1_size + 2.004168360008973e-292,
+      co_1_error_bound = 3.3306690738754706e-16 * co_1_padded;
+  const double co_2_padded = co_2_size + 2.004168360008973e-292,
+      co_2_error_bound = 3.3306690738754706e-16 * co_2_padded;
+  const double co_3_padded = co_3_size + 2.004168360008973e-292,
+      co_3_error_bound = 4.440892098500628e-16 * co_3_padded;
+  const double co_4_padded = co_4_size + 2.004168360008973e-292,
+      co_4_error_bound = 4.440892098500628e-16 * co_4_padded;
+  const double co_5_padded = co_5_size + 2.004168360008973e-292,
+      co_5_error_bound = 4.440892098500628e-16 * co_5_padded;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+  co_bound->m0 = co_0_error_bound;
+  co_bound->m1 = co_1_error_bound;
+  co_bound->m2 = co_2_error_bound;
+  co_bound->m3 = co_3_error_bound;
+  co_bound->m4 = co_4_error_bound;
+  co_bound->m5 = co_5_error_bound;
+}
+
+/* s·B s / 2, the kinetic energy in J of a body that moves with s; |error of energy| <=
+     energy_bound unless inf or NaN.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); s: screw (v in m/s; ω in rad/s); energy_bound: number.
+   39 mul, 54 add, 30 abs. */
+static inline double ksl_inertia_energy_certified(const ksl_inertia_t *B, const ksl_screw_t *s,
+    double *energy_bound) {
+  const double p_0a = B->m * s->m0, p_0b = B->h.z * s->m4, p_0c = B->h.y * s->m5,
+      p_0d = p_0b - p_0c, p_0 = p_0a + p_0d;
+  const double p_1a = B->m * s->m1, p_1b = B->h.x * s->m5, p_1c = B->h.z * s->m3,
+      p_1d = p_1b - p_1c, p_1 = p_1a + p_1d;
+  const double p_2a = B->m * s->m2, p_2b = B->h.y * s->m3, p_2c = B->h.x * s->m4,
+      p_2d = p_2b - p_2c, p_2 = p_2a + p_2d;
+  const double p_3a = B->h.y * s->m2, p_3b = B->h.z * s->m1, p_3c = p_3a - p_3b,
+      p_3d = B->xx * s->m3, p_3e = B->xy * s->m4, p_3f = p_3d + p_3e, p_3g = B->xz * s->m5,
+      p_3h = p_3f + p_3g, p_3 = p_3c + p_3h;
+  const double p_4a = B->h.z * s->m0, p_4b = B->h.x * s->m2, p_4c = p_4a - p_4b,
+      p_4d = B->yy * s->m4, p_4e = B->xy * s->m3, p_4f = p_4d + p_4e, p_4g = B->yz * s->m5,
+      p_4h = p_4f + p_4g, p_4 = p_4c + p_4h;
+  const double p_5a = B->h.x * s->m1, p_5b = B->h.y * s->m0, p_5c = p_5a - p_5b,
+      p_5d = B->zz * s->m5, p_5e = B->xz * s->m3, p_5f = p_5d + p_5e, p_5g = B->yz * s->m4,
+      p_5h = p_5f + p_5g, p_5 = p_5c + p_5h;
+  const double twice_a = s->m0 * p_0, twice_b = s->m1 * p_1, twice_c = twice_a + twice_b,
+      twice_d = s->m2 * p_2, twice_e = twice_c + twice_d, twice_f = s->m3 * p_3,
+      twice_g = s->m4 * p_4, twice_h = twice_f + twice_g, twice_i = s->m5 * p_5,
+      twice_j = twice_h + twice_i, twice = twice_e + twice_j;
+  const double energy = 0.5 * twice;
+  const double p_0b_abs = fabs(p_0b), p_0c_abs = fabs(p_0c), p_0d_size = p_0b_abs + p_0c_abs,
+      p_0a_abs = fabs(p_0a), p_0_size = p_0a_abs + p_0d_size;
+  const double p_1b_abs = fabs(p_1b), p_1c_abs = fabs(p_1c), p_1d_size = p_1b_abs + p_1c_abs,
+      p_1a_abs = fabs(p_1a), p_1_size = p_1a_abs + p_1d_size;
+  const double p_2b_abs = fabs(p_2b), p_2c_abs = fabs(p_2c), p_2d_size = p_2b_abs + p_2c_abs,
+      p_2a_abs = fabs(p_2a), p_2_size = p_2a_abs + p_2d_size;
+  const double p_3a_abs = fabs(p_3a), p_3b_abs = fabs(p_3b), p_3c_size = p_3a_abs + p_3b_abs,
+      p_3d_abs = fabs(p_3d), p_3e_abs = fabs(p_3e), p_3f_size = p_3d_abs + p_3e_abs,
+      p_3g_abs = fabs(p_3g), p_3h_size = p_3f_size + p_3g_abs, p_3_size = p_3c_size + p_3h_size;
+  const double p_4a_abs = fabs(p_4a), p_4b_abs = fabs(p_4b), p_4c_size = p_4a_abs + p_4b_abs,
+      p_4d_abs = fabs(p_4d), p_4e_abs = fabs(p_4e), p_4f_size = p_4d_abs + p_4e_abs,
+      p_4g_abs = fabs(p_4g), p_4h_size = p_4f_size + p_4g_abs, p_4_size = p_4c_size + p_4h_size;
+  const double p_5a_abs = fabs(p_5a), p_5b_abs = fabs(p_5b), p_5c_size = p_5a_abs + p_5b_abs,
+      p_5d_abs = fabs(p_5d), p_5e_abs = fabs(p_5e), p_5f_size = p_5d_abs + p_5e_abs,
+      p_5g_abs = fabs(p_5g), p_5h_size = p_5f_size + p_5g_abs, p_5_size = p_5c_size + p_5h_size;
+  const double p_0_padded = p_0_size + 2.004168360008973e-292;
+  const double s_0_abs = fabs(s->m0), twice_a_size = s_0_abs * p_0_padded;
+  const double p_1_padded = p_1_size + 2.004168360008973e-292;
+  const double s_1_abs = fabs(s->m1), twice_b_size = s_1_abs * p_1_padded,
+      twice_c_size = twice_a_size + twice_b_size;
+  const double p_2_padded = p_2_size + 2.004168360008973e-292;
+  const double s_2_abs = fabs(s->m2), twice_d_size = s_2_abs * p_2_padded,
+      twice_e_size = twice_c_size + twice_d_size;
+  const double p_3_padded = p_3_size + 2.004168360008973e-292;
+  const double s_3_abs = fabs(s->m3), twice_f_size = s_3_abs * p_3_padded;
+  const double p_4_padded = p_4_size + 2.004168360008973e-292;
+  const double s_4_abs = fabs(s->m4), twice_g_size = s_4_abs * p_4_padded,
+      twice_h_size = twice_f_size + twice_g_size;
+  const double p_5_padded = p_5_size + 2.004168360008973e-292;
+  const double s_5_abs = fabs(s->m5), twice_i_size = s_5_abs * p_5_padded,
+      twice_j_size = twice_h_size + twice_i_size, twice_size = twice_e_size + twice_j_size;
+  const double twice_padded = twice_size + 2.004168360008973e-292;
+  const double energy_size = 0.5 * twice_padded;
+  const double energy_padded = energy_size + 2.004168360008973e-292,
+      energy_error_bound = 9.992007221626415e-16 * energy_padded;
+  *energy_bound = energy_error_bound;
+  return energy;
+}
+
+/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless
+     inf or NaN.
+   t: vector; B, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx,
+     yy, zz, xy, xz, yz in kg m^2).
+   30 mul, 45 add, 21 abs. */
+static inline void ksl_inertia_shifted_certified(const ksl_vec3_t *t, const ksl_inertia_t *B,
+    ksl_inertia_t *Bo, ksl_inertia_t *Bo_bound) {
+  const double moved_0a = t->x * B->m, moved_0 = moved_0a + B->h.x;
+  const double moved_1a = t->y * B->m, moved_1 = moved_1a + B->h.y;
+  const double moved_2a = t->z * B->m, moved_2 = moved_2a + B->h.z;
+  const double own_0a = t->x * B->h.x, own_0b = t->x * moved_0, own_0 = own_0a + own_0b;
+  const double own_1a = t->y * B->h.y, own_1b = t->y * moved_1, own_1 = own_1a + own_1b;
+  const double own_2a = t->z * B->h.z, own_2b = t->z * moved_2, own_2 = own_2a + own_2b;
+  const double Bo_4a = own_1 + own_2, Bo_4 = B->xx + Bo_4a;
+  const double Bo_5a = own_0 + own_2, Bo_5 = B->yy + Bo_5a;
+  const double Bo_6a = own_0 + own_1, Bo_6 = B->zz + Bo_6a;
+  const double Bo_7a = t->x * moved_1, Bo_7b = B->xy - Bo_7a, Bo_7c = t->y * B->h.x,
+      Bo_7 = Bo_7b - Bo_7c;
+  const double Bo_8a = t->x * moved_2, Bo_8b = B->xz - Bo_8a, Bo_8c = t->z * B->h.x,
+      Bo_8 = Bo_8b - Bo_8c;
+  const double Bo_9a = t->y * moved_2, Bo_9b = B->yz - Bo_9a, Bo_9c = t->z * B->h.y,
+      Bo_9 = Bo_9b - Bo_9c;
+  const double moved_0a_abs = fabs(moved_0a), B_1_abs = fabs(B->h.x),
+      moved_0_size = moved_0a_abs + B_1_abs;
+  const double moved_1a_abs = fabs(moved_1a), B_2_abs = fabs(B->h.y),
+      moved_1_size = moved_1a_abs + B_2_abs;
+  const double moved_2a_abs = fabs(moved_2a), B_3_abs = fabs(B->h.z),
+      moved_2_size = moved_2a_abs + B_3_abs;
+  const double moved_0_padded = moved_0_size + 2.004168360008973e-292;
+  const double t_0_abs = fabs(t->x), own_0b_size = t_0_abs * moved_0_padded,
+      own_0a_abs = fabs(own_0a), own_0_size = own_0a_abs + own_0b_size;
+  const double moved_1_padded = moved_1_size + 2.004168360008973e-292;
+  const double t_1_abs = fabs(t->y), own_1b_size = t_1_abs * moved_1_padded,
+      own_1a_abs = fabs(own_1a), own_1_size = own_1a_abs + own_1b_size;
+  const double moved_2_padded = moved_2_size + 2.004168360008973e-292;
+  const double t_2_abs = fabs(t->z), own_2b_size = t_2_abs * moved_2_padded,
+      own_2a_abs = fabs(own_2a), own_2_size = own_2a_abs + own_2b_size;
+  const double Bo_4a_size = own_1_size + own_2_size, B_4_abs = fabs(B->xx),
+      Bo_4_size = B_4_abs + Bo_4a_size;
+  const double Bo_5a_size = own_0_size + own_2_size, B_5_abs = fabs(B->yy),
+      Bo_5_size = B_5_abs + Bo_5a_size;
+  const double Bo_6a_size = own_0_size + own_1_size, B_6_abs = fabs(B->zz),
+      Bo_6_size = B_6_abs + Bo_6a_size;
+  const double Bo_7a_size = t_0_abs * moved_1_padded, B_7_abs = fabs(B->xy),
+      Bo_7b_size = B_7_abs + Bo_7a_size, Bo_7c_abs = fabs(Bo_7c),
+      Bo_7_size = Bo_7b_size + Bo_7c_abs;
+  const double Bo_8a_size = t_0_abs * moved_2_padded, B_8_abs = fabs(B->xz),
+      Bo_8b_size = B_8_abs + Bo_8a_size, Bo_8c_abs = fabs(Bo_8c),
+      Bo_8_size = Bo_8b_size + Bo_8c_abs;
+  const double Bo_9a_size = t_1_abs * moved_2_padded, B_9_abs = fabs(B->yz),
+      Bo_9b_size = B_9_abs + Bo_9a_size, Bo_9c_abs = fabs(Bo_9c),
+      Bo_9_size = Bo_9b_size + Bo_9c_abs;
+  const double moved_0_error_bound = 2.2204460492503136e-16 * moved_0_padded;
+  const double moved_1_error_bound = 2.2204460492503136e-16 * moved_1_padded;
+  const double moved_2_error_bound = 2.2204460492503136e-16 * moved_2_padded;
+  const double Bo_4_padded = Bo_4_size + 2.004168360008973e-292,
+      Bo_4_error_bound = 6.661338147750942e-16 * Bo_4_padded;
+  const double Bo_5_padded = Bo_5_size + 2.004168360008973e-292,
+      Bo_5_error_bound = 6.661338147750942e-16 * Bo_5_padded;
+  const double Bo_6_padded = Bo_6_size + 2.004168360008973e-292,
+      Bo_6_error_bound = 6.661338147750942e-16 * Bo_6_padded;
+  const double Bo_7_padded = Bo_7_size + 2.004168360008973e-292,
+      Bo_7_error_bound = 5.551115123125785e-16 * Bo_7_padded;
+  const double Bo_8_padded = Bo_8_size + 2.004168360008973e-292,
+      Bo_8_error_bound = 5.551115123125785e-16 * Bo_8_padded;
+  const double Bo_9_padded = Bo_9_size + 2.004168360008973e-292,
+      Bo_9_error_bound = 5.551115123125785e-16 * Bo_9_padded;
+  const double B_m = B->m;
+  Bo->m = B_m;
+  Bo->h.x = moved_0;
+  Bo->h.y = moved_1;
+  Bo->h.z = moved_2;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+  Bo_bound->m = 0.0;
+  Bo_bound->h.x = moved_0_error_bound;
+  Bo_bound->h.y = moved_1_error_bound;
+  Bo_bound->h.z = moved_2_error_bound;
+  Bo_bound->xx = Bo_4_error_bound;
+  Bo_bound->yy = Bo_5_error_bound;
+  Bo_bound->zz = Bo_6_error_bound;
+  Bo_bound->xy = Bo_7_error_bound;
+  Bo_bound->xz = Bo_8_error_bound;
+  Bo_bound->yz = Bo_9_error_bound;
+}
+
+/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to; |error of Bo| <=
+     Bo_bound unless inf or NaN.
+   D: displacement [R | t], R rotation, t in m; B, Bo, Bo_bound: spatial inertia (m in kg; h = m
+     c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+   108 mul, 129 add, 51 abs. */
+static inline void ksl_inertia_transformed_certified(const ksl_SE3_t *D, const ksl_inertia_t *B,
+    ksl_inertia_t *Bo, ksl_inertia_t *Bo_bound) {
+  const double RI_0a = D->m00 * B->xx, RI_0b = D->m01 * B->xy, RI_0c = RI_0a + RI_0b,
+      RI_0d = D->m02 * B->xz, RI_0 = RI_0c + RI_0d;
+  const double RI_1a = D->m00 * B->xy, RI_1b = D->m01 * B->yy, RI_1c = RI_1a + RI_1b,
+      RI_1d = D->m02 * B->yz, RI_1 = RI_1c + RI_1d;
+  const double RI_2a = D->m00 * B->xz, RI_2b = D->m01 * B->yz, RI_2c = RI_2a + RI_2b,
+      RI_2d = D->m02 * B->zz, RI_2 = RI_2c + RI_2d;
+  const double RI_3a = D->m10 * B->xx, RI_3b = D->m11 * B->xy, RI_3c = RI_3a + RI_3b,
+      RI_3d = D->m12 * B->xz, RI_3 = RI_3c + RI_3d;
+  const double RI_4a = D->m10 * B->xy, RI_4b = D->m11 * B->yy, RI_4c = RI_4a + RI_4b,
+      RI_4d = D->m12 * B->yz, RI_4 = RI_4c + RI_4d;
+  const double RI_5a = D->m10 * B->xz, RI_5b = D->m11 * B->yz, RI_5c = RI_5a + RI_5b,
+      RI_5d = D->m12 * B->zz, RI_5 = RI_5c + RI_5d;
+  const double RI_6a = D->m20 * B->xx, RI_6b = D->m21 * B->xy, RI_6c = RI_6a + RI_6b,
+      RI_6d = D->m22 * B->xz, RI_6 = RI_6c + RI_6d;
+  const double RI_7a = D->m20 * B->xy, RI_7b = D->m21 * B->yy, RI_7c = RI_7a + RI_7b,
+      RI_7d = D->m22 * B->yz, RI_7 = RI_7c + RI_7d;
+  const double RI_8a = D->m20 * B->xz, RI_8b = D->m21 * B->yz, RI_8c = RI_8a + RI_8b,
+      RI_8d = D->m22 * B->zz, RI_8 = RI_8c + RI_8d;
+  const double turned_1a = D->m00 * B->h.x, turned_1b = D->m01 * B->h.y,
+      turned_1c = turned_1a + turned_1b, turned_1d = D->m02 * B->h.z,
+      turned_1 = turned_1c + turned_1d;
+  const double turned_2a = D->m10 * B->h.x, turned_2b = D->m11 * B->h.y,
+      turned_2c = turned_2a + turned_2b, turned_2d = D->m12 * B->h.z,
+      turned_2 = turned_2c + turned_2d;
+  const double turned_3a = D->m20 * B->h.x, turned_3b = D->m21 * B->h.y,
+      turned_3c = turned_3a + turned_3b, turned_3d = D->m22 * B->h.z,
+      turned_3 = turned_3c + turned_3d;
+  const double turned_4a = D->m00 * RI_0, turned_4b = D->m01 * RI_1,
+      turned_4c = turned_4a + turned_4b, turned_4d = D->m02 * RI_2,
+      turned_4 = turned_4c + turned_4d;
+  const double turned_5a = D->m10 * RI_3, turned_5b = D->m11 * RI_4,
+      turned_5c = turned_5a + turned_5b, turned_5d = D->m12 * RI_5,
+      turned_5 = turned_5c + turned_5d;
+  const double turned_6a = D->m20 * RI_6, turned_6b = D->m21 * RI_7,
+      turned_6c = turned_6a + turned_6b, turned_6d = D->m22 * RI_8,
+      turned_6 = turned_6c + turned_6d;
+  const double turned_7a = D->m10 * RI_0, turned_7b = D->m11 * RI_1,
+      turned_7c = turned_7a + turned_7b, turned_7d = D->m12 * RI_2,
+      turned_7 = turned_7c + turned_7d;
+  const double turned_8a = D->m20 * RI_0, turned_8b = D->m21 * RI_1,
+      turned_8c = turned_8a + turned_8b, turned_8d = D->m22 * RI_2,
+      turned_8 = turned_8c + turned_8d;
+  const double turned_9a = D->m20 * RI_3, turned_9b = D->m21 * RI_4,
+      turned_9c = turned_9a + turned_9b, turned_9d = D->m22 * RI_5,
+      turned_9 = turned_9c + turned_9d;
+  const double moved_0a = D->m03 * B->m, moved_0 = moved_0a + turned_1;
+  const double moved_1a = D->m13 * B->m, moved_1 = moved_1a + turned_2;
+  const double moved_2a = D->m23 * B->m, moved_2 = moved_2a + turned_3;
+  const double own_0a = D->m03 * turned_1, own_0b = D->m03 * moved_0, own_0 = own_0a + own_0b;
+  const double own_1a = D->m13 * turned_2, own_1b = D->m13 * moved_1, own_1 = own_1a + own_1b;
+  const double own_2a = D->m23 * turned_3, own_2b = D->m23 * moved_2, own_2 = own_2a + own_2b;
+  const double Bo_4a = own_1 + own_2, Bo_4 = turned_4 + Bo_4a;
+  const double Bo_5a = own_0 + own_2, Bo_5 = turned_5 + Bo_5a;
+  const double Bo_6a = own_0 + own_1, Bo_6 = turned_6 + Bo_6a;
+  const double Bo_7a = D->m03 * moved_1, Bo_7b = turned_7 - Bo_7a, Bo_7c = D->m13 * turned_1,
+      Bo_7 = Bo_7b - Bo_7c;
+  const double Bo_8a = D->m03 * moved_2, Bo_8b = turned_8 - Bo_8a, Bo_8c = D->m23 * turned_1,
+      Bo_8 = Bo_8b - Bo_8c;
+  const double Bo_9a = D->m13 * moved_2, Bo_9b = turned_9 - Bo_9a, Bo_9c = D->m23 * turned_2,
+      Bo_9 = Bo_9b - Bo_9c;
+  const double RI_0a_abs = fabs(RI_0a), RI_0b_abs = fabs(RI_0b), RI_0c_size = RI_0a_abs + RI_0b_abs,
+      RI_0d_abs = fabs(RI_0d), RI_0_size = RI_0c_size + RI_0d_abs;
+  const double RI_1a_abs = fabs(RI_1a), RI_1b_abs = fabs(RI_1b), RI_1c_size = RI_1a_abs + RI_1b_abs,
+      RI_1d_abs = fabs(RI_1d), RI_1_size = RI_1c_size + RI_1d_abs;
+  const double RI_2a_abs = fabs(RI_2a), RI_2b_abs = fabs(RI_2b), RI_2c_size = RI_2a_abs + RI_2b_abs,
+      RI_2d_abs = fabs(RI_2d), RI_2_size = RI_2c_size + RI_2d_abs;
+  const double RI_3a_abs = fabs(RI_3a), RI_3b_abs = fabs(RI_3b), RI_3c_size = RI_3a_abs + RI_3b_abs,
+      RI_3d_abs = fabs(RI_3d), RI_3_size = RI_3c_size + RI_3d_abs;
+  const double RI_4a_abs = fabs(RI_4a), RI_4b_abs = fabs(RI_4b), RI_4c_size = RI_4a_abs + RI_4b_abs,
+      RI_4d_abs = fabs(RI_4d), RI_4_size = RI_4c_size + RI_4d_abs;
+  const double RI_5a_abs = fabs(RI_5a), RI_5b_abs = fabs(RI_5b), RI_5c_size = RI_5a_abs + RI_5b_abs,
+      RI_5d_abs = fabs(RI_5d), RI_5_size = RI_5c_size + RI_5d_abs;
+  const double RI_6a_abs = fabs(RI_6a), RI_6b_abs = fabs(RI_6b), RI_6c_size = RI_6a_abs + RI_6b_abs,
+      RI_6d_abs = fabs(RI_6d), RI_6_size = RI_6c_size + RI_6d_abs;
+  const double RI_7a_abs = fabs(RI_7a), RI_7b_abs = fabs(RI_7b), RI_7c_size = RI_7a_abs + RI_7b_abs,
+      RI_7d_abs = fabs(RI_7d), RI_7_size = RI_7c_size + RI_7d_abs;
+  const double RI_8a_abs = fabs(RI_8a), RI_8b_abs = fabs(RI_8b), RI_8c_size = RI_8a_abs + RI_8b_abs,
+      RI_8d_abs = fabs(RI_8d), RI_8_size = RI_8c_size + RI_8d_abs;
+  const double turned_1a_abs = fabs(turned_1a), turned_1b_abs = fabs(turned_1b),
+      turned_1c_size = turned_1a_abs + turned_1b_abs, turned_1d_abs = fabs(turned_1d),
+      turned_1_size = turned_1c_size + turned_1d_abs;
+  const double turned_2a_abs = fabs(turned_2a), turned_2b_abs = fabs(turned_2b),
+      turned_2c_size = turned_2a_abs + turned_2b_abs, turned_2d_abs = fabs(turned_2d),
+      turned_2_size = turned_2c_size + turned_2d_abs;
+  const double turned_3a_abs = fabs(turned_3a), turned_3b_abs = fabs(turned_3b),
+      turned_3c_size = turned_3a_abs + turned_3b_abs, turned_3d_abs = fabs(turned_3d),
+      turned_3_size = turned_3c_size + turned_3d_abs;
+  const double RI_0_padded = RI_0_size + 2.004168360008973e-292;
+  const double D_00_abs = fabs(D->m00), turned_4a_size = D_00_abs * RI_0_padded;
+  const double RI_1_padded = RI_1_size + 2.004168360008973e-292;
+  const double D_01_abs = fabs(D->m01), turned_4b_size = D_01_abs * RI_1_padded,
+      turned_4c_size = turned_4a_size + turned_4b_size;
+  const double RI_2_padded = RI_2_size + 2.004168360008973e-292;
+  const double D_02_abs = fabs(D->m02), turned_4d_size = D_02_abs * RI_2_padded,
+      turned_4_size = turned_4c_size + turned_4d_size;
+  const double RI_3_padded = RI_3_size + 2.004168360008973e-292;
+  const double D_10_abs = fabs(D->m10), turned_5a_size = D_10_abs * RI_3_padded;
+  const double RI_4_padded = RI_4_size + 2.004168360008973e-292;
+  const double D_11_abs = fabs(D->m11), turned_5b_size = D_11_abs * RI_4_padded,
+      turned_5c_size = turned_5a_size + turned_5b_size;
+  const double RI_5_padded = RI_5_size + 2.004168360008973e-292;
+  const double D_12_abs = fabs(D->m12), turned_5d_size = D_12_abs * RI_5_padded,
+      turned_5_size = turned_5c_size + turned_5d_size;
+  const double RI_6_padded = RI_6_size + 2.004168360008973e-292;
+  const double D_20_abs = fabs(D->m20), turned_6a_size = D_20_abs * RI_6_padded;
+  const double RI_7_padded = RI_7_size + 2.004168360008973e-292;
+  const double D_21_abs = fabs(D->m21), turned_6b_size = D_21_abs * RI_7_padded,
+      turned_6c_size = turned_6a_size + turned_6b_size;
+  const double RI_8_padded = RI_8_size + 2.004168360008973e-292;
+  const double D_22_abs = fabs(D->m22), turned_6d_size = D_22_abs * RI_8_padded,
+      turned_6_size = turned_6c_size + turned_6d_size;
+  const double turned_7a_size = D_10_abs * RI_0_padded, turned_7b_size = D_11_abs * RI_1_padded,
+      turned_7c_size = turned_7a_size + turned_7b_size, turned_7d_size = D_12_abs * RI_2_padded,
+      turned_7_size = turned_7c_size + turned_7d_size;
+  const double turned_8a_size = D_20_abs * RI_0_padded, turned_8b_size = D_21_abs * RI_1_padded,
+      turned_8c_size = turned_8a_size + turned_8b_size, turned_8d_size = D_22_abs * RI_2_padded,
+      turned_8_size = turned_8c_size + turned_8d_size;
+  const double turned_9a_size = D_20_abs * RI_3_padded, turned_9b_size = D_21_abs * RI_4_padded,
+      turned_9c_size = turned_9a_size + turned_9b_size, turned_9d_size = D_22_abs * RI_5_padded,
+      turned_9_size = turned_9c_size + turned_9d_size;
+  const double moved_0a_abs = fabs(moved_0a), moved_0_size = moved_0a_abs + turned_1_size;
+  const double moved_1a_abs = fabs(moved_1a), moved_1_size = moved_1a_abs + turned_2_size;
+  const double moved_2a_abs = fabs(moved_2a), moved_2_size = moved_2a_abs + turned_3_size;
+  const double turned_1_padded = turned_1_size + 2.004168360008973e-292;
+  const double D_03_abs = fabs(D->m03), own_0a_size = D_03_abs * turned_1_padded;
+  const double moved_0_padded = moved_0_size + 2.004168360008973e-292;
+  const double own_0b_size = D_03_abs * moved_0_padded, own_0_size = own_0a_size + own_0b_size;
+  const double turned_2_padded = turned_2_size + 2.004168360008973e-292;
+  const double D_13_abs = fabs(D->m13), own_1a_size = D_13_abs * turned_2_padded;
+  const double moved_1_padded = moved_1_size + 2.004168360008973e-292;
+  const double own_1b_size = D_13_abs * moved_1_padded, own_1_size = own_1a_size + own_1b_size;
+  const double turned_3_padded = turned_3_size + 2.004168360008973e-292;
+  const double D_23_abs = fabs(D->m23), own_2a_size = D_23_abs * turned_3_padded;
+  const double moved_2_padded = moved_2_size + 2.004168360008973e-292;
+  const double own_2b_size = D_23_abs * moved_2_padded, own_2_size = own_2a_size + own_2b_size;
+  const double Bo_4a_size = own_1_size + own_2_size, Bo_4_size = turned_4_size + Bo_4a_size;
+  const double Bo_5a_size = own_0_size + own_2_size, Bo_5_size = turned_5_size + Bo_5a_size;
+  const double Bo_6a_size = own_0_size + own_1_size, Bo_6_size = turned_6_size + Bo_6a_size;
+  const double Bo_7a_size = D_03_abs * moved_1_padded, Bo_7b_size = turned_7_size + Bo_7a_size,
+      Bo_7c_size = D_13_abs * turned_1_padded, Bo_7_size = Bo_7b_size + Bo_7c_size;
+  const double Bo_8a_size = D_03_abs * moved_2_padded, Bo_8b_size = turned_8_size + Bo_8a_size,
+      Bo_8c_size = D_23_abs * turned_1_padded, Bo_8_size = Bo_8b_size + Bo_8c_size;
+  const double Bo_9a_size = D_13_abs * moved_2_padded, Bo_9b_size = turned_9_size + Bo_9a_size,
+      Bo_9c_size = D_23_abs * turned_2_padded, Bo_9_size = Bo_9b_size + Bo_9c_size;
+  const double moved_0_error_bound = 4.440892098500628e-16 * moved_0_padded;
+  const double moved_1_error_bound = 4.440892098500628e-16 * moved_1_padded;
+  const double moved_2_error_bound = 4.440892098500628e-16 * moved_2_padded;
+  const double Bo_4_padded = Bo_4_size + 2.004168360008973e-292,
+      Bo_4_error_bound = 8.881784197001258e-16 * Bo_4_padded;
+  const double Bo_5_padded = Bo_5_size + 2.004168360008973e-292,
+      Bo_5_error_bound = 8.881784197001258e-16 * Bo_5_padded;
+  const double Bo_6_padded = Bo_6_size + 2.004168360008973e-292,
+      Bo_6_error_bound = 8.881784197001258e-16 * Bo_6_padded;
+  const double Bo_7_padded = Bo_7_size + 2.004168360008973e-292,
+      Bo_7_error_bound = 8.881784197001258e-16 * Bo_7_padded;
+  const double Bo_8_padded = Bo_8_size + 2.004168360008973e-292,
+      Bo_8_error_bound = 8.881784197001258e-16 * Bo_8_padded;
+  const double Bo_9_padded = Bo_9_size + 2.004168360008973e-292,
+      Bo_9_error_bound = 8.881784197001258e-16 * Bo_9_padded;
+  const double B_m = B->m;
+  Bo->m = B_m;
+  Bo->h.x = moved_0;
+  Bo->h.y = moved_1;
+  Bo->h.z = moved_2;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+  Bo_bound->m = 0.0;
+  Bo_bound->h.x = moved_0_error_bound;
+  Bo_bound->h.y = moved_1_error_bound;
+  Bo_bound->h.z = moved_2_error_bound;
+  Bo_bound->xx = Bo_4_error_bound;
+  Bo_bound->yy = Bo_5_error_bound;
+  Bo_bound->zz = Bo_6_error_bound;
+  Bo_bound->xy = Bo_7_error_bound;
+  Bo_bound->xz = Bo_8_error_bound;
+  Bo_bound->yz = Bo_9_error_bound;
+}
+
+/* self = a self; |error of self| <= self_bound unless inf or NaN.
+   self, self_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
+     xy, xz, yz in kg m^2); a: number.
+   20 mul, 10 add, 10 abs. */
+static inline void ksl_inertiaf_scale_certified(ksl_inertiaf_t *self, const float a,
+    ksl_inertiaf_t *self_bound) {
+  const float self_0_new = self->m * a;
+  const float self_1_new = self->h.x * a;
+  const float self_2_new = self->h.y * a;
+  const float self_3_new = self->h.z * a;
+  const float self_4_new = self->xx * a;
+  const float self_5_new = self->yy * a;
+  const float self_6_new = self->zz * a;
+  const float self_7_new = self->xy * a;
+  const float self_8_new = self->xz * a;
+  const float self_9_new = self->yz * a;
+  const float self_0_new_abs = fabsf(self_0_new),
+      self_0_new_padded = self_0_new_abs + 1.9721523e-31f,
+      self_0_new_error_bound = 5.960465e-08f * self_0_new_padded;
+  const float self_1_new_abs = fabsf(self_1_new),
+      self_1_new_padded = self_1_new_abs + 1.9721523e-31f,
+      self_1_new_error_bound = 5.960465e-08f * self_1_new_padded;
+  const float self_2_new_abs = fabsf(self_2_new),
+      self_2_new_padded = self_2_new_abs + 1.9721523e-31f,
+      self_2_new_error_bound = 5.960465e-08f * self_2_new_padded;
+  const float self_3_new_abs = fabsf(self_3_new),
+      self_3_new_padded = self_3_new_abs + 1.9721523e-31f,
+      self_3_new_error_bound = 5.960465e-08f * self_3_new_padded;
+  const float self_4_new_abs = fabsf(self_4_new),
+      self_4_new_padded = self_4_new_abs + 1.9721523e-31f,
+      self_4_new_error_bound = 5.960465e-08f * self_4_new_padded;
+  const float self_5_new_abs = fabsf(self_5_new),
+      self_5_new_padded = self_5_new_abs + 1.9721523e-31f,
+      self_5_new_error_bound = 5.960465e-08f * self_5_new_padded;
+  const float self_6_new_abs = fabsf(self_6_new),
+      self_6_new_padded = self_6_new_abs + 1.9721523e-31f,
+      self_6_new_error_bound = 5.960465e-08f * self_6_new_padded;
+  const float self_7_new_abs = fabsf(self_7_new),
+      self_7_new_padded = self_7_new_abs + 1.9721523e-31f,
+      self_7_new_error_bound = 5.960465e-08f * self_7_new_padded;
+  const float self_8_new_abs = fabsf(self_8_new),
+      self_8_new_padded = self_8_new_abs + 1.9721523e-31f,
+      self_8_new_error_bound = 5.960465e-08f * self_8_new_padded;
+  const float self_9_new_abs = fabsf(self_9_new),
+      self_9_new_padded = self_9_new_abs + 1.9721523e-31f,
+      self_9_new_error_bound = 5.960465e-08f * self_9_new_padded;
+  self->m = self_0_new;
+  self->h.x = self_1_new;
+  self->h.y = self_2_new;
+  self->h.z = self_3_new;
+  self->xx = self_4_new;
+  self->yy = self_5_new;
+  self->zz = self_6_new;
+  self->xy = self_7_new;
+  self->xz = self_8_new;
+  self->yz = self_9_new;
+  self_bound->m = self_0_new_error_bound;
+  self_bound->h.x = self_1_new_error_bound;
+  self_bound->h.y = self_2_new_error_bound;
+  self_bound->h.z = self_3_new_error_bound;
+  self_bound->xx = self_4_new_error_bound;
+  self_bound->yy = self_5_new_error_bound;
+  self_bound->zz = self_6_new_error_bound;
+  self_bound->xy = self_7_new_error_bound;
+  self_bound->xz = self_8_new_error_bound;
+  self_bound->yz = self_9_new_error_bound;
+}
+
+/* Bo = B1 + B2; |error of Bo| <= Bo_bound unless inf or NaN.
+   B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
+     zz, xy, xz, yz in kg m^2).
+   10 mul, 10 add, 10 abs. */
+static inline void ksl_add_BBf_certified(const ksl_inertiaf_t *B1, const ksl_inertiaf_t *B2,
+    ksl_inertiaf_t *Bo, ksl_inertiaf_t *Bo_bound) {
+  const float Bo_0 = B1->m + B2->m;
+  const float Bo_1 = B1->h.x + B2->h.x;
+  const float Bo_2 = B1->h.y + B2->h.y;
+  const float Bo_3 = B1->h.z + B2->h.z;
+  const float Bo_4 = B1->xx + B2->xx;
+  const float Bo_5 = B1->yy + B2->yy;
+  const float Bo_6 = B1->zz + B2->zz;
+  const float Bo_7 = B1->xy + B2->xy;
+  const float Bo_8 = B1->xz + B2->xz;
+  const float Bo_9 = B1->yz + B2->yz;
+  const float Bo_0_abs = fabsf(Bo_0), Bo_0_error_bound = 5.960465e-08f * Bo_0_abs;
+  const float Bo_1_abs = fabsf(Bo_1), Bo_1_error_bound = 5.960465e-08f * Bo_1_abs;
+  const float Bo_2_abs = fabsf(Bo_2), Bo_2_error_bound = 5.960465e-08f * Bo_2_abs;
+  const float Bo_3_abs = fabsf(Bo_3), Bo_3_error_bound = 5.960465e-08f * Bo_3_abs;
+  const float Bo_4_abs = fabsf(Bo_4), Bo_4_error_bound = 5.960465e-08f * Bo_4_abs;
+  const float Bo_5_abs = fabsf(Bo_5), Bo_5_error_bound = 5.960465e-08f * Bo_5_abs;
+  const float Bo_6_abs = fabsf(Bo_6), Bo_6_error_bound = 5.960465e-08f * Bo_6_abs;
+  const float Bo_7_abs = fabsf(Bo_7), Bo_7_error_bound = 5.960465e-08f * Bo_7_abs;
+  const float Bo_8_abs = fabsf(Bo_8), Bo_8_error_bound = 5.960465e-08f * Bo_8_abs;
+  const float Bo_9_abs = fabsf(Bo_9), Bo_9_error_bound = 5.960465e-08f * Bo_9_abs;
+  Bo->m = Bo_0;
+  Bo->h.x = Bo_1;
+  Bo->h.y = Bo_2;
+  Bo->h.z = Bo_3;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+  Bo_bound->m = Bo_0_error_bound;
+  Bo_bound->h.x = Bo_1_error_bound;
+  Bo_bound->h.y = Bo_2_error_bound;
+  Bo_bound->h.z = Bo_3_error_bound;
+  Bo_bound->xx = Bo_4_error_bound;
+  Bo_bound->yy = Bo_5_error_bound;
+  Bo_bound->zz = Bo_6_error_bound;
+  Bo_bound->xy = Bo_7_error_bound;
+  Bo_bound->xz = Bo_8_error_bound;
+  Bo_bound->yz = Bo_9_error_bound;
+}
+
+/* Bo = B1 - B2; |error of Bo| <= Bo_bound unless inf or NaN.
+   B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
+     zz, xy, xz, yz in kg m^2).
+   10 mul, 10 add, 10 abs. */
+static inline void ksl_subtract_BBf_certified(const ksl_inertiaf_t *B1, const ksl_inertiaf_t *B2,
+    ksl_inertiaf_t *Bo, ksl_inertiaf_t *Bo_bound) {
+  const float Bo_0 = B1->m - B2->m;
+  const float Bo_1 = B1->h.x - B2->h.x;
+  const float Bo_2 = B1->h.y - B2->h.y;
+  const float Bo_3 = B1->h.z - B2->h.z;
+  const float Bo_4 = B1->xx - B2->xx;
+  const float Bo_5 = B1->yy - B2->yy;
+  const float Bo_6 = B1->zz - B2->zz;
+  const float Bo_7 = B1->xy - B2->xy;
+  const float Bo_8 = B1->xz - B2->xz;
+  const float Bo_9 = B1->yz - B2->yz;
+  const float Bo_0_abs = fabsf(Bo_0), Bo_0_error_bound = 5.960465e-08f * Bo_0_abs;
+  const float Bo_1_abs = fabsf(Bo_1), Bo_1_error_bound = 5.960465e-08f * Bo_1_abs;
+  const float Bo_2_abs = fabsf(Bo_2), Bo_2_error_bound = 5.960465e-08f * Bo_2_abs;
+  const float Bo_3_abs = fabsf(Bo_3), Bo_3_error_bound = 5.960465e-08f * Bo_3_abs;
+  const float Bo_4_abs = fabsf(Bo_4), Bo_4_error_bound = 5.960465e-08f * Bo_4_abs;
+  const float Bo_5_abs = fabsf(Bo_5), Bo_5_error_bound = 5.960465e-08f * Bo_5_abs;
+  const float Bo_6_abs = fabsf(Bo_6), Bo_6_error_bound = 5.960465e-08f * Bo_6_abs;
+  const float Bo_7_abs = fabsf(Bo_7), Bo_7_error_bound = 5.960465e-08f * Bo_7_abs;
+  const float Bo_8_abs = fabsf(Bo_8), Bo_8_error_bound = 5.960465e-08f * Bo_8_abs;
+  const float Bo_9_abs = fabsf(Bo_9), Bo_9_error_bound = 5.960465e-08f * Bo_9_abs;
+  Bo->m = Bo_0;
+  Bo->h.x = Bo_1;
+  Bo->h.y = Bo_2;
+  Bo->h.z = Bo_3;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+  Bo_bound->m = Bo_0_error_bound;
+  Bo_bound->h.x = Bo_1_error_bound;
+  Bo_bound->h.y = Bo_2_error_bound;
+  Bo_bound->h.z = Bo_3_error_bound;
+  Bo_bound->xx = Bo_4_error_bound;
+  Bo_bound->yy = Bo_5_error_bound;
+  Bo_bound->zz = Bo_6_error_bound;
+  Bo_bound->xy = Bo_7_error_bound;
+  Bo_bound->xz = Bo_8_error_bound;
+  Bo_bound->yz = Bo_9_error_bound;
+}
+
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
+     the upper triangle): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf
+     or NaN.
+   m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo, Bo_bound: spatial inertia (m in
+     kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+   24 mul, 27 add, 12 abs. */
+static inline void ksl_inertiaf_from_com_certified(const float m, const ksl_vec3f_t *com,
+    const ksl_mat3x3f_t *Ic, ksl_inertiaf_t *Bo, ksl_inertiaf_t *Bo_bound) {
+  const float h_0 = m * com->x;
+  const float h_1 = m * com->y;
+  const float h_2 = m * com->z;
+  const float squares_0 = com->x * h_0;
+  const float squares_1 = com->y * h_1;
+  const float squares_2 = com->z * h_2;
+  const float Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
+  const float Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
+  const float Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
+  const float Bo_7a = com->y * h_0, Bo_7 = Ic->m01 - Bo_7a;
+  const float Bo_8a = com->z * h_0, Bo_8 = Ic->m02 - Bo_8a;
+  const float Bo_9a = com->z * h_1, Bo_9 = Ic->m12 - Bo_9a;
+  const float h_0_abs = fabsf(h_0), h_0_padded = h_0_abs + 1.9721523e-31f;
+  const float com_0_abs = fabsf(com->x), squares_0_size = com_0_abs * h_0_padded;
+  const float h_1_abs = fabsf(h_1), h_1_padded = h_1_abs + 1.9721523e-31f;
+  const float com_1_abs = fabsf(com->y), squares_1_size = com_1_abs * h_1_padded;
+  const float h_2_abs = fabsf(h_2), h_2_padded = h_2_abs + 1.9721523e-31f;
+  const float com_2_abs = fabsf(com->z), squares_2_size = com_2_abs * h_2_padded;
+  const float Bo_4a_size = squares_1_size + squares_2_size, Ic_00_abs = fabsf(Ic->m00),
+      Bo_4_size = Ic_00_abs + Bo_4a_size;
+  const float Bo_5a_size = squares_0_size + squares_2_size, Ic_11_abs = fabsf(Ic->m11),
+      Bo_5_size = Ic_11_abs + Bo_5a_size;
+  const float Bo_6a_size = squares_0_size + squares_1_size, Ic_22_abs = fabsf(Ic->m22),
+      Bo_6_size = Ic_22_abs + Bo_6a_size;
+  const float Bo_7a_size = com_1_abs * h_0_padded, Ic_01_abs = fabsf(Ic->m01),
+      Bo_7_size = Ic_01_abs + Bo_7a_size;
+  const float Bo_8a_size = com_2_abs * h_0_padded, Ic_02_abs = fabsf(Ic->m02),
+      Bo_8_size = Ic_02_abs + Bo_8a_size;
+  const float Bo_9a_size = com_2_abs * h_1_padded, Ic_12_abs = fabsf(Ic->m12),
+      Bo_9_size = Ic_12_abs + Bo_9a_size;
+  const float h_0_error_bound = 5.960465e-08f * h_0_padded;
+  const float h_1_error_bound = 5.960465e-08f * h_1_padded;
+  const float h_2_error_bound = 5.960465e-08f * h_2_padded;
+  const float Bo_4_padded = Bo_4_size + 1.9721523e-31f,
+      Bo_4_error_bound = 2.3841864e-07f * Bo_4_padded;
+  const float Bo_5_padded = Bo_5_size + 1.9721523e-31f,
+      Bo_5_error_bound = 2.3841864e-07f * Bo_5_padded;
+  const float Bo_6_padded = Bo_6_size + 1.9721523e-31f,
+      Bo_6_error_bound = 2.3841864e-07f * Bo_6_padded;
+  const float Bo_7_padded = Bo_7_size + 1.9721523e-31f,
+      Bo_7_error_bound = 1.7881396e-07f * Bo_7_padded;
+  const float Bo_8_padded = Bo_8_size + 1.9721523e-31f,
+      Bo_8_error_bound = 1.7881396e-07f * Bo_8_padded;
+  const float Bo_9_padded = Bo_9_size + 1.9721523e-31f,
+      Bo_9_error_bound = 1.7881396e-07f * Bo_9_padded;
+  Bo->m = m;
+  Bo->h.x = h_0;
+  Bo->h.y = h_1;
+  Bo->h.z = h_2;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+  Bo_bound->m = 0.0f;
+  Bo_bound->h.x = h_0_error_bound;
+  Bo_bound->h.y = h_1_error_bound;
+  Bo_bound->h.z = h_2_error_bound;
+  Bo_bound->xx = Bo_4_error_bound;
+  Bo_bound->yy = Bo_5_error_bound;
+  Bo_bound->zz = Bo_6_error_bound;
+  Bo_bound->xy = Bo_7_error_bound;
+  Bo_bound->xz = Bo_8_error_bound;
+  Bo_bound->yz = Bo_9_error_bound;
+}
+
+/* co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s; |error of co|
+     <= co_bound unless inf or NaN.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); s: screw (v in m/s; ω in rad/s); co, co_bound: coscrew (f in N; τ in N m).
+   30 mul, 42 add, 24 abs. */
+static inline void ksl_product_Bsf_certified(const ksl_inertiaf_t *B, const ksl_screwf_t *s,
+    ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
+  const float co_0a = B->m * s->m0, co_0b = B->h.z * s->m4, co_0c = B->h.y * s->m5,
+      co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
+  const float co_1a = B->m * s->m1, co_1b = B->h.x * s->m5, co_1c = B->h.z * s->m3,
+      co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
+  const float co_2a = B->m * s->m2, co_2b = B->h.y * s->m3, co_2c = B->h.x * s->m4,
+      co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
+  const float co_3a = B->h.y * s->m2, co_3b = B->h.z * s->m1, co_3c = co_3a - co_3b,
+      co_3d = B->xx * s->m3, co_3e = B->xy * s->m4, co_3f = co_3d + co_3e, co_3g = B->xz * s->m5,
+      co_3h = co_3f + co_3g, co_3 = co_3c + co_3h;
+  const float co_4a = B->h.z * s->m0, co_4b = B->h.x * s->m2, co_4c = co_4a - co_4b,
+      co_4d = B->yy * s->m4, co_4e = B->xy * s->m3, co_4f = co_4d + co_4e, co_4g = B->yz * s->m5,
+      co_4h = co_4f + co_4g, co_4 = co_4c + co_4h;
+  const float co_5a = B->h.x * s->m1, co_5b = B->h.y * s->m0, co_5c = co_5a - co_5b,
+      co_5d = B->zz * s->m5, co_5e = B->xz * s->m3, co_5f = co_5d + co_5e, co_5g = B->yz * s->m4,
+      co_5h = co_5f + co_5g, co_5 = co_5c + co_5h;
+  const float co_0b_abs = fabsf(co_0b), co_0c_abs = fabsf(co_0c),
+      co_0d_size = co_0b_abs + co_0c_abs, co_0a_abs = fabsf(co_0a),
+      co_0_size = co_0a_abs + co_0d_size;
+  const float co_1b_abs = fabsf(co_1b), co_1c_abs = fabsf(co_1c),
+      co_1d_size = co_1b_abs + co_1c_abs, co_1a_abs = fabsf(co_1a),
+      co_1_size = co_1a_abs + co_1d_size;
+  const float co_2b_abs = fabsf(co_2b), co_2c_abs = fabsf(co_2c),
+      co_2d_size = co_2b_abs + co_2c_abs, co_2a_abs = fabsf(co_2a),
+      co_2_size = co_2a_abs + co_2d_size;
+  const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b),
+      co_3c_size = co_3a_abs + co_3b_abs, co_3d_abs = fabsf(co_3d), co_3e_abs = fabsf(co_3e),
+      co_3f_size = co_3d_abs + co_3e_abs, co_3g_abs = fabsf(co_3g),
+      co_3h_size = co_3f_size + co_3g_abs, co_3_size = co_3c_size + co_3h_size;
+  const float co_4a_abs = fabsf(co_4a), co_4b_abs = fabsf(co_4b),
+      co_4c_size = co_4a_abs + co_4b_abs, co_4d_abs = fabsf(co_4d), co_4e_abs = fabsf(co_4e),
+      co_4f_size = co_4d_abs + co_4e_abs, co_4g_abs = fabsf(co_4g),
+      co_4h_size = co_4f_size + co_4g_abs, co_4_size = co_4c_size + co_4h_size;
+  const float co_5a_abs = fabsf(co_5a), co_5b_abs = fabsf(co_5b),
+      co_5c_size = co_5a_abs + co_5b_abs, co_5d_abs = fabsf(co_5d), co_5e_abs = fabsf(co_5e),
+      co_5f_size = co_5d_abs + co_5e_abs, co_5g_abs = fabsf(co_5g),
+      co_5h_size = co_5f_size + co_5g_abs, co_5_size = co_5c_size + co_5h_size;
+  const float co_0_padded = co_0_size + 1.9721523e-31f,
+      co_0_error_bound = 1.7881396e-07f * co_0_padded;
+  const float co_1_padded = co_1_size + 1.9721523e-31f,
+      co_1_error_bound = 1.7881396e-07f * co_1_padded;
+  const float co_2_padded = co_2_size + 1.9721523e-31f,
+      co_2_error_bound = 1.7881396e-07f * co_2_padded;
+  const float co_3_padded = co_3_size + 1.9721523e-31f,
+      co_3_error_bound = 2.3841864e-07f * co_3_padded;
+  const float co_4_padded = co_4_size + 1.9721523e-31f,
+      co_4_error_bound = 2.3841864e-07f * co_4_padded;
+  const float co_5_padded = co_5_size + 1.9721523e-31f,
+      co_5_error_bound = 2.3841864e-07f * co_5_padded;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+  co_bound->m0 = co_0_error_bound;
+  co_bound->m1 = co_1_error_bound;
+  co_bound->m2 = co_2_error_bound;
+  co_bound->m3 = co_3_error_bound;
+  co_bound->m4 = co_4_error_bound;
+  co_bound->m5 = co_5_error_bound;
+}
+
+/* s·B s / 2, the kinetic energy in J of a body that moves with s; |error of energy| <=
+     energy_bound unless inf or NaN.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); s: screw (v in m/s; ω in rad/s); energy_bound: number.
+   39 mul, 54 add, 30 abs. */
+static inline float ksl_inertiaf_energy_certified(const ksl_inertiaf_t *B, const ksl_screwf_t *s,
+    float *energy_bound) {
+  const float p_0a = B->m * s->m0, p_0b = B->h.z * s->m4, p_0c = B->h.y * s->m5, p_0d = p_0b - p_0c,
+      p_0 = p_0a + p_0d;
+  const float p_1a = B->m * s->m1, p_1b = B->h.x * s->m5, p_1c = B->h.z * s->m3, p_1d = p_1b - p_1c,
+      p_1 = p_1a + p_1d;
+  const float p_2a = B->m * s->m2, p_2b = B->h.y * s->m3, p_2c = B->h.x * s->m4, p_2d = p_2b - p_2c,
+      p_2 = p_2a + p_2d;
+  const float p_3a = B->h.y * s->m2, p_3b = B->h.z * s->m1, p_3c = p_3a - p_3b,
+      p_3d = B->xx * s->m3, p_3e = B->xy * s->m4, p_3f = p_3d + p_3e, p_3g = B->xz * s->m5,
+      p_3h = p_3f + p_3g, p_3 = p_3c + p_3h;
+  const float p_4a = B->h.z * s->m0, p_4b = B->h.x * s->m2, p_4c = p_4a - p_4b,
+      p_4d = B->yy * s->m4, p_4e = B->xy * s->m3, p_4f = p_4d + p_4e, p_4g = B->yz * s->m5,
+      p_4h = p_4f + p_4g, p_4 = p_4c + p_4h;
+  const float p_5a = B->h.x * s->m1, p_5b = B->h.y * s->m0, p_5c = p_5a - p_5b,
+      p_5d = B->zz * s->m5, p_5e = B->xz * s->m3, p_5f = p_5d + p_5e, p_5g = B->yz * s->m4,
+      p_5h = p_5f + p_5g, p_5 = p_5c + p_5h;
+  const float twice_a = s->m0 * p_0, twice_b = s->m1 * p_1, twice_c = twice_a + twice_b,
+      twice_d = s->m2 * p_2, twice_e = twice_c + twice_d, twice_f = s->m3 * p_3,
+      twice_g = s->m4 * p_4, twice_h = twice_f + twice_g, twice_i = s->m5 * p_5,
+      twice_j = twice_h + twice_i, twice = twice_e + twice_j;
+  const float energy = 0.5f * twice;
+  const float p_0b_abs = fabsf(p_0b), p_0c_abs = fabsf(p_0c), p_0d_size = p_0b_abs + p_0c_abs,
+      p_0a_abs = fabsf(p_0a), p_0_size = p_0a_abs + p_0d_size;
+  const float p_1b_abs = fabsf(p_1b), p_1c_abs = fabsf(p_1c), p_1d_size = p_1b_abs + p_1c_abs,
+      p_1a_abs = fabsf(p_1a), p_1_size = p_1a_abs + p_1d_size;
+  const float p_2b_abs = fabsf(p_2b), p_2c_abs = fabsf(p_2c), p_2d_size = p_2b_abs + p_2c_abs,
+      p_2a_abs = fabsf(p_2a), p_2_size = p_2a_abs + p_2d_size;
+  const float p_3a_abs = fabsf(p_3a), p_3b_abs = fabsf(p_3b), p_3c_size = p_3a_abs + p_3b_abs,
+      p_3d_abs = fabsf(p_3d), p_3e_abs = fabsf(p_3e), p_3f_size = p_3d_abs + p_3e_abs,
+      p_3g_abs = fabsf(p_3g), p_3h_size = p_3f_size + p_3g_abs, p_3_size = p_3c_size + p_3h_size;
+  const float p_4a_abs = fabsf(p_4a), p_4b_abs = fabsf(p_4b), p_4c_size = p_4a_abs + p_4b_abs,
+      p_4d_abs = fabsf(p_4d), p_4e_abs = fabsf(p_4e), p_4f_size = p_4d_abs + p_4e_abs,
+      p_4g_abs = fabsf(p_4g), p_4h_size = p_4f_size + p_4g_abs, p_4_size = p_4c_size + p_4h_size;
+  const float p_5a_abs = fabsf(p_5a), p_5b_abs = fabsf(p_5b), p_5c_size = p_5a_abs + p_5b_abs,
+      p_5d_abs = fabsf(p_5d), p_5e_abs = fabsf(p_5e), p_5f_size = p_5d_abs + p_5e_abs,
+      p_5g_abs = fabsf(p_5g), p_5h_size = p_5f_size + p_5g_abs, p_5_size = p_5c_size + p_5h_size;
+  const float p_0_padded = p_0_size + 1.9721523e-31f;
+  const float s_0_abs = fabsf(s->m0), twice_a_size = s_0_abs * p_0_padded;
+  const float p_1_padded = p_1_size + 1.9721523e-31f;
+  const float s_1_abs = fabsf(s->m1), twice_b_size = s_1_abs * p_1_padded,
+      twice_c_size = twice_a_size + twice_b_size;
+  const float p_2_padded = p_2_size + 1.9721523e-31f;
+  const float s_2_abs = fabsf(s->m2), twice_d_size = s_2_abs * p_2_padded,
+      twice_e_size = twice_c_size + twice_d_size;
+  const float p_3_padded = p_3_size + 1.9721523e-31f;
+  const float s_3_abs = fabsf(s->m3), twice_f_size = s_3_abs * p_3_padded;
+  const float p_4_padded = p_4_size + 1.9721523e-31f;
+  const float s_4_abs = fabsf(s->m4), twice_g_size = s_4_abs * p_4_padded,
+      twice_h_size = twice_f_size + twice_g_size;
+  const float p_5_padded = p_5_size + 1.9721523e-31f;
+  const float s_5_abs = fabsf(s->m5), twice_i_size = s_5_abs * p_5_padded,
+      twice_j_size = twice_h_size + twice_i_size, twice_size = twice_e_size + twice_j_size;
+  const float twice_padded = twice_size + 1.9721523e-31f;
+  const float energy_size = 0.5f * twice_padded;
+  const float energy_padded = energy_size + 1.9721523e-31f,
+      energy_error_bound = 5.36442e-07f * energy_padded;
+  *energy_bound = energy_error_bound;
+  return energy;
+}
+
+/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless
+     inf or NaN.
+   t: vector; B, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx,
+     yy, zz, xy, xz, yz in kg m^2).
+   30 mul, 45 add, 21 abs. */
+static inline void ksl_inertiaf_shifted_certified(const ksl_vec3f_t *t, const ksl_inertiaf_t *B,
+    ksl_inertiaf_t *Bo, ksl_inertiaf_t *Bo_bound) {
+  const float moved_0a = t->x * B->m, moved_0 = moved_0a + B->h.x;
+  const float moved_1a = t->y * B->m, moved_1 = moved_1a + B->h.y;
+  const float moved_2a = t->z * B->m, moved_2 = moved_2a + B->h.z;
+  const float own_0a = t->x * B->h.x, own_0b = t->x * moved_0, own_0 = own_0a + own_0b;
+  const float own_1a = t->y * B->h.y, own_1b = t->y * moved_1, own_1 = own_1a + own_1b;
+  const float own_2a = t->z * B->h.z, own_2b = t->z * moved_2, own_2 = own_2a + own_2b;
+  const float Bo_4a = own_1 + own_2, Bo_4 = B->xx + Bo_4a;
+  const float Bo_5a = own_0 + own_2, Bo_5 = B->yy + Bo_5a;
+  const float Bo_6a = own_0 + own_1, Bo_6 = B->zz + Bo_6a;
+  const float Bo_7a = t->x * moved_1, Bo_7b = B->xy - Bo_7a, Bo_7c = t->y * B->h.x,
+      Bo_7 = Bo_7b - Bo_7c;
+  const float Bo_8a = t->x * moved_2, Bo_8b = B->xz - Bo_8a, Bo_8c = t->z * B->h.x,
+      Bo_8 = Bo_8b - Bo_8c;
+  const float Bo_9a = t->y * moved_2, Bo_9b = B->yz - Bo_9a, Bo_9c = t->z * B->h.y,
+      Bo_9 = Bo_9b - Bo_9c;
+  const float moved_0a_abs = fabsf(moved_0a), B_1_abs = fabsf(B->h.x),
+      moved_0_size = moved_0a_abs + B_1_abs;
+  const float moved_1a_abs = fabsf(moved_1a), B_2_abs = fabsf(B->h.y),
+      moved_1_size = moved_1a_abs + B_2_abs;
+  const float moved_2a_abs = fabsf(moved_2a), B_3_abs = fabsf(B->h.z),
+      moved_2_size = moved_2a_abs + B_3_abs;
+  const float moved_0_padded = moved_0_size + 1.9721523e-31f;
+  const float t_0_abs = fabsf(t->x), own_0b_size = t_0_abs * moved_0_padded,
+      own_0a_abs = fabsf(own_0a), own_0_size = own_0a_abs + own_0b_size;
+  const float moved_1_padded = moved_1_size + 1.9721523e-31f;
+  const float t_1_abs = fabsf(t->y), own_1b_size = t_1_abs * moved_1_padded,
+      own_1a_abs = fabsf(own_1a), own_1_size = own_1a_abs + own_1b_size;
+  const float moved_2_padded = moved_2_size + 1.9721523e-31f;
+  const float t_2_abs = fabsf(t->z), own_2b_size = t_2_abs * moved_2_padded,
+      own_2a_abs = fabsf(own_2a), own_2_size = own_2a_abs + own_2b_size;
+  const float Bo_4a_size = own_1_size + own_2_size, B_4_abs = fabsf(B->xx),
+      Bo_4_size = B_4_abs + Bo_4a_size;
+  const float Bo_5a_size = own_0_size + own_2_size, B_5_abs = fabsf(B->yy),
+      Bo_5_size = B_5_abs + Bo_5a_size;
+  const float Bo_6a_size = own_0_size + own_1_size, B_6_abs = fabsf(B->zz),
+      Bo_6_size = B_6_abs + Bo_6a_size;
+  const float Bo_7a_size = t_0_abs * moved_1_padded, B_7_abs = fabsf(B->xy),
+      Bo_7b_size = B_7_abs + Bo_7a_size, Bo_7c_abs = fabsf(Bo_7c),
+      Bo_7_size = Bo_7b_size + Bo_7c_abs;
+  const float Bo_8a_size = t_0_abs * moved_2_padded, B_8_abs = fabsf(B->xz),
+      Bo_8b_size = B_8_abs + Bo_8a_size, Bo_8c_abs = fabsf(Bo_8c),
+      Bo_8_size = Bo_8b_size + Bo_8c_abs;
+  const float Bo_9a_size = t_1_abs * moved_2_padded, B_9_abs = fabsf(B->yz),
+      Bo_9b_size = B_9_abs + Bo_9a_size, Bo_9c_abs = fabsf(Bo_9c),
+      Bo_9_size = Bo_9b_size + Bo_9c_abs;
+  const float moved_0_error_bound = 1.192093e-07f * moved_0_padded;
+  const float moved_1_error_bound = 1.192093e-07f * moved_1_padded;
+  const float moved_2_error_bound = 1.192093e-07f * moved_2_padded;
+  const float Bo_4_padded = Bo_4_size + 1.9721523e-31f,
+      Bo_4_error_bound = 3.5762795e-07f * Bo_4_padded;
+  const float Bo_5_padded = Bo_5_size + 1.9721523e-31f,
+      Bo_5_error_bound = 3.5762795e-07f * Bo_5_padded;
+  const float Bo_6_padded = Bo_6_size + 1.9721523e-31f,
+      Bo_6_error_bound = 3.5762795e-07f * Bo_6_padded;
+  const float Bo_7_padded = Bo_7_size + 1.9721523e-31f,
+      Bo_7_error_bound = 2.9802328e-07f * Bo_7_padded;
+  const float Bo_8_padded = Bo_8_size + 1.9721523e-31f,
+      Bo_8_error_bound = 2.9802328e-07f * Bo_8_padded;
+  const float Bo_9_padded = Bo_9_size + 1.9721523e-31f,
+      Bo_9_error_bound = 2.9802328e-07f * Bo_9_padded;
+  const float B_m = B->m;
+  Bo->m = B_m;
+  Bo->h.x = moved_0;
+  Bo->h.y = moved_1;
+  Bo->h.z = moved_2;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+  Bo_bound->m = 0.0f;
+  Bo_bound->h.x = moved_0_error_bound;
+  Bo_bound->h.y = moved_1_error_bound;
+  Bo_bound->h.z = moved_2_error_bound;
+  Bo_bound->xx = Bo_4_error_bound;
+  Bo_bound->yy = Bo_5_error_bound;
+  Bo_bound->zz = Bo_6_error_bound;
+  Bo_bound->xy = Bo_7_error_bound;
+  Bo_bound->xz = Bo_8_error_bound;
+  Bo_bound->yz = Bo_9_error_bound;
+}
+
+/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to; |error of Bo| <=
+     Bo_bound unless inf or NaN.
+   D: displacement [R | t], R rotation, t in m; B, Bo, Bo_bound: spatial inertia (m in kg; h = m
+     c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+   108 mul, 129 add, 51 abs. */
+static inline void ksl_inertiaf_transformed_certified(const ksl_SE3f_t *D,
+    const ksl_inertiaf_t *B, ksl_inertiaf_t *Bo, ksl_inertiaf_t *Bo_bound) {
+  const float RI_0a = D->m00 * B->xx, RI_0b = D->m01 * B->xy, RI_0c = RI_0a + RI_0b,
+      RI_0d = D->m02 * B->xz, RI_0 = RI_0c + RI_0d;
+  const float RI_1a = D->m00 * B->xy, RI_1b = D->m01 * B->yy, RI_1c = RI_1a + RI_1b,
+      RI_1d = D->m02 * B->yz, RI_1 = RI_1c + RI_1d;
+  const float RI_2a = D->m00 * B->xz, RI_2b = D->m01 * B->yz, RI_2c = RI_2a + RI_2b,
+      RI_2d = D->m02 * B->zz, RI_2 = RI_2c + RI_2d;
+  const float RI_3a = D->m10 * B->xx, RI_3b = D->m11 * B->xy, RI_3c = RI_3a + RI_3b,
+      RI_3d = D->m12 * B->xz, RI_3 = RI_3c + RI_3d;
+  const float RI_4a = D->m10 * B->xy, RI_4b = D->m11 * B->yy, RI_4c = RI_4a + RI_4b,
+      RI_4d = D->m12 * B->yz, RI_4 = RI_4c + RI_4d;
+  const float RI_5a = D->m10 * B->xz, RI_5b = D->m11 * B->yz, RI_5c = RI_5a + RI_5b,
+      RI_5d = D->m12 * B->zz, RI_5 = RI_5c + RI_5d;
+  const float RI_6a = D->m20 * B->xx, RI_6b = D->m21 * B->xy, RI_6c = RI_6a + RI_6b,
+      RI_6d = D->m22 * B->xz, RI_6 = RI_6c + RI_6d;
+  const float RI_7a = D->m20 * B->xy, RI_7b = D->m21 * B->yy, RI_7c = RI_7a + RI_7b,
+      RI_7d = D->m22 * B->yz, RI_7 = RI_7c + RI_7d;
+  const float RI_8a = D->m20 * B->xz, RI_8b = D->m21 * B->yz, RI_8c = RI_8a + RI_8b,
+      RI_8d = D->m22 * B->zz, RI_8 = RI_8c + RI_8d;
+  const float turned_1a = D->m00 * B->h.x, turned_1b = D->m01 * B->h.y,
+      turned_1c = turned_1a + turned_1b, turned_1d = D->m02 * B->h.z,
+      turned_1 = turned_1c + turned_1d;
+  const float turned_2a = D->m10 * B->h.x, turned_2b = D->m11 * B->h.y,
+      turned_2c = turned_2a + turned_2b, turned_2d = D->m12 * B->h.z,
+      turned_2 = turned_2c + turned_2d;
+  const float turned_3a = D->m20 * B->h.x, turned_3b = D->m21 * B->h.y,
+      turned_3c = turned_3a + turned_3b, turned_3d = D->m22 * B->h.z,
+      turned_3 = turned_3c + turned_3d;
+  const float turned_4a = D->m00 * RI_0, turned_4b = D->m01 * RI_1,
+      turned_4c = turned_4a + turned_4b, turned_4d = D->m02 * RI_2,
+      turned_4 = turned_4c + turned_4d;
+  const float turned_5a = D->m10 * RI_3, turned_5b = D->m11 * RI_4,
+      turned_5c = turned_5a + turned_5b, turned_5d = D->m12 * RI_5,
+      turned_5 = turned_5c + turned_5d;
+  const float turned_6a = D->m20 * RI_6, turned_6b = D->m21 * RI_7,
+      turned_6c = turned_6a + turned_6b, turned_6d = D->m22 * RI_8,
+      turned_6 = turned_6c + turned_6d;
+  const float turned_7a = D->m10 * RI_0, turned_7b = D->m11 * RI_1,
+      turned_7c = turned_7a + turned_7b, turned_7d = D->m12 * RI_2,
+      turned_7 = turned_7c + turned_7d;
+  const float turned_8a = D->m20 * RI_0, turned_8b = D->m21 * RI_1,
+      turned_8c = turned_8a + turned_8b, turned_8d = D->m22 * RI_2,
+      turned_8 = turned_8c + turned_8d;
+  const float turned_9a = D->m20 * RI_3, turned_9b = D->m21 * RI_4,
+      turned_9c = turned_9a + turned_9b, turned_9d = D->m22 * RI_5,
+      turned_9 = turned_9c + turned_9d;
+  const float moved_0a = D->m03 * B->m, moved_0 = moved_0a + turned_1;
+  const float moved_1a = D->m13 * B->m, moved_1 = moved_1a + turned_2;
+  const float moved_2a = D->m23 * B->m, moved_2 = moved_2a + turned_3;
+  const float own_0a = D->m03 * turned_1, own_0b = D->m03 * moved_0, own_0 = own_0a + own_0b;
+  const float own_1a = D->m13 * turned_2, own_1b = D->m13 * moved_1, own_1 = own_1a + own_1b;
+  const float own_2a = D->m23 * turned_3, own_2b = D->m23 * moved_2, own_2 = own_2a + own_2b;
+  const float Bo_4a = own_1 + own_2, Bo_4 = turned_4 + Bo_4a;
+  const float Bo_5a = own_0 + own_2, Bo_5 = turned_5 + Bo_5a;
+  const float Bo_6a = own_0 + own_1, Bo_6 = turned_6 + Bo_6a;
+  const float Bo_7a = D->m03 * moved_1, Bo_7b = turned_7 - Bo_7a, Bo_7c = D->m13 * turned_1,
+      Bo_7 = Bo_7b - Bo_7c;
+  const float Bo_8a = D->m03 * moved_2, Bo_8b = turned_8 - Bo_8a, Bo_8c = D->m23 * turned_1,
+      Bo_8 = Bo_8b - Bo_8c;
+  const float Bo_9a = D->m13 * moved_2, Bo_9b = turned_9 - Bo_9a, Bo_9c = D->m23 * turned_2,
+      Bo_9 = Bo_9b - Bo_9c;
+  const float RI_0a_abs = fabsf(RI_0a), RI_0b_abs = fabsf(RI_0b),
+      RI_0c_size = RI_0a_abs + RI_0b_abs, RI_0d_abs = fabsf(RI_0d),
+      RI_0_size = RI_0c_size + RI_0d_abs;
+  const float RI_1a_abs = fabsf(RI_1a), RI_1b_abs = fabsf(RI_1b),
+      RI_1c_size = RI_1a_abs + RI_1b_abs, RI_1d_abs = fabsf(RI_1d),
+      RI_1_size = RI_1c_size + RI_1d_abs;
+  const float RI_2a_abs = fabsf(RI_2a), RI_2b_abs = fabsf(RI_2b),
+      RI_2c_size = RI_2a_abs + RI_2b_abs, RI_2d_abs = fabsf(RI_2d),
+      RI_2_size = RI_2c_size + RI_2d_abs;
+  const float RI_3a_abs = fabsf(RI_3a), RI_3b_abs = fabsf(RI_3b),
+      RI_3c_size = RI_3a_abs + RI_3b_abs, RI_3d_abs = fabsf(RI_3d),
+      RI_3_size = RI_3c_size + RI_3d_abs;
+  const float RI_4a_abs = fabsf(RI_4a), RI_4b_abs = fabsf(RI_4b),
+      RI_4c_size = RI_4a_abs + RI_4b_abs, RI_4d_abs = fabsf(RI_4d),
+      RI_4_size = RI_4c_size + RI_4d_abs;
+  const float RI_5a_abs = fabsf(RI_5a), RI_5b_abs = fabsf(RI_5b),
+      RI_5c_size = RI_5a_abs + RI_5b_abs, RI_5d_abs = fabsf(RI_5d),
+      RI_5_size = RI_5c_size + RI_5d_abs;
+  const float RI_6a_abs = fabsf(RI_6a), RI_6b_abs = fabsf(RI_6b),
+      RI_6c_size = RI_6a_abs + RI_6b_abs, RI_6d_abs = fabsf(RI_6d),
+      RI_6_size = RI_6c_size + RI_6d_abs;
+  const float RI_7a_abs = fabsf(RI_7a), RI_7b_abs = fabsf(RI_7b),
+      RI_7c_size = RI_7a_abs + RI_7b_abs, RI_7d_abs = fabsf(RI_7d),
+      RI_7_size = RI_7c_size + RI_7d_abs;
+  const float RI_8a_abs = fabsf(RI_8a), RI_8b_abs = fabsf(RI_8b),
+      RI_8c_size = RI_8a_abs + RI_8b_abs, RI_8d_abs = fabsf(RI_8d),
+      RI_8_size = RI_8c_size + RI_8d_abs;
+  const float turned_1a_abs = fabsf(turned_1a), turned_1b_abs = fabsf(turned_1b),
+      turned_1c_size = turned_1a_abs + turned_1b_abs, turned_1d_abs = fabsf(turned_1d),
+      turned_1_size = turned_1c_size + turned_1d_abs;
+  const float turned_2a_abs = fabsf(turned_2a), turned_2b_abs = fabsf(turned_2b),
+      turned_2c_size = turned_2a_abs + turned_2b_abs, turned_2d_abs = fabsf(turned_2d),
+      turned_2_size = turned_2c_size + turned_2d_abs;
+  const float turned_3a_abs = fabsf(turned_3a), turned_3b_abs = fabsf(turned_3b),
+      turned_3c_size = turned_3a_abs + turned_3b_abs, turned_3d_abs = fabsf(turned_3d),
+      turned_3_size = turned_3c_size + turned_3d_abs;
+  const float RI_0_padded = RI_0_size + 1.9721523e-31f;
+  const float D_00_abs = fabsf(D->m00), turned_4a_size = D_00_abs * RI_0_padded;
+  const float RI_1_padded = RI_1_size + 1.9721523e-31f;
+  const float D_01_abs = fabsf(D->m01), turned_4b_size = D_01_abs * RI_1_padded,
+      turned_4c_size = turned_4a_size + turned_4b_size;
+  const float RI_2_padded = RI_2_size + 1.9721523e-31f;
+  const float D_02_abs = fabsf(D->m02), turned_4d_size = D_02_abs * RI_2_padded,
+      turned_4_size = turned_4c_size + turned_4d_size;
+  const float RI_3_padded = RI_3_size + 1.9721523e-31f;
+  const float D_10_abs = fabsf(D->m10), turned_5a_size = D_10_abs * RI_3_padded;
+  const float RI_4_padded = RI_4_size + 1.9721523e-31f;
+  const float D_11_abs = fabsf(D->m11), turned_5b_size = D_11_abs * RI_4_padded,
+      turned_5c_size = turned_5a_size + turned_5b_size;
+  const float RI_5_padded = RI_5_size + 1.9721523e-31f;
+  const float D_12_abs = fabsf(D->m12), turned_5d_size = D_12_abs * RI_5_padded,
+      turned_5_size = turned_5c_size + turned_5d_size;
+  const float RI_6_padded = RI_6_size + 1.9721523e-31f;
+  const float D_20_abs = fabsf(D->m20), turned_6a_size = D_20_abs * RI_6_padded;
+  const float RI_7_padded = RI_7_size + 1.9721523e-31f;
+  const float D_21_abs = fabsf(D->m21), turned_6b_size = D_21_abs * RI_7_padded,
+      turned_6c_size = turned_6a_size + turned_6b_size;
+  const float RI_8_padded = RI_8_size + 1.9721523e-31f;
+  const float D_22_abs = fabsf(D->m22), turned_6d_size = D_22_abs * RI_8_padded,
+      turned_6_size = turned_6c_size + turned_6d_size;
+  const float turned_7a_size = D_10_abs * RI_0_padded, turned_7b_size = D_11_abs * RI_1_padded,
+      turned_7c_size = turned_7a_size + turned_7b_size, turned_7d_size = D_12_abs * RI_2_padded,
+      turned_7_size = turned_7c_size + turned_7d_size;
+  const float turned_8a_size = D_20_abs * RI_0_padded, turned_8b_size = D_21_abs * RI_1_padded,
+      turned_8c_size = turned_8a_size + turned_8b_size, turned_8d_size = D_22_abs * RI_2_padded,
+      turned_8_size = turned_8c_size + turned_8d_size;
+  const float turned_9a_size = D_20_abs * RI_3_padded, turned_9b_size = D_21_abs * RI_4_padded,
+      turned_9c_size = turned_9a_size + turned_9b_size, turned_9d_size = D_22_abs * RI_5_padded,
+      turned_9_size = turned_9c_size + turned_9d_size;
+  const float moved_0a_abs = fabsf(moved_0a), moved_0_size = moved_0a_abs + turned_1_size;
+  const float moved_1a_abs = fabsf(moved_1a), moved_1_size = moved_1a_abs + turned_2_size;
+  const float moved_2a_abs = fabsf(moved_2a), moved_2_size = moved_2a_abs + turned_3_size;
+  const float turned_1_padded = turned_1_size + 1.9721523e-31f;
+  const float D_03_abs = fabsf(D->m03), own_0a_size = D_03_abs * turned_1_padded;
+  const float moved_0_padded = moved_0_size + 1.9721523e-31f;
+  const float own_0b_size = D_03_abs * moved_0_padded, own_0_size = own_0a_size + own_0b_size;
+  const float turned_2_padded = turned_2_size + 1.9721523e-31f;
+  const float D_13_abs = fabsf(D->m13), own_1a_size = D_13_abs * turned_2_padded;
+  const float moved_1_padded = moved_1_size + 1.9721523e-31f;
+  const float own_1b_size = D_13_abs * moved_1_padded, own_1_size = own_1a_size + own_1b_size;
+  const float turned_3_padded = turned_3_size + 1.9721523e-31f;
+  const float D_23_abs = fabsf(D->m23), own_2a_size = D_23_abs * turned_3_padded;
+  const float moved_2_padded = moved_2_size + 1.9721523e-31f;
+  const float own_2b_size = D_23_abs * moved_2_padded, own_2_size = own_2a_size + own_2b_size;
+  const float Bo_4a_size = own_1_size + own_2_size, Bo_4_size = turned_4_size + Bo_4a_size;
+  const float Bo_5a_size = own_0_size + own_2_size, Bo_5_size = turned_5_size + Bo_5a_size;
+  const float Bo_6a_size = own_0_size + own_1_size, Bo_6_size = turned_6_size + Bo_6a_size;
+  const float Bo_7a_size = D_03_abs * moved_1_padded, Bo_7b_size = turned_7_size + Bo_7a_size,
+      Bo_7c_size = D_13_abs * turned_1_padded, Bo_7_size = Bo_7b_size + Bo_7c_size;
+  const float Bo_8a_size = D_03_abs * moved_2_padded, Bo_8b_size = turned_8_size + Bo_8a_size,
+      Bo_8c_size = D_23_abs * turned_1_padded, Bo_8_size = Bo_8b_size + Bo_8c_size;
+  const float Bo_9a_size = D_13_abs * moved_2_padded, Bo_9b_size = turned_9_size + Bo_9a_size,
+      Bo_9c_size = D_23_abs * turned_2_padded, Bo_9_size = Bo_9b_size + Bo_9c_size;
+  const float moved_0_error_bound = 2.3841864e-07f * moved_0_padded;
+  const float moved_1_error_bound = 2.3841864e-07f * moved_1_padded;
+  const float moved_2_error_bound = 2.3841864e-07f * moved_2_padded;
+  const float Bo_4_padded = Bo_4_size + 1.9721523e-31f,
+      Bo_4_error_bound = 4.7683733e-07f * Bo_4_padded;
+  const float Bo_5_padded = Bo_5_size + 1.9721523e-31f,
+      Bo_5_error_bound = 4.7683733e-07f * Bo_5_padded;
+  const float Bo_6_padded = Bo_6_size + 1.9721523e-31f,
+      Bo_6_error_bound = 4.7683733e-07f * Bo_6_padded;
+  const float Bo_7_padded = Bo_7_size + 1.9721523e-31f,
+      Bo_7_error_bound = 4.7683733e-07f * Bo_7_padded;
+  const float Bo_8_padded = Bo_8_size + 1.9721523e-31f,
+      Bo_8_error_bound = 4.7683733e-07f * Bo_8_padded;
+  const float Bo_9_padded = Bo_9_size + 1.9721523e-31f,
+      Bo_9_error_bound = 4.7683733e-07f * Bo_9_padded;
+  const float B_m = B->m;
+  Bo->m = B_m;
+  Bo->h.x = moved_0;
+  Bo->h.y = moved_1;
+  Bo->h.z = moved_2;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+  Bo_bound->m = 0.0f;
+  Bo_bound->h.x = moved_0_error_bound;
+  Bo_bound->h.y = moved_1_error_bound;
+  Bo_bound->h.z = moved_2_error_bound;
+  Bo_bound->xx = Bo_4_error_bound;
+  Bo_bound->yy = Bo_5_error_bound;
+  Bo_bound->zz = Bo_6_error_bound;
+  Bo_bound->xy = Bo_7_error_bound;
+  Bo_bound->xz = Bo_8_error_bound;
+  Bo_bound->yz = Bo_9_error_bound;
+}
+
+#endif

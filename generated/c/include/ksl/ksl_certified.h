@@ -1,0 +1,16 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* All kernels of the certified tier. */
+#ifndef KSL_CERTIFIED_H
+#define KSL_CERTIFIED_H
+
+#include "vec3_certified.h"
+#include "mat3x3_certified.h"
+#include "SE3_certified.h"
+#include "matrix_certified.h"
+#include "screw_certified.h"
+#include "coscrew_certified.h"
+#include "quaternion_certified.h"
+#include "exponential_certified.h"
+#include "inertia_certified.h"
+
+#endif

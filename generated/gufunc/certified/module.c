@@ -1,0 +1,80 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* The extension module coscrew.certified._gufunc: registers every gufunc. */
+#include "_gufunc.h"
+
+static const coscrew_gufunc *const baseline[] = {coscrew_vec3_gufuncs, coscrew_mat3x3_gufuncs,
+    coscrew_SE3_gufuncs, coscrew_matrix_gufuncs, coscrew_screw_gufuncs, coscrew_coscrew_gufuncs,
+    coscrew_quaternion_gufuncs, coscrew_exponential_gufuncs, coscrew_inertia_gufuncs};
+
+#if COSCREW_HAS_AVX2
+static const coscrew_gufunc *const avx2[] = {coscrew_vec3_gufuncs_avx2, coscrew_mat3x3_gufuncs_avx2,
+    coscrew_SE3_gufuncs_avx2, coscrew_matrix_gufuncs_avx2, coscrew_screw_gufuncs_avx2,
+    coscrew_coscrew_gufuncs_avx2, coscrew_quaternion_gufuncs_avx2, coscrew_exponential_gufuncs_avx2,
+    coscrew_inertia_gufuncs_avx2};
+#endif
+
+/* The loops that suit this processor best; COSCREW_BASELINE in the environment asks for others. */
+static const coscrew_gufunc *const *best_families(void) {
+#if COSCREW_HAS_AVX2
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("avx2") && getenv("COSCREW_BASELINE") == NULL) {
+    return avx2;
+  }
+#endif
+  return baseline;
+}
+
+/* The type numbers of each loop: as many as the gufunc with the most arguments needs. */
+enum { MOST_ARGUMENTS = 5, LOOPS = 2 };
+static void *no_data[LOOPS];
+
+static char types[MOST_ARGUMENTS + 1][LOOPS * (MOST_ARGUMENTS + 1)];
+
+static void fill_types(void) {
+  static const char numbers[LOOPS] = { NPY_DOUBLE, NPY_FLOAT };
+  for (int arguments = 0; arguments <= MOST_ARGUMENTS; arguments++) {
+    for (int k = 0; k < LOOPS * arguments; k++) {
+      types[arguments][k] = numbers[k / arguments];
+    }
+  }
+}
+
+static int add_gufuncs(PyObject *module, const coscrew_gufunc *g) {
+  for (; g->name != NULL; g++) {
+    PyObject *ufunc = PyUFunc_FromFuncAndDataAndSignature(
+        g->loops, no_data, types[g->inputs + g->outputs], LOOPS, g->inputs, g->outputs,
+        PyUFunc_None, g->name, g->doc, 0, g->signature);
+    if (ufunc == NULL || coscrew_add_promoter(ufunc) < 0
+        || PyModule_AddObject(module, g->name, ufunc) < 0) {
+      Py_XDECREF(ufunc);
+      return -1;
+    }
+  }
+  return 0;
+}
+
+static struct PyModuleDef definition = {
+    PyModuleDef_HEAD_INIT, "_gufunc", "Generalized ufuncs of the spatial algebra.", -1,
+    NULL, NULL, NULL, NULL, NULL};
+
+PyMODINIT_FUNC PyInit__gufunc(void) {
+  import_array();
+  import_umath();
+  fill_types();
+  PyObject *module = PyModule_Create(&definition);
+  if (module == NULL) {
+    return NULL;
+  }
+  const coscrew_gufunc *const *families = best_families();
+  for (size_t k = 0; k < sizeof baseline / sizeof baseline[0]; k++) {
+    if (add_gufuncs(module, families[k]) < 0) {
+      Py_DECREF(module);
+      return NULL;
+    }
+  }
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "0d6c234655293887") < 0) {
+    Py_DECREF(module);
+    return NULL;
+  }
+  return module;
+}

@@ -1,0 +1,1120 @@
+# Made by `coscrew generate`; changes are overwritten.
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+def vec3_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """self = a self; |error of self| <= self_bound unless inf or NaN.
+
+    (3),()->(3),(3).  self, self_bound: vector; a: number.
+    6 mul, 3 add, 3 abs.
+    """
+
+def axpy_vv(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """y = a x + y; |error of y| <= y_bound unless inf or NaN.
+
+    (),(3),(3)->(3),(3).  a: number; x, y, y_bound: vector.
+    6 mul, 9 add, 6 abs.
+    """
+
+def xpy_vv(x: ArrayLike, y: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """y = x + y; |error of y| <= y_bound unless inf or NaN.
+
+    (3),(3)->(3),(3).  x, y, y_bound: vector.
+    3 mul, 3 add, 3 abs.
+    """
+
+def nxpy_vv(x: ArrayLike, y: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """y = -x + y; |error of y| <= y_bound unless inf or NaN.
+
+    (3),(3)->(3),(3).  x, y, y_bound: vector.
+    3 mul, 3 add, 3 abs.
+    """
+
+def product_av(a: ArrayLike, vi: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = a vi; |error of vo| <= vo_bound unless inf or NaN.
+
+    (),(3)->(3),(3).  a: number; vi, vo, vo_bound: vector.
+    6 mul, 3 add, 3 abs.
+    """
+
+def add_vv(v1: ArrayLike, v2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = v1 + v2; |error of vo| <= vo_bound unless inf or NaN.
+
+    (3),(3)->(3),(3).  v1, v2, vo, vo_bound: vector.
+    3 mul, 3 add, 3 abs.
+    """
+
+def subtract_vv(v1: ArrayLike, v2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = v1 - v2; |error of vo| <= vo_bound unless inf or NaN.
+
+    (3),(3)->(3),(3).  v1, v2, vo, vo_bound: vector.
+    3 mul, 3 add, 3 abs.
+    """
+
+def vec3_scaled(v: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = k v; |error of vo| <= vo_bound unless inf or NaN.
+
+    (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
+    6 mul, 3 add, 3 abs.
+    """
+
+def dot_vv(v1: ArrayLike, v2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """v1·v2; |error of dot| <= dot_bound unless inf or NaN.
+
+    (3),(3)->(),().  v1, v2: vector; dot, dot_bound: number.
+    4 mul, 5 add, 3 abs.
+    """
+
+def product_avinv(k: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = k (-v); |error of vo| <= vo_bound unless inf or NaN.
+
+    (),(3)->(3),(3).  k: number; v, vo, vo_bound: vector.
+    6 mul, 3 add, 3 neg, 3 abs.
+    """
+
+def cross_vv(v1: ArrayLike, v2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = v1 × v2; |error of vo| <= vo_bound unless inf or NaN.  Exactly zero for v1 = v2, unless
+    products overflow.
+
+    (3),(3)->(3),(3).  v1, v2, vo, vo_bound: vector.
+    9 mul, 9 add, 6 abs.
+    """
+
+def cross_vvinv(v1: ArrayLike, v2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = v1 × (-v2); |error of vo| <= vo_bound unless inf or NaN.
+
+    (3),(3)->(3),(3).  v1, v2, vo, vo_bound: vector.
+    9 mul, 9 add, 6 abs.
+    """
+
+def add_vvx(v: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = v + k e_x; |error of vo| <= vo_bound unless inf or NaN.
+
+    (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
+    1 mul, 1 add, 1 abs.
+    """
+
+def add_vvxinv(v: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = v - k e_x; |error of vo| <= vo_bound unless inf or NaN.
+
+    (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
+    1 mul, 1 add, 1 abs.
+    """
+
+def add_vvy(v: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = v + k e_y; |error of vo| <= vo_bound unless inf or NaN.
+
+    (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
+    1 mul, 1 add, 1 abs.
+    """
+
+def add_vvyinv(v: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = v - k e_y; |error of vo| <= vo_bound unless inf or NaN.
+
+    (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
+    1 mul, 1 add, 1 abs.
+    """
+
+def add_vvz(v: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = v + k e_z; |error of vo| <= vo_bound unless inf or NaN.
+
+    (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
+    1 mul, 1 add, 1 abs.
+    """
+
+def add_vvzinv(v: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = v - k e_z; |error of vo| <= vo_bound unless inf or NaN.
+
+    (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
+    1 mul, 1 add, 1 abs.
+    """
+
+def mat3x3_determinant(R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """det R; |error of det| <= det_bound unless inf or NaN.
+
+    (3,3)->(),().  R: rotation or other 3×3 matrix; det, det_bound: number.
+    13 mul, 14 add, 9 abs.
+    """
+
+def SE3_invert(self: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """self = self^-1 = [R^T | -R^T t]; |error of self| <= self_bound unless inf or NaN.
+
+    (3,4)->(3,4),(3,4).  self, self_bound: displacement [R | t], R rotation, t in m.
+    12 mul, 15 add, 3 neg, 9 abs.
+    """
+
+def SE3_inverted(D: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Do = D^-1 = [R^T | -R^T t]; |error of Do| <= Do_bound unless inf or NaN.
+
+    (3,4)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m.
+    12 mul, 15 add, 3 neg, 9 abs.
+    """
+
+def product_drv(R: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = R v; |error of vo| <= vo_bound unless inf or NaN.
+
+    (3,3),(3)->(3),(3).  R: rotation or other 3×3 matrix; v, vo, vo_bound: vector.
+    12 mul, 15 add, 9 abs.
+    """
+
+def product_drvinv(R: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = R (-v); |error of vo| <= vo_bound unless inf or NaN.
+
+    (3,3),(3)->(3),(3).  R: rotation or other 3×3 matrix; v, vo, vo_bound: vector.
+    12 mul, 15 add, 3 neg, 9 abs.
+    """
+
+def product_drinvv(R: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = R^T v; |error of vo| <= vo_bound unless inf or NaN.
+
+    (3,3),(3)->(3),(3).  R: rotation or other 3×3 matrix; v, vo, vo_bound: vector.
+    12 mul, 15 add, 9 abs.
+    """
+
+def product_drinvvinv(R: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = R^T (-v); |error of vo| <= vo_bound unless inf or NaN.
+
+    (3,3),(3)->(3),(3).  R: rotation or other 3×3 matrix; v, vo, vo_bound: vector.
+    12 mul, 15 add, 3 neg, 9 abs.
+    """
+
+def product_dv(D: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = R v + t; |error of vo| <= vo_bound unless inf or NaN.
+
+    (3,4),(3)->(3),(3).  D: displacement [R | t], R rotation, t in m; v, vo, vo_bound: vector.
+    12 mul, 21 add, 12 abs.
+    """
+
+def product_dinvv(D: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = R^T (v - t); |error of vo| <= vo_bound unless inf or NaN.
+
+    (3,4),(3)->(3),(3).  D: displacement [R | t], R rotation, t in m; v, vo, vo_bound: vector.
+    21 mul, 18 add, 12 abs.
+    """
+
+def product_drdr(R1: ArrayLike, R2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Ro = R1 R2; |error of Ro| <= Ro_bound unless inf or NaN.
+
+    (3,3),(3,3)->(3,3),(3,3).  R1, R2, Ro, Ro_bound: rotation or other 3×3 matrix.
+    36 mul, 45 add, 27 abs.
+    """
+
+def product_drdrinv(R1: ArrayLike, R2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Ro = R1 R2^T; |error of Ro| <= Ro_bound unless inf or NaN.
+
+    (3,3),(3,3)->(3,3),(3,3).  R1, R2, Ro, Ro_bound: rotation or other 3×3 matrix.
+    36 mul, 45 add, 27 abs.
+    """
+
+def product_drinvdr(R1: ArrayLike, R2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Ro = R1^T R2; |error of Ro| <= Ro_bound unless inf or NaN.
+
+    (3,3),(3,3)->(3,3),(3,3).  R1, R2, Ro, Ro_bound: rotation or other 3×3 matrix.
+    36 mul, 45 add, 27 abs.
+    """
+
+def product_dd(D1: ArrayLike, D2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Do = D1 D2 = [R1 R2 | R1 t2 + t1]; |error of Do| <= Do_bound unless inf or NaN.
+
+    (3,4),(3,4)->(3,4),(3,4).  D1, D2, Do, Do_bound: displacement [R | t], R rotation, t in m.
+    48 mul, 66 add, 39 abs.
+    """
+
+def product_ddinv(D1: ArrayLike, D2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T; |error of Do| <= Do_bound unless inf or NaN.
+
+    (3,4),(3,4)->(3,4),(3,4).  D1, D2, Do, Do_bound: displacement [R | t], R rotation, t in m.
+    57 mul, 66 add, 33 abs.
+    """
+
+def product_dinvd(D1: ArrayLike, D2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)]; |error of Do| <= Do_bound unless inf or NaN.
+
+    (3,4),(3,4)->(3,4),(3,4).  D1, D2, Do, Do_bound: displacement [R | t], R rotation, t in m.
+    57 mul, 63 add, 39 abs.
+    """
+
+def product_ddr(D: ArrayLike, R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Do = D [R | 0]; |error of Do| <= Do_bound unless inf or NaN.
+
+    (3,4),(3,3)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; R:
+    rotation or other 3×3 matrix.
+    36 mul, 45 add, 27 abs.
+    """
+
+def product_ddrinv(D: ArrayLike, R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Do = D [R^T | 0]; |error of Do| <= Do_bound unless inf or NaN.
+
+    (3,4),(3,3)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; R:
+    rotation or other 3×3 matrix.
+    36 mul, 45 add, 27 abs.
+    """
+
+def product_ddt(D: ArrayLike, t: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Do = D [I | t]; |error of Do| <= Do_bound unless inf or NaN.
+
+    (3,4),(3)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; t:
+    vector.
+    12 mul, 21 add, 12 abs.
+    """
+
+def product_ddtinv(D: ArrayLike, t: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Do = D [I | -t]; |error of Do| <= Do_bound unless inf or NaN.
+
+    (3,4),(3)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; t:
+    vector.
+    12 mul, 21 add, 12 abs.
+    """
+
+def product_dinvdt(D: ArrayLike, t: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Do = D^-1 [I | t] = [R^T | R^T (t - t_D)]; |error of Do| <= Do_bound unless inf or NaN.
+
+    (3,4),(3)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; t:
+    vector.
+    21 mul, 18 add, 12 abs.
+    """
+
+def product_drvtx(R: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = R (k e_x); |error of vo| <= vo_bound unless inf or NaN.
+
+    (3,3),()->(3),(3).  R: rotation or other 3×3 matrix; k: number; vo, vo_bound: vector.
+    6 mul, 3 add, 3 abs.
+    """
+
+def product_drdrx(R: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Ro = R R_x(θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
+
+    (3,3),(2)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
+    18 mul, 18 add, 12 abs.
+    """
+
+def product_ddrx(D: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Do = D [R_x(θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
+
+    (3,4),(2)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; dc: (sin
+    θ, cos θ).
+    18 mul, 18 add, 12 abs.
+    """
+
+def product_ddtx(D: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Do = D [I | k e_x]; |error of Do| <= Do_bound unless inf or NaN.
+
+    (3,4),()->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; k:
+    number.
+    6 mul, 9 add, 6 abs.
+    """
+
+def product_drvtxinv(R: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = R (-k e_x); |error of vo| <= vo_bound unless inf or NaN.
+
+    (3,3),()->(3),(3).  R: rotation or other 3×3 matrix; k: number; vo, vo_bound: vector.
+    6 mul, 3 add, 3 neg, 3 abs.
+    """
+
+def product_drdrxinv(R: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Ro = R R_x(-θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
+
+    (3,3),(2)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
+    18 mul, 18 add, 12 abs.
+    """
+
+def product_ddrxinv(D: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
+
+    (3,4),(2)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; dc: (sin
+    θ, cos θ).
+    18 mul, 18 add, 12 abs.
+    """
+
+def product_ddtxinv(D: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Do = D [I | -k e_x]; |error of Do| <= Do_bound unless inf or NaN.
+
+    (3,4),()->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; k:
+    number.
+    6 mul, 9 add, 6 abs.
+    """
+
+def product_drvty(R: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = R (k e_y); |error of vo| <= vo_bound unless inf or NaN.
+
+    (3,3),()->(3),(3).  R: rotation or other 3×3 matrix; k: number; vo, vo_bound: vector.
+    6 mul, 3 add, 3 abs.
+    """
+
+def product_drdry(R: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Ro = R R_y(θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
+
+    (3,3),(2)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
+    18 mul, 18 add, 12 abs.
+    """
+
+def product_ddry(D: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Do = D [R_y(θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
+
+    (3,4),(2)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; dc: (sin
+    θ, cos θ).
+    18 mul, 18 add, 12 abs.
+    """
+
+def product_ddty(D: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Do = D [I | k e_y]; |error of Do| <= Do_bound unless inf or NaN.
+
+    (3,4),()->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; k:
+    number.
+    6 mul, 9 add, 6 abs.
+    """
+
+def product_drvtyinv(R: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = R (-k e_y); |error of vo| <= vo_bound unless inf or NaN.
+
+    (3,3),()->(3),(3).  R: rotation or other 3×3 matrix; k: number; vo, vo_bound: vector.
+    6 mul, 3 add, 3 neg, 3 abs.
+    """
+
+def product_drdryinv(R: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Ro = R R_y(-θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
+
+    (3,3),(2)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
+    18 mul, 18 add, 12 abs.
+    """
+
+def product_ddryinv(D: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
+
+    (3,4),(2)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; dc: (sin
+    θ, cos θ).
+    18 mul, 18 add, 12 abs.
+    """
+
+def product_ddtyinv(D: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Do = D [I | -k e_y]; |error of Do| <= Do_bound unless inf or NaN.
+
+    (3,4),()->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; k:
+    number.
+    6 mul, 9 add, 6 abs.
+    """
+
+def product_drvtz(R: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = R (k e_z); |error of vo| <= vo_bound unless inf or NaN.
+
+    (3,3),()->(3),(3).  R: rotation or other 3×3 matrix; k: number; vo, vo_bound: vector.
+    6 mul, 3 add, 3 abs.
+    """
+
+def product_drdrz(R: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Ro = R R_z(θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
+
+    (3,3),(2)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
+    18 mul, 18 add, 12 abs.
+    """
+
+def product_ddrz(D: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Do = D [R_z(θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
+
+    (3,4),(2)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; dc: (sin
+    θ, cos θ).
+    18 mul, 18 add, 12 abs.
+    """
+
+def product_ddtz(D: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Do = D [I | k e_z]; |error of Do| <= Do_bound unless inf or NaN.
+
+    (3,4),()->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; k:
+    number.
+    6 mul, 9 add, 6 abs.
+    """
+
+def product_drvtzinv(R: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = R (-k e_z); |error of vo| <= vo_bound unless inf or NaN.
+
+    (3,3),()->(3),(3).  R: rotation or other 3×3 matrix; k: number; vo, vo_bound: vector.
+    6 mul, 3 add, 3 neg, 3 abs.
+    """
+
+def product_drdrzinv(R: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Ro = R R_z(-θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
+
+    (3,3),(2)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
+    18 mul, 18 add, 12 abs.
+    """
+
+def product_ddrzinv(D: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
+
+    (3,4),(2)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; dc: (sin
+    θ, cos θ).
+    18 mul, 18 add, 12 abs.
+    """
+
+def product_ddtzinv(D: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Do = D [I | -k e_z]; |error of Do| <= Do_bound unless inf or NaN.
+
+    (3,4),()->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; k:
+    number.
+    6 mul, 9 add, 6 abs.
+    """
+
+def screw_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """self = a self; |error of self| <= self_bound unless inf or NaN.
+
+    (6),()->(6),(6).  self, self_bound: screw (v in m/s; ω in rad/s); a: number.
+    12 mul, 6 add, 6 abs.
+    """
+
+def axpy_ss(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """y = a x + y; |error of y| <= y_bound unless inf or NaN.
+
+    (),(6),(6)->(6),(6).  a: number; x, y, y_bound: screw (v in m/s; ω in rad/s).
+    12 mul, 18 add, 12 abs.
+    """
+
+def xpy_ss(x: ArrayLike, y: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """y = x + y; |error of y| <= y_bound unless inf or NaN.
+
+    (6),(6)->(6),(6).  x, y, y_bound: screw (v in m/s; ω in rad/s).
+    6 mul, 6 add, 6 abs.
+    """
+
+def nxpy_ss(x: ArrayLike, y: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """y = -x + y; |error of y| <= y_bound unless inf or NaN.
+
+    (6),(6)->(6),(6).  x, y, y_bound: screw (v in m/s; ω in rad/s).
+    6 mul, 6 add, 6 abs.
+    """
+
+def product_as(a: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = a si; |error of so| <= so_bound unless inf or NaN.
+
+    (),(6)->(6),(6).  a: number; si, so, so_bound: screw (v in m/s; ω in rad/s).
+    12 mul, 6 add, 6 abs.
+    """
+
+def add_ss(s1: ArrayLike, s2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = s1 + s2; |error of so| <= so_bound unless inf or NaN.
+
+    (6),(6)->(6),(6).  s1, s2, so, so_bound: screw (v in m/s; ω in rad/s).
+    6 mul, 6 add, 6 abs.
+    """
+
+def subtract_ss(s1: ArrayLike, s2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = s1 - s2; |error of so| <= so_bound unless inf or NaN.
+
+    (6),(6)->(6),(6).  s1, s2, so, so_bound: screw (v in m/s; ω in rad/s).
+    6 mul, 6 add, 6 abs.
+    """
+
+def add_sst(s1: ArrayLike, s2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = (s1.lin + s2.lin ; s1.ang); |error of so| <= so_bound unless inf or NaN.
+
+    (6),(6)->(6),(6).  s1, s2, so, so_bound: screw (v in m/s; ω in rad/s).
+    3 mul, 3 add, 3 abs.
+    """
+
+def product_Adts(t: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = [Ad](t) si; |error of so| <= so_bound unless inf or NaN.
+
+    (3),(6)->(6),(6).  t: vector; si, so, so_bound: screw (v in m/s; ω in rad/s).
+    9 mul, 15 add, 9 abs.
+    """
+
+def product_Adtinvs(t: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = [Ad](t)^-1 si; |error of so| <= so_bound unless inf or NaN.
+
+    (3),(6)->(6),(6).  t: vector; si, so, so_bound: screw (v in m/s; ω in rad/s).
+    9 mul, 15 add, 9 abs.
+    """
+
+def product_Adtsinv(t: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = [Ad](t) (-si); |error of so| <= so_bound unless inf or NaN.
+
+    (3),(6)->(6),(6).  t: vector; si, so, so_bound: screw (v in m/s; ω in rad/s).
+    9 mul, 15 add, 3 neg, 9 abs.
+    """
+
+def product_Adrs(R: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = [Ad](R) si; |error of so| <= so_bound unless inf or NaN.
+
+    (3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; si, so, so_bound: screw (v in m/s; ω
+    in rad/s).
+    24 mul, 30 add, 18 abs.
+    """
+
+def product_Adrinvs(R: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = [Ad](R)^-1 si; |error of so| <= so_bound unless inf or NaN.
+
+    (3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; si, so, so_bound: screw (v in m/s; ω
+    in rad/s).
+    24 mul, 30 add, 18 abs.
+    """
+
+def product_Adrsinv(R: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = [Ad](R) (-si); |error of so| <= so_bound unless inf or NaN.
+
+    (3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; si, so, so_bound: screw (v in m/s; ω
+    in rad/s).
+    24 mul, 30 add, 6 neg, 18 abs.
+    """
+
+def product_Ads(D: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = [Ad](D) si = [Ad](t) [Ad](R) si; |error of so| <= so_bound unless inf or NaN.
+
+    (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; si, so, so_bound: screw (v
+    in m/s; ω in rad/s).
+    36 mul, 42 add, 21 abs.
+    """
+
+def product_Adinvs(D: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si; |error of so| <= so_bound unless inf or NaN.
+
+    (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; si, so, so_bound: screw (v
+    in m/s; ω in rad/s).
+    39 mul, 45 add, 27 abs.
+    """
+
+def product_Adsinv(D: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = [Ad](D) (-si); |error of so| <= so_bound unless inf or NaN.
+
+    (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; si, so, so_bound: screw (v
+    in m/s; ω in rad/s).
+    36 mul, 42 add, 6 neg, 21 abs.
+    """
+
+def hsrx(D: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = h_rx: column 3 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
+
+    (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
+    ω in rad/s).
+    9 mul, 9 add, 6 abs.
+    """
+
+def hsry(D: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = h_ry: column 4 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
+
+    (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
+    ω in rad/s).
+    9 mul, 9 add, 6 abs.
+    """
+
+def hsrz(D: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = h_rz: column 5 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
+
+    (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
+    ω in rad/s).
+    9 mul, 9 add, 6 abs.
+    """
+
+def hsrxinv(D: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = -h_rx: -column 3 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
+
+    (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
+    ω in rad/s).
+    9 mul, 9 add, 3 neg, 6 abs.
+    """
+
+def hsryinv(D: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = -h_ry: -column 4 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
+
+    (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
+    ω in rad/s).
+    9 mul, 9 add, 3 neg, 6 abs.
+    """
+
+def hsrzinv(D: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = -h_rz: -column 5 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
+
+    (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
+    ω in rad/s).
+    9 mul, 9 add, 3 neg, 6 abs.
+    """
+
+def Ad(D: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """M = [Ad](D); |error of M| <= M_bound unless inf or NaN.
+
+    (3,4)->(6,6),(6,6).  D: displacement [R | t], R rotation, t in m; M, M_bound: 6×6 operator.
+    27 mul, 27 add, 18 abs.
+    """
+
+def dot_cs(c: ArrayLike, s: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """power = f·v + τ·ω, in W; |error of power| <= power_bound unless inf or NaN.
+
+    (6),(6)->(),().  c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s); power,
+    power_bound: number.
+    7 mul, 11 add, 6 abs.
+    """
+
+def cross_ss(s1: ArrayLike, s2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2); |error of so| <= so_bound unless inf or NaN.
+    Exactly zero for s1 = s2, unless products overflow.
+
+    (6),(6)->(6),(6).  s1, s2, so, so_bound: screw (v in m/s; ω in rad/s).
+    24 mul, 30 add, 18 abs.
+    """
+
+def cross_sst(s1: ArrayLike, s2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = (ω1×v2 ; 0); |error of so| <= so_bound unless inf or NaN.
+
+    (6),(6)->(6),(6).  s1, s2, so, so_bound: screw (v in m/s; ω in rad/s).
+    9 mul, 9 add, 6 abs.
+    """
+
+def hsra(D: ArrayLike, axis: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = (t×R a ; R a), a = axis in the body's frame; |error of so| <= so_bound unless inf or
+    NaN.
+
+    (3,4),(3)->(6),(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so,
+    so_bound: screw (v in m/s; ω in rad/s).
+    27 mul, 24 add, 12 abs.
+    """
+
+def hsta(D: ArrayLike, axis: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = (R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.
+
+    (3,4),(3)->(6),(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so,
+    so_bound: screw (v in m/s; ω in rad/s).
+    12 mul, 15 add, 9 abs.
+    """
+
+def coscrew_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """self = a self; |error of self| <= self_bound unless inf or NaN.
+
+    (6),()->(6),(6).  self, self_bound: coscrew (f in N; τ in N m); a: number.
+    12 mul, 6 add, 6 abs.
+    """
+
+def axpy_cc(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """y = a x + y; |error of y| <= y_bound unless inf or NaN.
+
+    (),(6),(6)->(6),(6).  a: number; x, y, y_bound: coscrew (f in N; τ in N m).
+    12 mul, 18 add, 12 abs.
+    """
+
+def xpy_cc(x: ArrayLike, y: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """y = x + y; |error of y| <= y_bound unless inf or NaN.
+
+    (6),(6)->(6),(6).  x, y, y_bound: coscrew (f in N; τ in N m).
+    6 mul, 6 add, 6 abs.
+    """
+
+def nxpy_cc(x: ArrayLike, y: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """y = -x + y; |error of y| <= y_bound unless inf or NaN.
+
+    (6),(6)->(6),(6).  x, y, y_bound: coscrew (f in N; τ in N m).
+    6 mul, 6 add, 6 abs.
+    """
+
+def product_ac(a: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = a ci; |error of co| <= co_bound unless inf or NaN.
+
+    (),(6)->(6),(6).  a: number; ci, co, co_bound: coscrew (f in N; τ in N m).
+    12 mul, 6 add, 6 abs.
+    """
+
+def add_cc(c1: ArrayLike, c2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = c1 + c2; |error of co| <= co_bound unless inf or NaN.
+
+    (6),(6)->(6),(6).  c1, c2, co, co_bound: coscrew (f in N; τ in N m).
+    6 mul, 6 add, 6 abs.
+    """
+
+def subtract_cc(c1: ArrayLike, c2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = c1 - c2; |error of co| <= co_bound unless inf or NaN.
+
+    (6),(6)->(6),(6).  c1, c2, co, co_bound: coscrew (f in N; τ in N m).
+    6 mul, 6 add, 6 abs.
+    """
+
+def add_cct(c1: ArrayLike, c2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = (c1.lin + c2.lin ; c1.ang); |error of co| <= co_bound unless inf or NaN.
+
+    (6),(6)->(6),(6).  c1, c2, co, co_bound: coscrew (f in N; τ in N m).
+    3 mul, 3 add, 3 abs.
+    """
+
+def product_CoAdtc(t: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = [Ad]*(t) ci; |error of co| <= co_bound unless inf or NaN.
+
+    (3),(6)->(6),(6).  t: vector; ci, co, co_bound: coscrew (f in N; τ in N m).
+    9 mul, 15 add, 9 abs.
+    """
+
+def product_CoAdtinvc(t: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = [Ad]*(t)^-1 ci; |error of co| <= co_bound unless inf or NaN.
+
+    (3),(6)->(6),(6).  t: vector; ci, co, co_bound: coscrew (f in N; τ in N m).
+    9 mul, 15 add, 9 abs.
+    """
+
+def product_CoAdtcinv(t: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = [Ad]*(t) (-ci); |error of co| <= co_bound unless inf or NaN.
+
+    (3),(6)->(6),(6).  t: vector; ci, co, co_bound: coscrew (f in N; τ in N m).
+    9 mul, 15 add, 3 neg, 9 abs.
+    """
+
+def product_CoAdrc(R: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = [Ad]*(R) ci; |error of co| <= co_bound unless inf or NaN.
+
+    (3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; ci, co, co_bound: coscrew (f in N; τ
+    in N m).
+    24 mul, 30 add, 18 abs.
+    """
+
+def product_CoAdrinvc(R: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = [Ad]*(R)^-1 ci; |error of co| <= co_bound unless inf or NaN.
+
+    (3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; ci, co, co_bound: coscrew (f in N; τ
+    in N m).
+    24 mul, 30 add, 18 abs.
+    """
+
+def product_CoAdrcinv(R: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = [Ad]*(R) (-ci); |error of co| <= co_bound unless inf or NaN.
+
+    (3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; ci, co, co_bound: coscrew (f in N; τ
+    in N m).
+    24 mul, 30 add, 6 neg, 18 abs.
+    """
+
+def product_CoAdc(D: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci; |error of co| <= co_bound unless inf or NaN.
+
+    (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; ci, co, co_bound: coscrew
+    (f in N; τ in N m).
+    36 mul, 42 add, 21 abs.
+    """
+
+def product_CoAdinvc(D: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci; |error of co| <= co_bound unless inf or NaN.
+
+    (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; ci, co, co_bound: coscrew
+    (f in N; τ in N m).
+    39 mul, 45 add, 27 abs.
+    """
+
+def product_CoAdcinv(D: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = [Ad]*(D) (-ci); |error of co| <= co_bound unless inf or NaN.
+
+    (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; ci, co, co_bound: coscrew
+    (f in N; τ in N m).
+    36 mul, 42 add, 6 neg, 21 abs.
+    """
+
+def hctx(D: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = h_tx: column 0 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
+
+    (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;
+    τ in N m).
+    9 mul, 9 add, 6 abs.
+    """
+
+def hcty(D: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = h_ty: column 1 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
+
+    (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;
+    τ in N m).
+    9 mul, 9 add, 6 abs.
+    """
+
+def hctz(D: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = h_tz: column 2 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
+
+    (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;
+    τ in N m).
+    9 mul, 9 add, 6 abs.
+    """
+
+def hctxinv(D: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = -h_tx: -column 0 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
+
+    (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;
+    τ in N m).
+    9 mul, 9 add, 3 neg, 6 abs.
+    """
+
+def hctyinv(D: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = -h_ty: -column 1 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
+
+    (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;
+    τ in N m).
+    9 mul, 9 add, 3 neg, 6 abs.
+    """
+
+def hctzinv(D: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = -h_tz: -column 2 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
+
+    (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;
+    τ in N m).
+    9 mul, 9 add, 3 neg, 6 abs.
+    """
+
+def CoAd(D: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """M = [Ad]*(D); |error of M| <= M_bound unless inf or NaN.
+
+    (3,4)->(6,6),(6,6).  D: displacement [R | t], R rotation, t in m; M, M_bound: 6×6 operator.
+    27 mul, 27 add, 18 abs.
+    """
+
+def reciprocal_product(c: ArrayLike, x: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v); |error of power| <= power_bound
+    unless inf or NaN.
+
+    (6),(6)->(),().  c: coscrew (f in N; τ in N m); x: six components with the angular part on
+    top; power, power_bound: number.
+    7 mul, 11 add, 6 abs.
+    """
+
+def cross_sc(s: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = [ad]*(s) c = (ω×f ; v×f + ω×τ); |error of co| <= co_bound unless inf or NaN.
+
+    (6),(6)->(6),(6).  s: screw (v in m/s; ω in rad/s); c, co, co_bound: coscrew (f in N; τ in N
+    m).
+    24 mul, 30 add, 18 abs.
+    """
+
+def cross_sca(s: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = (0 ; ω×τ); |error of co| <= co_bound unless inf or NaN.
+
+    (6),(6)->(6),(6).  s: screw (v in m/s; ω in rad/s); c, co, co_bound: coscrew (f in N; τ in N
+    m).
+    9 mul, 9 add, 6 abs.
+    """
+
+def constraint_ctx(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D;
+    |error of co| <= co_bound unless inf or NaN.
+
+    (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew
+    (f in N; τ in N m).
+    33 mul, 36 add, 18 abs.
+    """
+
+def constraint_cty(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D;
+    |error of co| <= co_bound unless inf or NaN.
+
+    (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew
+    (f in N; τ in N m).
+    33 mul, 36 add, 18 abs.
+    """
+
+def constraint_ctz(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D;
+    |error of co| <= co_bound unless inf or NaN.
+
+    (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew
+    (f in N; τ in N m).
+    33 mul, 36 add, 18 abs.
+    """
+
+def constraint_crx(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D;
+    |error of co| <= co_bound unless inf or NaN.
+
+    (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew
+    (f in N; τ in N m).
+    33 mul, 36 add, 18 abs.
+    """
+
+def constraint_cry(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D;
+    |error of co| <= co_bound unless inf or NaN.
+
+    (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew
+    (f in N; τ in N m).
+    33 mul, 36 add, 18 abs.
+    """
+
+def constraint_crz(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D;
+    |error of co| <= co_bound unless inf or NaN.
+
+    (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew
+    (f in N; τ in N m).
+    33 mul, 36 add, 18 abs.
+    """
+
+def working_ctx(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D;
+    |error of co| <= co_bound unless inf or NaN.
+
+    (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew
+    (f in N; τ in N m).
+    21 mul, 12 add, 6 abs.
+    """
+
+def working_cty(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D;
+    |error of co| <= co_bound unless inf or NaN.
+
+    (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew
+    (f in N; τ in N m).
+    21 mul, 12 add, 6 abs.
+    """
+
+def working_ctz(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D;
+    |error of co| <= co_bound unless inf or NaN.
+
+    (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew
+    (f in N; τ in N m).
+    21 mul, 12 add, 6 abs.
+    """
+
+def working_crx(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D;
+    |error of co| <= co_bound unless inf or NaN.
+
+    (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew
+    (f in N; τ in N m).
+    6 mul, 3 add, 3 abs.
+    """
+
+def working_cry(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D;
+    |error of co| <= co_bound unless inf or NaN.
+
+    (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew
+    (f in N; τ in N m).
+    6 mul, 3 add, 3 abs.
+    """
+
+def working_crz(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D;
+    |error of co| <= co_bound unless inf or NaN.
+
+    (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew
+    (f in N; τ in N m).
+    6 mul, 3 add, 3 abs.
+    """
+
+def quaternion_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """self = a self; |error of self| <= self_bound unless inf or NaN.
+
+    (4),()->(4),(4).  self, self_bound: quaternion (w; x, y, z), the scalar first; a: number.
+    8 mul, 4 add, 4 abs.
+    """
+
+def product_qq(q1: ArrayLike, q2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2); |error of qo| <= qo_bound unless inf
+    or NaN.
+
+    (4),(4)->(4),(4).  q1, q2, qo, qo_bound: quaternion (w; x, y, z), the scalar first.
+    20 mul, 28 add, 16 abs.
+    """
+
+def product_qconjq(q1: ArrayLike, q2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """qo = q1* q2, q1* the conjugate; |error of qo| <= qo_bound unless inf or NaN.
+
+    (4),(4)->(4),(4).  q1, q2, qo, qo_bound: quaternion (w; x, y, z), the scalar first.
+    20 mul, 28 add, 16 abs.
+    """
+
+def product_qqconj(q1: ArrayLike, q2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """qo = q1 q2*, q2* the conjugate; |error of qo| <= qo_bound unless inf or NaN.
+
+    (4),(4)->(4),(4).  q1, q2, qo, qo_bound: quaternion (w; x, y, z), the scalar first.
+    20 mul, 28 add, 16 abs.
+    """
+
+def product_qv(q: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = R(q) v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.
+
+    (4),(3)->(3),(3).  q: quaternion (w; x, y, z), the scalar first; v, vo, vo_bound: vector.
+    33 mul, 33 add, 13 abs.
+    """
+
+def product_qconjv(q: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = R(q)^T v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.
+
+    (4),(3)->(3),(3).  q: quaternion (w; x, y, z), the scalar first; v, vo, vo_bound: vector.
+    33 mul, 33 add, 13 abs.
+    """
+
+def mat3x3_orthonormalize(self: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2; |error
+    of self| <= self_bound unless inf or NaN.
+
+    (3,3)->(3,3),(3,3).  self, self_bound: rotation or other 3×3 matrix.
+    93 mul, 105 add, 3 neg, 27 abs.
+    """
+
+def mat3x3_orthonormalized(R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2; |error of
+    Ro| <= Ro_bound unless inf or NaN.
+
+    (3,3)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix.
+    93 mul, 105 add, 3 neg, 27 abs.
+    """
+
+def inertia_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """self = a self; |error of self| <= self_bound unless inf or NaN.
+
+    (10),()->(10),(10).  self, self_bound: spatial inertia (m in kg; h = m c in kg m; I about
+    the origin, xx, yy, zz, xy, xz, yz in kg m^2); a: number.
+    20 mul, 10 add, 10 abs.
+    """
+
+def add_BB(B1: ArrayLike, B2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Bo = B1 + B2; |error of Bo| <= Bo_bound unless inf or NaN.
+
+    (10),(10)->(10),(10).  B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I
+    about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+    10 mul, 10 add, 10 abs.
+    """
+
+def subtract_BB(B1: ArrayLike, B2: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Bo = B1 - B2; |error of Bo| <= Bo_bound unless inf or NaN.
+
+    (10),(10)->(10),(10).  B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I
+    about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+    10 mul, 10 add, 10 abs.
+    """
+
+def inertia_from_com(m: ArrayLike, com: ArrayLike, Ic: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
+    the upper triangle): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf
+    or NaN.
+
+    (),(3),(3,3)->(10),(10).  m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo,
+    Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz,
+    yz in kg m^2).
+    24 mul, 27 add, 12 abs.
+    """
+
+def product_Bs(B: ArrayLike, s: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s; |error of
+    co| <= co_bound unless inf or NaN.
+
+    (10),(6)->(6),(6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx,
+    yy, zz, xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); co, co_bound: coscrew (f in
+    N; τ in N m).
+    30 mul, 42 add, 24 abs.
+    """
+
+def inertia_energy(B: ArrayLike, s: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """s·B s / 2, the kinetic energy in J of a body that moves with s; |error of energy| <=
+    energy_bound unless inf or NaN.
+
+    (10),(6)->(),().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
+    zz, xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy, energy_bound: number.
+    39 mul, 54 add, 30 abs.
+    """
+
+def inertia_shifted(t: ArrayLike, B: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound
+    unless inf or NaN.
+
+    (3),(10)->(10),(10).  t: vector; B, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m;
+    I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+    30 mul, 45 add, 21 abs.
+    """
+
+def inertia_transformed(D: ArrayLike, B: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to; |error of Bo| <=
+    Bo_bound unless inf or NaN.
+
+    (3,4),(10)->(10),(10).  D: displacement [R | t], R rotation, t in m; B, Bo, Bo_bound:
+    spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+    m^2).
+    108 mul, 129 add, 51 abs.
+    """

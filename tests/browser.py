@@ -1,0 +1,39 @@
+"""A real browser without a window: Chromium, driven through chromedriver."""
+
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+
+
+def _command(*names: str) -> str:
+    """The first of these commands that is installed."""
+    found = next(filter(None, map(shutil.which, names)), None)
+    if found is None:
+        raise RuntimeError(f"the report's page is tested in a browser, and {names[0]} is not here: "
+                           "apt-get install chromium chromium-driver")
+    return found
+
+
+@contextmanager
+def chromium() -> Iterator[webdriver.Chrome]:
+    """The browser, its console and network traffic logged."""
+    options = webdriver.ChromeOptions()
+    options.binary_location = _command("chromium", "google-chrome", "chromium-browser")
+    for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage",
+                     "--disable-background-networking", "--force-prefers-reduced-motion"):
+        options.add_argument(argument)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    driver = webdriver.Chrome(options, Service(_command("chromedriver")))
+    try:
+        yield driver
+    finally:
+        driver.quit()
+
+
+def resize(driver: webdriver.Chrome, width: int, height: int, phone: bool = False) -> None:
+    """Give the page a window of this size in CSS pixels, a phone's if it is to be one."""
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+        "width": width, "height": height, "deviceScaleFactor": 3 if phone else 1, "mobile": phone})

@@ -1,0 +1,340 @@
+"""What `coscrew report` measures: errors against independent arithmetic, times, drift, the JSON."""
+
+import json
+import math
+import os
+import signal
+import subprocess
+import sys
+import time
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from pathlib import Path
+
+import mpmath
+import numpy as np
+import pytest
+from gmpy2 import mpq
+
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.exact import truth, ulp
+from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.report import errors, inputs, measure, native, ranking
+from coscrew_codegen.report.c_text import Variant, last_component
+from coscrew_codegen.report.drift import deviations, drifts, power
+from coscrew_codegen.report.schema import Report
+from coscrew_codegen.report.timing import Timed, python_function
+from coscrew_codegen.report.variants import variants_of
+from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, SINGLE, Precision
+from tests.exact import FORMULAS
+
+BY_NAME = {operation.name: operation for operation in OPERATIONS}
+DIGITS = {"double": 53, "single": 24}
+NAMES = ("product_CoAdc", "cross_sc", "dot_cs", "product_dd", "mat3x3_determinant", "vec3_swap")
+FEW = ["report", "--op", "dot_cs", "--op", "vec3_l2norm", "--minutes", "0.02"]
+
+precisions = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+
+
+def exactly(operation: Operation, rows: np.ndarray) -> list[list[Fraction]]:
+    """The results by the papers' matrices, in fractions."""
+    found = []
+    for row in rows:
+        arguments = [np.array(list(map(Fraction, map(float, x.ravel()))), object).reshape(
+            a.quantity.shape)[()] for x, a in zip(inputs.split(operation, row[None]),
+                                                  operation.inputs, strict=True)]
+        values = FORMULAS[operation.name](*arguments)
+        parts = values if isinstance(values, tuple) else (values,)
+        found.append([x for part in parts for x in np.atleast_1d(part).ravel()])
+    return found
+
+
+def spacing(x: Fraction, precision: Precision) -> Fraction:
+    """From NumPy: how far apart numbers of x's size are; x rounded towards zero first."""
+    near = np.dtype(precision.numpy_type).type(float(x))
+    if abs(Fraction(float(near))) > abs(x):
+        near = np.nextafter(near, type(near)(0))
+    return Fraction(float(np.spacing(abs(near))))
+
+
+@precisions
+@pytest.mark.parametrize("name", NAMES)
+def test_truth_is_what_fractions_say(name: str, precision: Precision):
+    operation = BY_NAME[name]
+    rows = np.concatenate([draw(operation, precision, 30, 5)
+                           for draw in (inputs.benign, inputs.hard)])
+    found = truth(operation, precision, rows)
+    for i, values in enumerate(exactly(operation, rows)):
+        for j, x in enumerate(values):
+            near, rest, unit = (Fraction(float(a[i, j]))
+                                for a in (found.near, found.rest, found.unit))
+            if x:
+                assert unit == spacing(x, precision), (x, unit)
+            assert abs(near + rest * unit - x) <= unit * abs(rest) / 2**52
+
+
+def test_ulp_is_of_the_binade_a_number_lies_in():
+    """Also of numbers that are no binary fractions, next to powers of two, and subnormal ones."""
+    third = mpq(1, 3**60)
+    assert [ulp(x, DOUBLE) * 2**53 for x in (mpq(2, 3), mpq(1), 1 - third, 1 + third, -2 + third)] \
+        == [1, 2, 1, 2, 2]
+    assert ulp(mpq(1, 3 * 2**1030), DOUBLE) == ulp(mpq(0), DOUBLE) == mpq(1, 2**1074)
+    assert ulp(mpq(1, 3 * 2**130), SINGLE) == mpq(1, 2**149)
+
+
+@precisions
+def test_truth_of_a_norm_is_the_integer_root(precision: Precision):
+    """floor(2^400 |v|) by integers lies where the report's truth does."""
+    operation = BY_NAME["vec3_l2norm"]
+    rows = inputs.hard(operation, precision, 40, 3)
+    found = truth(operation, precision, rows)
+    for row, near, rest, unit in zip(rows, found.near[:, 0], found.rest[:, 0], found.unit[:, 0],
+                                     strict=True):
+        square = sum(Fraction(float(x))**2 for x in row)
+        root = Fraction(math.isqrt(square.numerator * 2**800 // square.denominator), 2**400)
+        ours = Fraction(float(near)) + Fraction(float(rest)) * Fraction(float(unit))
+        assert abs(ours - root) <= Fraction(float(unit)) / 2**50
+
+
+@precisions
+def test_a_wrong_kernel_shows_its_error(precision: Precision):
+    """Three numbers above the nearest one: 2.5 to 3.5 ulp, as fractions count."""
+    operation = BY_NAME["cross_sc"]
+    (plain, *_) = variants_of(operation, precision)
+    benign, hard = errors.samples(operation, precision, 60, 2)
+    results: list[np.ndarray] = []
+
+    def wrong(variant: Variant, arguments: tuple[np.ndarray, ...]) -> tuple[np.ndarray, ...]:
+        exact = benign if len(results) == 0 else hard
+        x = exact.truth.near.astype(precision.numpy_type)
+        for _ in range(3):
+            x = np.nextafter(x, x.dtype.type(np.inf))
+        results.append(x)
+        return (x,)
+
+    found = errors.accuracy(operation, plain, benign, hard, wrong)
+    values = exactly(operation, benign.rows)
+    counted = [abs(Fraction(float(r)) - x) / spacing(x, precision) for row, got in
+               zip(values, results[0], strict=True) for r, x in zip(got, row, strict=True)]
+    assert found.benign.worst == pytest.approx(float(max(counted)), rel=1e-12)
+    assert 2.5 <= found.benign.median <= found.benign.worst <= 6.5  # twice beside a power of two
+    assert found.bound.worst_ratio > 1
+    witness = [float.fromhex(x) for x in found.benign.witness]
+    assert witness in benign.rows.astype(float).tolist()
+
+
+def test_quantiles_of_known_errors():
+    operation = BY_NAME["dot_cs"]
+    rows = np.arange(12000.0).reshape(1000, 12)
+    known = np.random.default_rng(1).permutation(np.arange(1.0, 1001.0))[:, None]
+    found = errors.summarised(operation, rows, known, np.ones_like(known, bool))
+    assert (found.outputs, found.worst, found.p999, found.median) == (1000, 1000, 999, 500)
+    worst = int(np.argmax(known))
+    assert found.witness == tuple(float(x).hex() for x in rows[worst])
+    half = errors.summarised(operation, rows, known, known <= 500)
+    assert (half.outputs, half.worst) == (500, 500)
+    assert errors.summarised(operation, rows, known, known > 1000) is None
+
+
+def test_normwise_errors_are_relative_to_the_largest_component_of_the_part():
+    @dataclass(frozen=True)
+    class Normwise(Operation):
+        normwise: tuple[tuple[str, int], ...] = (("lin", 3), ("ang", 3))
+
+    plain = BY_NAME["cross_sc"]
+    operation = Normwise(plain.name, plain.family, plain.statement, plain.inputs, plain.outputs,
+                         plain.formula)
+    rows = inputs.benign(operation, DOUBLE, 20, 4)
+    units = truth(operation, DOUBLE, rows).unit
+    for values, unit in zip(exactly(plain, rows), units, strict=True):
+        for part in (slice(0, 3), slice(3, 6)):
+            largest = max(map(abs, values[part])) / 2**53
+            assert unit[part].tolist() == [float(largest)] * 3
+
+
+@precisions
+def test_the_same_seed_gives_the_same_errors(precision: Precision):
+    task = measure.Task("product_dv", precision, 50, 3, (), None)
+    assert task.run() == task.run()
+    assert task.run() != replace(task, seed=4).run()
+
+
+@precisions
+def test_compiled_kernels_give_the_packages_bits(precision: Precision, tmp_path: Path):
+    """In both compilers, and called by rows: columns and rows of matrices are where they belong."""
+    names = ("product_dd", "product_drdrx", "SE3_invert", "coscrew_to_angular_first", "dot_cs")
+    variants = [v for name in names for v in variants_of(BY_NAME[name], precision)]
+    for library in native.libraries(variants, native.compilers(tmp_path), tmp_path):
+        for v in filter(python_function, variants):
+            arguments = inputs.split(v.operation, inputs.benign(v.operation, precision, 9, 1))
+            (want,) = [python_function(v)(*arguments)]
+            (got, *_) = library.call(v, arguments)
+            assert np.ascontiguousarray(got).tobytes() == want.tobytes(), (v.name, library.compiler)
+
+
+def test_a_chain_of_calls_waits_for_each(tmp_path: Path):
+    """A call that waits for the one before takes longer than one of many independent calls."""
+    moved = variants_of(BY_NAME["product_CoAdc"], DOUBLE)[0].program
+    assert last_component(moved) >= 3  # the moment, t × (R f) + R τ
+    plain = variants_of(BY_NAME["dot_cs"], DOUBLE)[0]
+    (compiler, *_) = native.compilers(tmp_path)
+    (library,) = native.libraries([plain], [compiler], tmp_path)
+    arguments = inputs.split(plain.operation, inputs.benign(plain.operation, DOUBLE, 256, 1))
+    chain, rows, planes = (library.time(plain, loop, arguments, 2e7)[0]
+                           for loop in ("chain", "rows", "planes"))
+    assert chain > 2 * rows > 0 and chain > 2 * planes > 0
+
+
+def test_dominated_is_no_faster_and_no_better():
+    plain, fused, accurate = variants_of(BY_NAME["dot_cs"], DOUBLE)[:3]
+    keys = [("dot_cs", "double", tier) for tier in ("plain", "fused", "accurate")]
+
+    def verdicts(ns: tuple[float, ...], worst: tuple[float, ...]) -> list[tuple[float, bool]]:
+        timed = [Timed(v, "C", "gcc", "latency", t, t) for v, t in
+                 zip((plain, fused, accurate), ns, strict=True)]
+        found = ranking.times(timed, dict(zip(keys, worst, strict=True)))
+        return [(found[k][0].ratio, found[k][0].dominated) for k in keys]
+
+    assert verdicts((2, 1, 6), (9, 8, 1)) == [(1, True), (0.5, False), (3, False)]
+    assert verdicts((1, 2, 3), (9, 8, 8)) == [(1, False), (2, False), (3, True)]
+    assert verdicts((1, 1, 1), (5, 5, 5)) == [(1, False)] * 3
+
+
+def test_power_and_deviations_of_a_quarter_turn():
+    """Four quarter turns about z with a step along z are the identity, four steps up."""
+    E = np.array([[0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0.25]])
+    motion = power(E, 4 * 10**6 + 1)
+    assert motion[:3, :3] == mpmath.matrix(E[:, :3].tolist())
+    assert motion[2, 3] == mpmath.mpf(10**6) + mpmath.mpf("0.25")
+    D = np.array(motion[:3, :].tolist(), float)
+    assert deviations(D, motion) == (0, 0)
+    D[1, 0] = 1 + 2**-20
+    assert deviations(D, motion) == (2**-19 + 2**-40, 2**-20)
+
+
+def test_newton_steps_hold_the_defect(tmp_path: Path):
+    (compiler, *_) = native.compilers(tmp_path)
+    (library,) = native.libraries([], [compiler], tmp_path)
+    found = {(d.precision, d.orthonormalised): d for d in drifts(library, 20_000)}
+    for precision in DIGITS:
+        without, held = found[precision, False], found[precision, True]
+        assert held.defect_u <= 8 < 100 < without.defect_u
+        assert held.error_u < without.error_u
+        assert held.ns_per_step > 0
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a small report."""
+    folder = tmp_path_factory.mktemp("report")
+    assert main([*FEW, "--output", str(folder)]) == 0
+    return folder
+
+
+def test_the_report_holds_what_was_asked(made: Path):
+    text = (made / "report.json").read_text()
+    report = Report.from_json(text)
+    assert Report.from_json(report.to_json()) == report
+    assert report.to_json() == text
+    wanted = {(v.operation.name, p.name, v.tier) for name in ("dot_cs", "vec3_l2norm")
+              for p in PRECISIONS for v in variants_of(BY_NAME[name], p)}
+    assert {(e.operation, e.precision, e.tier) for e in report.entries} == wanted
+    for entry in report.entries:
+        layouts = {t.layout for t in entry.times if t.language == "C"}
+        assert layouts == {"array of structs", "structure of arrays", "latency"}
+        assert all(t.ns > 0 and t.spread >= 0 for t in entry.times)
+        assert entry.benign.median <= entry.benign.p999 <= entry.benign.worst
+        assert not entry.bound or 0 < entry.bound.worst_ratio <= 1
+    accurate = next(e for e in report.entries if e.tier == "accurate" and e.precision == "double")
+    assert accurate.hard.worst < 0.6 and len(accurate.condition) > 20
+    assert report.provenance.command == "coscrew report --op dot_cs --op vec3_l2norm " \
+                                        "--minutes 0.02 --seed 1"
+    assert "/" not in report.provenance.cpu and str(Path.home()) not in text
+    assert not [p.name for p in made.iterdir() if p.name.startswith(".")]
+
+
+def test_a_comparison_names_file_and_ratio(made: Path, tmp_path: Path):
+    report = Report.from_json((made / "report.json").read_text())
+    found = ranking.compared(report, report, "before.json")
+    assert found.file == "before.json" and {row.ratio for row in found.rows} == {1.0}
+    slower = replace(report, entries=tuple(
+        replace(e, times=tuple(replace(t, ns=3 * t.ns) for t in e.times)) for e in report.entries))
+    rows = ranking.compared(report, slower, "").rows
+    assert {round(r.ratio, 9) for r in rows if r.what.startswith("ns")} == {3.0}
+
+
+@pytest.mark.parametrize("change", [
+    ("schema", 2), ("entries", {}), ("provenance", None), ("drift", [{"precision": "double"}])])
+def test_a_report_that_is_none_is_refused(made: Path, change: tuple[str, object]):
+    found = json.loads((made / "report.json").read_text())
+    found[change[0]] = change[1]
+    with pytest.raises(ValueError, match=f"schema 1|{change[0]}"):
+        Report.from_json(json.dumps(found))
+
+
+def test_wrong_options_are_refused_before_measuring(tmp_path: Path,
+                                                   capsys: pytest.CaptureFixture[str]):
+    (tmp_path / "cases.txt").write_text("# fine\ndot_cs double 0x1p0\n")
+    (tmp_path / "no.json").write_text("{}")
+    output = ["--output", str(tmp_path / "out")]
+    for words, said in ((["--op", "product_CoAd"], "did you mean 'product_CoAdc'?"),
+                        (["--minutes", "0"], "--minutes: wanted a positive number; got 0.0"),
+                        (["--minutes", "nan"], "--minutes"), (["--seed", "-1"], "--seed"),
+                        (["--compare", str(tmp_path / "none")], "cannot read"),
+                        (["--compare", str(tmp_path / "no.json")], "is no report"),
+                        (["--hard-cases", str(tmp_path / "none")], "wanted a folder"),
+                        (["--hard-cases", str(tmp_path)], "cases.txt:2"),
+                        (["--output", str(tmp_path / "no.json")], "cannot write")):
+        assert main([*FEW, *output, *words]) == 2
+        assert said in capsys.readouterr().err
+    assert not (tmp_path / "out" / "report.json").exists()
+
+
+def test_hard_cases_are_measured(tmp_path: Path):
+    """A committed line is tried beside the drawn ones: here one that squares to nothing."""
+    (tmp_path / "norms.txt").write_text("vec3_l2norm single 0x1p-80 0x0p0 0x0p0  # underflow\n")
+    cases = inputs.corpus(tmp_path)
+    assert cases == {("vec3_l2norm", "single"): ((2.0**-80, 0.0, 0.0),)}
+    task = measure.Task("vec3_l2norm", SINGLE, 20, 1, cases["vec3_l2norm", "single"], None)
+    found = task.run()["vec3_l2norm", "single", "plain"]
+    assert found.hard.worst == 2**23  # |v| is 2^-80 and the result is 0
+    assert found.hard.witness == ((2.0**-80).hex(), "0x0.0p+0", "0x0.0p+0")
+
+
+def command(tmp_path: Path, before: str = "") -> list[str]:
+    """A report in a process of its own."""
+    words = [*FEW, "--output", str(tmp_path / "out")]
+    return [sys.executable, "-c", f"import sys; {before}\n"
+            "from coscrew_codegen.__main__ import main\n"
+            f"if __name__ == '__main__': sys.exit(main({words!r}))"]
+
+
+def test_without_a_compiler_python_is_measured(tmp_path: Path):
+    done = subprocess.run(command(tmp_path), env={**os.environ, "PATH": str(tmp_path)}, text=True,
+                          capture_output=True)
+    assert done.returncode == 0, done.stderr
+    assert "no C compiler works here" in done.stderr
+    report = Report.from_json((tmp_path / "out" / "report.json").read_text())
+    assert report.provenance.compilers == () == report.drift
+    assert {t.language for e in report.entries for t in e.times} == {"Python"}
+    assert {e.tier for e in report.entries} >= {"plain", "accurate"}
+
+
+def test_without_gmpy2_it_says_what_to_install(tmp_path: Path):
+    done = subprocess.run(command(tmp_path, "sys.modules['gmpy2'] = None"), text=True,
+                          capture_output=True)
+    assert done.returncode == 2
+    assert 'needs gmpy2; run `pip install "coscrew[report]"`' in done.stderr
+
+
+def test_an_interrupt_leaves_no_half_report(tmp_path: Path):
+    words = command(tmp_path)
+    words[-1] = words[-1].replace("'0.02'", "'5'")
+    running = subprocess.Popen(words, stderr=subprocess.PIPE, text=True)
+    while not (tmp_path / "out").exists():
+        time.sleep(0.05)
+    time.sleep(3)
+    running.send_signal(signal.SIGINT)
+    _, said = running.communicate(timeout=60)
+    assert running.returncode == 130 and "interrupted" in said and "Traceback" not in said
+    assert not list((tmp_path / "out").iterdir())
