@@ -159,10 +159,9 @@ def _rational(x: mpmath.mpf) -> mpq:
 def _units(operation: Operation,
            precision: Precision) -> Callable[[Sequence[mpq]], list[mpq]]:
     """What errors are counted in: ulp; in normwise operations u times the part's largest |x|."""
-    if not measured_normwise(operation):
+    if not operation.normwise:
         return lambda values: [ulp(x, precision) for x in values]
-    parts = [(number, a.quantity.place(*at)[0]) for number, a in enumerate(operation.outputs)
-             for at in a.quantity.indices]
+    parts = _parts(operation)
 
     def relative(values: Sequence[mpq]) -> list[mpq]:
         largest = {part: max(abs(x) for x, of in zip(values, parts, strict=True) if of == part)
@@ -173,6 +172,8 @@ def _units(operation: Operation,
     return relative
 
 
-def measured_normwise(operation: Operation) -> bool:
-    """Whether the operation's errors are relative to the largest component of a part."""
-    return bool(getattr(operation, "normwise", ()))
+def _parts(operation: Operation) -> list[tuple[str, str]]:
+    """What each component is measured with: the whole output where that is named, else the part."""
+    named = {name for name, _ in operation.normwise}
+    return [(a.name, "" if a.name in named else a.quantity.parts[a.quantity.place(*at)[0]].name)
+            for a in operation.outputs for at in a.quantity.indices]

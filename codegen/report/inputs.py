@@ -155,10 +155,18 @@ def _positive_definite(numbers: Generator, angles: np.ndarray, size: int) -> np.
     return (np.eye(n) + X @ X.swapaxes(1, 2)).reshape(-1, size)
 
 
+def _inertias(numbers: Generator, angles: np.ndarray, _: int) -> np.ndarray:
+    """Σ m (1, r, r·r 1 - r r^T) of a few points: of bodies that can be."""
+    shape = (len(angles), 6)
+    m, (x, y, z) = 0.1 + numbers.random(shape), numbers.normal(size=(3, *shape))
+    return np.stack([np.sum(m * part, axis=1) for part in (
+        1, x, y, z, y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z)], axis=1)
+
+
 # Quantities that are more than so many numbers, and arguments that are more than their quantity.
 _DRAWN: dict[str, Callable[[Generator, np.ndarray, int], np.ndarray]] = {
     "mat3x3": _rotations, "SE3": _displacements, "dc": _sines_and_cosines,
-    "quaternion": _quaternions, "axis": _axes, "A": _positive_definite, "Ic": _positive_definite}
+    "quaternion": _quaternions, "inertia": _inertias, "axis": _axes, "A": _positive_definite, "Ic": _positive_definite}
 
 
 def _drawing(argument: Argument) -> Callable[[Generator, np.ndarray, int], np.ndarray] | None:
