@@ -1121,7 +1121,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.\n"
     "\n"
     "(3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.\n"
-    "21 mul, 200 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37\n"
+    "21 mul, 248 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37\n"
     "select.\n",
    1, 1, quaternion_from_mat3x3_loops},
   {"axis_angle_from_quaternion", "(4)->(),(3)",

@@ -1198,7 +1198,7 @@ def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) 
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-    21 mul, 200 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
+    21 mul, 248 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
     select.
     """
 
@@ -1224,7 +1224,7 @@ def SO3_log(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.f
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    40 mul, 214 add, 6 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+    40 mul, 262 add, 6 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
     less, 10 equal, 51 select.
     """
 
@@ -1232,7 +1232,7 @@ def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float64] | None, 
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    35 mul, 211 add, 5 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+    35 mul, 259 add, 5 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
     less, 11 equal, 54 select.
     """
 
