@@ -9958,7 +9958,7 @@ static inline void ksl_product_qqconj(const ksl_quaternion_t *q1, const ksl_quat
 /* vo = R(q) v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
    18 mul, 12 add.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qv(const ksl_quaternion_t *q, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double c_0a = q->y * v->z, c_0b = q->z * v->y, c_0 = c_0a - c_0b;
@@ -9984,7 +9984,7 @@ static inline void ksl_product_qv(const ksl_quaternion_t *q, const ksl_vec3_t *v
 /* vo = R(q)^T v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
    18 mul, 12 add.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qconjv(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
@@ -10565,7 +10565,7 @@ static inline void ksl_product_qqconjf(const ksl_quaternionf_t *q1, const ksl_qu
 /* vo = R(q) v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
    18 mul, 12 add.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
@@ -10592,7 +10592,7 @@ static inline void ksl_product_qvf(const ksl_quaternionf_t *q, const ksl_vec3f_t
 /* vo = R(q)^T v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
    18 mul, 12 add.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qconjvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
@@ -11625,7 +11625,7 @@ static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_
 /* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
-   Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3_orthonormalize(ksl_mat3x3_t *self) {
   const double defect_0a = self->m00 * self->m00, defect_0b = 1.0 - defect_0a,
@@ -11693,7 +11693,7 @@ static inline void ksl_mat3x3_orthonormalize(ksl_mat3x3_t *self) {
 /* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
-   Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3_orthonormalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double defect_0a = R->m00 * R->m00, defect_0b = 1.0 - defect_0a,
@@ -13844,7 +13844,7 @@ static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3
 /* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
-   Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3f_orthonormalize(ksl_mat3x3f_t *self) {
   const float defect_0a = self->m00 * self->m00, defect_0b = 1.0f - defect_0a,
@@ -13912,7 +13912,7 @@ static inline void ksl_mat3x3f_orthonormalize(ksl_mat3x3f_t *self) {
 /* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
-   Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3f_orthonormalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const float defect_0a = R->m00 * R->m00, defect_0b = 1.0f - defect_0a,
@@ -16551,7 +16551,7 @@ static inline void ksl_product_Bs(const ksl_inertia_t *B, const ksl_screw_t *s, 
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
    31 mul, 23 add.
-   Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_inertia_energy(const ksl_inertia_t *B, const ksl_screw_t *s) {
   const double p_0a = B->m * s->m0, p_0b = B->h.z * s->m4, p_0c = B->h.y * s->m5,
@@ -17034,7 +17034,7 @@ static inline void ksl_product_Bsf(const ksl_inertiaf_t *B, const ksl_screwf_t *
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
    31 mul, 23 add.
-   Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_inertiaf_energy(const ksl_inertiaf_t *B, const ksl_screwf_t *s) {
   const float p_0a = B->m * s->m0, p_0b = B->h.z * s->m4, p_0c = B->h.y * s->m5, p_0d = p_0b - p_0c,

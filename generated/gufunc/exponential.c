@@ -1435,14 +1435,14 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.\n"
     "\n"
     "(3,3)->(3,3).  self: rotation or other 3×3 matrix.\n"
-    "51 mul, 42 add, 3 neg.  Error <= u |result| + 8 u S, S the sum of the |terms| of the\n"
+    "51 mul, 42 add, 3 neg.  Error <= u |result| + 7 u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
    1, 1, mat3x3_orthonormalize_loops},
   {"mat3x3_orthonormalized", "(3,3)->(3,3)",
     "Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.\n"
     "\n"
     "(3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.\n"
-    "51 mul, 42 add, 3 neg.  Error <= u |result| + 8 u S, S the sum of the |terms| of the\n"
+    "51 mul, 42 add, 3 neg.  Error <= u |result| + 7 u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
    1, 1, mat3x3_orthonormalized_loops},
   {"SE3_exp", "(6)->(3,4)",

@@ -1594,14 +1594,14 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "vo = R(q) v, |q| = 1.\n"
     "\n"
     "(4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.\n"
-    "18 mul, 12 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded\n"
+    "18 mul, 12 add.  Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
    2, 1, product_qv_loops},
   {"product_qconjv", "(4),(3)->(3)",
     "vo = R(q)^T v, |q| = 1.\n"
     "\n"
     "(4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.\n"
-    "18 mul, 12 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded\n"
+    "18 mul, 12 add.  Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
    2, 1, product_qconjv_loops},
   {"mat3x3_from_quaternion", "(4)->(3,3)",

@@ -1507,7 +1507,7 @@ def product_qv(q: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ..
     """vo = R(q) v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-    18 mul, 12 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded
+    18 mul, 12 add.  Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -1515,7 +1515,7 @@ def product_qconjv(q: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None 
     """vo = R(q)^T v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-    18 mul, 12 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded
+    18 mul, 12 add.  Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -1633,7 +1633,7 @@ def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.floating] | None = ..
     """self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
-    51 mul, 42 add, 3 neg.  Error <= u |result| + 8 u S, S the sum of the |terms| of the
+    51 mul, 42 add, 3 neg.  Error <= u |result| + 7 u S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -1641,7 +1641,7 @@ def mat3x3_orthonormalized(R: ArrayLike, out: NDArray[np.floating] | None = ...)
     """Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
-    51 mul, 42 add, 3 neg.  Error <= u |result| + 8 u S, S the sum of the |terms| of the
+    51 mul, 42 add, 3 neg.  Error <= u |result| + 7 u S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -1823,7 +1823,7 @@ def inertia_energy(B: ArrayLike, s: ArrayLike, out: NDArray[np.floating] | None 
 
     (10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
     xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy: number.
-    31 mul, 23 add.  Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded
+    31 mul, 23 add.  Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 

@@ -221,7 +221,7 @@ def product_qv(q, v):
     """vo = R(q) v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-    18 mul, 12 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded
+    18 mul, 12 add.  Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
     q_0, q_1, q_2, q_3 = q
@@ -246,7 +246,7 @@ def product_qconjv(q, v):
     """vo = R(q)^T v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-    18 mul, 12 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded
+    18 mul, 12 add.  Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
     q_0, q_1, q_2, q_3 = q

@@ -679,7 +679,7 @@ static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_
 /* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
-   Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3_orthonormalize(ksl_mat3x3_t *self) {
   const double defect_0a = self->m00 * self->m00, defect_0b = 1.0 - defect_0a,
@@ -747,7 +747,7 @@ static inline void ksl_mat3x3_orthonormalize(ksl_mat3x3_t *self) {
 /* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
-   Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3_orthonormalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double defect_0a = R->m00 * R->m00, defect_0b = 1.0 - defect_0a,
@@ -2898,7 +2898,7 @@ static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3
 /* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
-   Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3f_orthonormalize(ksl_mat3x3f_t *self) {
   const float defect_0a = self->m00 * self->m00, defect_0b = 1.0f - defect_0a,
@@ -2966,7 +2966,7 @@ static inline void ksl_mat3x3f_orthonormalize(ksl_mat3x3f_t *self) {
 /* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
-   Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3f_orthonormalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const float defect_0a = R->m00 * R->m00, defect_0b = 1.0f - defect_0a,

@@ -244,7 +244,7 @@ static inline void ksl_product_qqconj(const ksl_quaternion_t *q1, const ksl_quat
 /* vo = R(q) v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
    18 mul, 12 add.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qv(const ksl_quaternion_t *q, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double c_0a = q->y * v->z, c_0b = q->z * v->y, c_0 = c_0a - c_0b;
@@ -270,7 +270,7 @@ static inline void ksl_product_qv(const ksl_quaternion_t *q, const ksl_vec3_t *v
 /* vo = R(q)^T v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
    18 mul, 12 add.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qconjv(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
@@ -851,7 +851,7 @@ static inline void ksl_product_qqconjf(const ksl_quaternionf_t *q1, const ksl_qu
 /* vo = R(q) v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
    18 mul, 12 add.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
@@ -878,7 +878,7 @@ static inline void ksl_product_qvf(const ksl_quaternionf_t *q, const ksl_vec3f_t
 /* vo = R(q)^T v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
    18 mul, 12 add.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qconjvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {

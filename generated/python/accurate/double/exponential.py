@@ -14,7 +14,7 @@ def SO3_log(R):
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    40 mul, 262 add, 6 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+    40 mul, 261 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
     less, 10 equal, 51 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
@@ -201,10 +201,9 @@ def SO3_log(R):
     divisor_lo = where(half_of_n == 0, 0, half_of_n_lo)
     theta = 2 * half
     theta_cross2 = 2 * half_lo
-    theta_lo = product_error(2, half, theta) + theta_cross2
-    k_of_theta = theta + theta_lo
+    k_of_theta = theta + theta_cross2
     k_of_theta_right = k_of_theta - theta
-    k_of_theta_lo = theta - (k_of_theta - k_of_theta_right) + (theta_lo - k_of_theta_right)
+    k_of_theta_lo = theta - (k_of_theta - k_of_theta_right) + (theta_cross2 - k_of_theta_right)
     k_of_divisor = divisor + divisor_lo
     k_of_divisor_right = k_of_divisor - divisor
     k_of_divisor_left_rest = divisor - (k_of_divisor - k_of_divisor_right)
@@ -238,7 +237,7 @@ def axis_angle_from_mat3x3(R):
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    35 mul, 259 add, 5 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+    35 mul, 258 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
     less, 11 equal, 54 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
@@ -452,8 +451,7 @@ def axis_angle_from_mat3x3(R):
     angle_cross2 = 2 * half_lo
     axis_0 = where(half_of_n == 0, 1, unit_0)
     axis_0_lo = where(half_of_n == 0, 0, unit_0_lo)
-    angle_lo = product_error(2, half, angle) + angle_cross2
-    angle_rounded = angle + angle_lo
+    angle_rounded = angle + angle_cross2
     axis_0_rounded = axis_0 + axis_0_lo
     unit_1_rounded = unit_1 + unit_1_lo
     unit_2_rounded = unit_2 + unit_2_lo
@@ -468,8 +466,8 @@ def mat3x3_orthonormalize(self):
     """self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
-    84 mul, 276 add, 6 product error, 45 product rest, 6 neg.  Error <= u |result| + 68 u^2 S, S
-    the sum of the |terms| of the expanded formula; barring over- and underflow.
+    84 mul, 270 add, 45 product rest, 6 neg.  Error <= u |result| + 54 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
     self_00, self_01, self_02, self_10, self_11, self_12, self_20, self_21, self_22 = self
     defect_0a = self_00 * self_00
@@ -577,25 +575,23 @@ def mat3x3_orthonormalize(self):
     correction_4_cross2 = 0.5 * defect_4_lo
     correction_5 = 0.5 * defect_5
     correction_5_cross2 = 0.5 * defect_5_lo
-    correction_0_lo = product_error(0.5, defect_0, correction_0) + correction_0_cross2
     self_00_new_a = self_00 * correction_0
-    correction_3_lo = product_error(0.5, defect_3, correction_3) + correction_3_cross2
     self_00_new_b = self_01 * correction_3
     self_00_new_c = self_00_new_a + self_00_new_b
     self_00_new_c_right = self_00_new_c - self_00_new_a
     self_00_new_c_left = self_00_new_c - self_00_new_c_right
     self_00_new_c_left_rest = product_rest(self_00, correction_0, self_00_new_a, self_00_new_c_left)
     self_00_new_c_right_rest = product_rest(self_01, correction_3, self_00_new_b, self_00_new_c_right)
+    self_00_new_c_cross = self_00 * correction_0_cross2 + self_01 * correction_3_cross2
     self_00_new_c_lo1 = self_00_new_c_left_rest + self_00_new_c_right_rest
-    self_00_new_c_lo = self_00_new_c_lo1 + (self_00 * correction_0_lo + self_01 * correction_3_lo)
-    correction_4_lo = product_error(0.5, defect_4, correction_4) + correction_4_cross2
+    self_00_new_c_lo = self_00_new_c_lo1 + self_00_new_c_cross
     self_00_new_d = self_02 * correction_4
     self_00_new_e = self_00_new_c + self_00_new_d
     self_00_new_e_right = self_00_new_e - self_00_new_c
     self_00_new_e_left_rest = self_00_new_c - (self_00_new_e - self_00_new_e_right)
     self_00_new_e_right_rest = product_rest(self_02, correction_4, self_00_new_d, self_00_new_e_right)
     self_00_new_e_lo1 = self_00_new_e_left_rest + self_00_new_e_right_rest
-    self_00_new_e_lo2 = self_00_new_e_lo1 + self_02 * correction_4_lo
+    self_00_new_e_lo2 = self_00_new_e_lo1 + self_02 * correction_4_cross2
     self_00_new_e_lo = self_00_new_e_lo2 + self_00_new_c_lo
     self_00_new = self_00 + self_00_new_e
     self_00_new_right = self_00_new - self_00
@@ -603,23 +599,22 @@ def mat3x3_orthonormalize(self):
     self_00_new_lo1 = self_00_new_left_rest + (self_00_new_e - self_00_new_right)
     self_00_new_lo = self_00_new_lo1 + self_00_new_e_lo
     self_01_new_a = self_00 * correction_3
-    correction_1_lo = product_error(0.5, defect_1, correction_1) + correction_1_cross2
     self_01_new_b = self_01 * correction_1
     self_01_new_c = self_01_new_a + self_01_new_b
     self_01_new_c_right = self_01_new_c - self_01_new_a
     self_01_new_c_left = self_01_new_c - self_01_new_c_right
     self_01_new_c_left_rest = product_rest(self_00, correction_3, self_01_new_a, self_01_new_c_left)
     self_01_new_c_right_rest = product_rest(self_01, correction_1, self_01_new_b, self_01_new_c_right)
+    self_01_new_c_cross = self_00 * correction_3_cross2 + self_01 * correction_1_cross2
     self_01_new_c_lo1 = self_01_new_c_left_rest + self_01_new_c_right_rest
-    self_01_new_c_lo = self_01_new_c_lo1 + (self_00 * correction_3_lo + self_01 * correction_1_lo)
-    correction_5_lo = product_error(0.5, defect_5, correction_5) + correction_5_cross2
+    self_01_new_c_lo = self_01_new_c_lo1 + self_01_new_c_cross
     self_01_new_d = self_02 * correction_5
     self_01_new_e = self_01_new_c + self_01_new_d
     self_01_new_e_right = self_01_new_e - self_01_new_c
     self_01_new_e_left_rest = self_01_new_c - (self_01_new_e - self_01_new_e_right)
     self_01_new_e_right_rest = product_rest(self_02, correction_5, self_01_new_d, self_01_new_e_right)
     self_01_new_e_lo1 = self_01_new_e_left_rest + self_01_new_e_right_rest
-    self_01_new_e_lo2 = self_01_new_e_lo1 + self_02 * correction_5_lo
+    self_01_new_e_lo2 = self_01_new_e_lo1 + self_02 * correction_5_cross2
     self_01_new_e_lo = self_01_new_e_lo2 + self_01_new_c_lo
     self_01_new = self_01_new_e + self_01
     self_01_new_right = self_01_new - self_01_new_e
@@ -633,16 +628,16 @@ def mat3x3_orthonormalize(self):
     self_02_new_c_left = self_02_new_c - self_02_new_c_right
     self_02_new_c_left_rest = product_rest(self_00, correction_4, self_02_new_a, self_02_new_c_left)
     self_02_new_c_right_rest = product_rest(self_01, correction_5, self_02_new_b, self_02_new_c_right)
+    self_02_new_c_cross = self_00 * correction_4_cross2 + self_01 * correction_5_cross2
     self_02_new_c_lo1 = self_02_new_c_left_rest + self_02_new_c_right_rest
-    self_02_new_c_lo = self_02_new_c_lo1 + (self_00 * correction_4_lo + self_01 * correction_5_lo)
-    correction_2_lo = product_error(0.5, defect_2, correction_2) + correction_2_cross2
+    self_02_new_c_lo = self_02_new_c_lo1 + self_02_new_c_cross
     self_02_new_d = self_02 * correction_2
     self_02_new_e = self_02_new_c + self_02_new_d
     self_02_new_e_right = self_02_new_e - self_02_new_c
     self_02_new_e_left_rest = self_02_new_c - (self_02_new_e - self_02_new_e_right)
     self_02_new_e_right_rest = product_rest(self_02, correction_2, self_02_new_d, self_02_new_e_right)
     self_02_new_e_lo1 = self_02_new_e_left_rest + self_02_new_e_right_rest
-    self_02_new_e_lo2 = self_02_new_e_lo1 + self_02 * correction_2_lo
+    self_02_new_e_lo2 = self_02_new_e_lo1 + self_02 * correction_2_cross2
     self_02_new_e_lo = self_02_new_e_lo2 + self_02_new_c_lo
     self_02_new = self_02_new_e + self_02
     self_02_new_right = self_02_new - self_02_new_e
@@ -656,15 +651,16 @@ def mat3x3_orthonormalize(self):
     self_10_new_c_left = self_10_new_c - self_10_new_c_right
     self_10_new_c_left_rest = product_rest(self_10, correction_0, self_10_new_a, self_10_new_c_left)
     self_10_new_c_right_rest = product_rest(self_11, correction_3, self_10_new_b, self_10_new_c_right)
+    self_10_new_c_cross = self_10 * correction_0_cross2 + self_11 * correction_3_cross2
     self_10_new_c_lo1 = self_10_new_c_left_rest + self_10_new_c_right_rest
-    self_10_new_c_lo = self_10_new_c_lo1 + (self_10 * correction_0_lo + self_11 * correction_3_lo)
+    self_10_new_c_lo = self_10_new_c_lo1 + self_10_new_c_cross
     self_10_new_d = self_12 * correction_4
     self_10_new_e = self_10_new_c + self_10_new_d
     self_10_new_e_right = self_10_new_e - self_10_new_c
     self_10_new_e_left_rest = self_10_new_c - (self_10_new_e - self_10_new_e_right)
     self_10_new_e_right_rest = product_rest(self_12, correction_4, self_10_new_d, self_10_new_e_right)
     self_10_new_e_lo1 = self_10_new_e_left_rest + self_10_new_e_right_rest
-    self_10_new_e_lo2 = self_10_new_e_lo1 + self_12 * correction_4_lo
+    self_10_new_e_lo2 = self_10_new_e_lo1 + self_12 * correction_4_cross2
     self_10_new_e_lo = self_10_new_e_lo2 + self_10_new_c_lo
     self_10_new = self_10 + self_10_new_e
     self_10_new_right = self_10_new - self_10
@@ -678,15 +674,16 @@ def mat3x3_orthonormalize(self):
     self_11_new_c_left = self_11_new_c - self_11_new_c_right
     self_11_new_c_left_rest = product_rest(self_10, correction_3, self_11_new_a, self_11_new_c_left)
     self_11_new_c_right_rest = product_rest(self_11, correction_1, self_11_new_b, self_11_new_c_right)
+    self_11_new_c_cross = self_10 * correction_3_cross2 + self_11 * correction_1_cross2
     self_11_new_c_lo1 = self_11_new_c_left_rest + self_11_new_c_right_rest
-    self_11_new_c_lo = self_11_new_c_lo1 + (self_10 * correction_3_lo + self_11 * correction_1_lo)
+    self_11_new_c_lo = self_11_new_c_lo1 + self_11_new_c_cross
     self_11_new_d = self_12 * correction_5
     self_11_new_e = self_11_new_c + self_11_new_d
     self_11_new_e_right = self_11_new_e - self_11_new_c
     self_11_new_e_left_rest = self_11_new_c - (self_11_new_e - self_11_new_e_right)
     self_11_new_e_right_rest = product_rest(self_12, correction_5, self_11_new_d, self_11_new_e_right)
     self_11_new_e_lo1 = self_11_new_e_left_rest + self_11_new_e_right_rest
-    self_11_new_e_lo2 = self_11_new_e_lo1 + self_12 * correction_5_lo
+    self_11_new_e_lo2 = self_11_new_e_lo1 + self_12 * correction_5_cross2
     self_11_new_e_lo = self_11_new_e_lo2 + self_11_new_c_lo
     self_11_new = self_11_new_e + self_11
     self_11_new_right = self_11_new - self_11_new_e
@@ -700,15 +697,16 @@ def mat3x3_orthonormalize(self):
     self_12_new_c_left = self_12_new_c - self_12_new_c_right
     self_12_new_c_left_rest = product_rest(self_10, correction_4, self_12_new_a, self_12_new_c_left)
     self_12_new_c_right_rest = product_rest(self_11, correction_5, self_12_new_b, self_12_new_c_right)
+    self_12_new_c_cross = self_10 * correction_4_cross2 + self_11 * correction_5_cross2
     self_12_new_c_lo1 = self_12_new_c_left_rest + self_12_new_c_right_rest
-    self_12_new_c_lo = self_12_new_c_lo1 + (self_10 * correction_4_lo + self_11 * correction_5_lo)
+    self_12_new_c_lo = self_12_new_c_lo1 + self_12_new_c_cross
     self_12_new_d = self_12 * correction_2
     self_12_new_e = self_12_new_c + self_12_new_d
     self_12_new_e_right = self_12_new_e - self_12_new_c
     self_12_new_e_left_rest = self_12_new_c - (self_12_new_e - self_12_new_e_right)
     self_12_new_e_right_rest = product_rest(self_12, correction_2, self_12_new_d, self_12_new_e_right)
     self_12_new_e_lo1 = self_12_new_e_left_rest + self_12_new_e_right_rest
-    self_12_new_e_lo2 = self_12_new_e_lo1 + self_12 * correction_2_lo
+    self_12_new_e_lo2 = self_12_new_e_lo1 + self_12 * correction_2_cross2
     self_12_new_e_lo = self_12_new_e_lo2 + self_12_new_c_lo
     self_12_new = self_12_new_e + self_12
     self_12_new_right = self_12_new - self_12_new_e
@@ -722,15 +720,16 @@ def mat3x3_orthonormalize(self):
     self_20_new_c_left = self_20_new_c - self_20_new_c_right
     self_20_new_c_left_rest = product_rest(self_20, correction_0, self_20_new_a, self_20_new_c_left)
     self_20_new_c_right_rest = product_rest(self_21, correction_3, self_20_new_b, self_20_new_c_right)
+    self_20_new_c_cross = self_20 * correction_0_cross2 + self_21 * correction_3_cross2
     self_20_new_c_lo1 = self_20_new_c_left_rest + self_20_new_c_right_rest
-    self_20_new_c_lo = self_20_new_c_lo1 + (self_20 * correction_0_lo + self_21 * correction_3_lo)
+    self_20_new_c_lo = self_20_new_c_lo1 + self_20_new_c_cross
     self_20_new_d = self_22 * correction_4
     self_20_new_e = self_20_new_c + self_20_new_d
     self_20_new_e_right = self_20_new_e - self_20_new_c
     self_20_new_e_left_rest = self_20_new_c - (self_20_new_e - self_20_new_e_right)
     self_20_new_e_right_rest = product_rest(self_22, correction_4, self_20_new_d, self_20_new_e_right)
     self_20_new_e_lo1 = self_20_new_e_left_rest + self_20_new_e_right_rest
-    self_20_new_e_lo2 = self_20_new_e_lo1 + self_22 * correction_4_lo
+    self_20_new_e_lo2 = self_20_new_e_lo1 + self_22 * correction_4_cross2
     self_20_new_e_lo = self_20_new_e_lo2 + self_20_new_c_lo
     self_20_new = self_20 + self_20_new_e
     self_20_new_right = self_20_new - self_20
@@ -744,15 +743,16 @@ def mat3x3_orthonormalize(self):
     self_21_new_c_left = self_21_new_c - self_21_new_c_right
     self_21_new_c_left_rest = product_rest(self_20, correction_3, self_21_new_a, self_21_new_c_left)
     self_21_new_c_right_rest = product_rest(self_21, correction_1, self_21_new_b, self_21_new_c_right)
+    self_21_new_c_cross = self_20 * correction_3_cross2 + self_21 * correction_1_cross2
     self_21_new_c_lo1 = self_21_new_c_left_rest + self_21_new_c_right_rest
-    self_21_new_c_lo = self_21_new_c_lo1 + (self_20 * correction_3_lo + self_21 * correction_1_lo)
+    self_21_new_c_lo = self_21_new_c_lo1 + self_21_new_c_cross
     self_21_new_d = self_22 * correction_5
     self_21_new_e = self_21_new_c + self_21_new_d
     self_21_new_e_right = self_21_new_e - self_21_new_c
     self_21_new_e_left_rest = self_21_new_c - (self_21_new_e - self_21_new_e_right)
     self_21_new_e_right_rest = product_rest(self_22, correction_5, self_21_new_d, self_21_new_e_right)
     self_21_new_e_lo1 = self_21_new_e_left_rest + self_21_new_e_right_rest
-    self_21_new_e_lo2 = self_21_new_e_lo1 + self_22 * correction_5_lo
+    self_21_new_e_lo2 = self_21_new_e_lo1 + self_22 * correction_5_cross2
     self_21_new_e_lo = self_21_new_e_lo2 + self_21_new_c_lo
     self_21_new = self_21_new_e + self_21
     self_21_new_right = self_21_new - self_21_new_e
@@ -766,15 +766,16 @@ def mat3x3_orthonormalize(self):
     self_22_new_c_left = self_22_new_c - self_22_new_c_right
     self_22_new_c_left_rest = product_rest(self_20, correction_4, self_22_new_a, self_22_new_c_left)
     self_22_new_c_right_rest = product_rest(self_21, correction_5, self_22_new_b, self_22_new_c_right)
+    self_22_new_c_cross = self_20 * correction_4_cross2 + self_21 * correction_5_cross2
     self_22_new_c_lo1 = self_22_new_c_left_rest + self_22_new_c_right_rest
-    self_22_new_c_lo = self_22_new_c_lo1 + (self_20 * correction_4_lo + self_21 * correction_5_lo)
+    self_22_new_c_lo = self_22_new_c_lo1 + self_22_new_c_cross
     self_22_new_d = self_22 * correction_2
     self_22_new_e = self_22_new_c + self_22_new_d
     self_22_new_e_right = self_22_new_e - self_22_new_c
     self_22_new_e_left_rest = self_22_new_c - (self_22_new_e - self_22_new_e_right)
     self_22_new_e_right_rest = product_rest(self_22, correction_2, self_22_new_d, self_22_new_e_right)
     self_22_new_e_lo1 = self_22_new_e_left_rest + self_22_new_e_right_rest
-    self_22_new_e_lo2 = self_22_new_e_lo1 + self_22 * correction_2_lo
+    self_22_new_e_lo2 = self_22_new_e_lo1 + self_22 * correction_2_cross2
     self_22_new_e_lo = self_22_new_e_lo2 + self_22_new_c_lo
     self_22_new = self_22_new_e + self_22
     self_22_new_right = self_22_new - self_22_new_e
@@ -800,8 +801,8 @@ def mat3x3_orthonormalized(R):
     """Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
-    84 mul, 276 add, 6 product error, 45 product rest, 6 neg.  Error <= u |result| + 68 u^2 S, S
-    the sum of the |terms| of the expanded formula; barring over- and underflow.
+    84 mul, 270 add, 45 product rest, 6 neg.  Error <= u |result| + 54 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     defect_0a = R_00 * R_00
@@ -909,42 +910,37 @@ def mat3x3_orthonormalized(R):
     correction_4_cross2 = 0.5 * defect_4_lo
     correction_5 = 0.5 * defect_5
     correction_5_cross2 = 0.5 * defect_5_lo
-    correction_0_lo = product_error(0.5, defect_0, correction_0) + correction_0_cross2
     Ro_00a = R_00 * correction_0
-    correction_3_lo = product_error(0.5, defect_3, correction_3) + correction_3_cross2
     Ro_00b = R_01 * correction_3
     Ro_00c = Ro_00a + Ro_00b
     Ro_00c_right = Ro_00c - Ro_00a
     Ro_00c_left_rest = product_rest(R_00, correction_0, Ro_00a, Ro_00c - Ro_00c_right)
     Ro_00c_lo1 = Ro_00c_left_rest + product_rest(R_01, correction_3, Ro_00b, Ro_00c_right)
-    Ro_00c_lo = Ro_00c_lo1 + (R_00 * correction_0_lo + R_01 * correction_3_lo)
-    correction_4_lo = product_error(0.5, defect_4, correction_4) + correction_4_cross2
+    Ro_00c_lo = Ro_00c_lo1 + (R_00 * correction_0_cross2 + R_01 * correction_3_cross2)
     Ro_00d = R_02 * correction_4
     Ro_00e = Ro_00c + Ro_00d
     Ro_00e_right = Ro_00e - Ro_00c
     Ro_00e_right_rest = product_rest(R_02, correction_4, Ro_00d, Ro_00e_right)
     Ro_00e_lo1 = Ro_00c - (Ro_00e - Ro_00e_right) + Ro_00e_right_rest
-    Ro_00e_lo2 = Ro_00e_lo1 + R_02 * correction_4_lo
+    Ro_00e_lo2 = Ro_00e_lo1 + R_02 * correction_4_cross2
     Ro_00e_lo = Ro_00e_lo2 + Ro_00c_lo
     Ro_00 = R_00 + Ro_00e
     Ro_00_right = Ro_00 - R_00
     Ro_00_lo1 = R_00 - (Ro_00 - Ro_00_right) + (Ro_00e - Ro_00_right)
     Ro_00_lo = Ro_00_lo1 + Ro_00e_lo
     Ro_01a = R_00 * correction_3
-    correction_1_lo = product_error(0.5, defect_1, correction_1) + correction_1_cross2
     Ro_01b = R_01 * correction_1
     Ro_01c = Ro_01a + Ro_01b
     Ro_01c_right = Ro_01c - Ro_01a
     Ro_01c_left_rest = product_rest(R_00, correction_3, Ro_01a, Ro_01c - Ro_01c_right)
     Ro_01c_lo1 = Ro_01c_left_rest + product_rest(R_01, correction_1, Ro_01b, Ro_01c_right)
-    Ro_01c_lo = Ro_01c_lo1 + (R_00 * correction_3_lo + R_01 * correction_1_lo)
-    correction_5_lo = product_error(0.5, defect_5, correction_5) + correction_5_cross2
+    Ro_01c_lo = Ro_01c_lo1 + (R_00 * correction_3_cross2 + R_01 * correction_1_cross2)
     Ro_01d = R_02 * correction_5
     Ro_01e = Ro_01c + Ro_01d
     Ro_01e_right = Ro_01e - Ro_01c
     Ro_01e_right_rest = product_rest(R_02, correction_5, Ro_01d, Ro_01e_right)
     Ro_01e_lo1 = Ro_01c - (Ro_01e - Ro_01e_right) + Ro_01e_right_rest
-    Ro_01e_lo2 = Ro_01e_lo1 + R_02 * correction_5_lo
+    Ro_01e_lo2 = Ro_01e_lo1 + R_02 * correction_5_cross2
     Ro_01e_lo = Ro_01e_lo2 + Ro_01c_lo
     Ro_01 = Ro_01e + R_01
     Ro_01_right = Ro_01 - Ro_01e
@@ -956,14 +952,13 @@ def mat3x3_orthonormalized(R):
     Ro_02c_right = Ro_02c - Ro_02a
     Ro_02c_left_rest = product_rest(R_00, correction_4, Ro_02a, Ro_02c - Ro_02c_right)
     Ro_02c_lo1 = Ro_02c_left_rest + product_rest(R_01, correction_5, Ro_02b, Ro_02c_right)
-    Ro_02c_lo = Ro_02c_lo1 + (R_00 * correction_4_lo + R_01 * correction_5_lo)
-    correction_2_lo = product_error(0.5, defect_2, correction_2) + correction_2_cross2
+    Ro_02c_lo = Ro_02c_lo1 + (R_00 * correction_4_cross2 + R_01 * correction_5_cross2)
     Ro_02d = R_02 * correction_2
     Ro_02e = Ro_02c + Ro_02d
     Ro_02e_right = Ro_02e - Ro_02c
     Ro_02e_right_rest = product_rest(R_02, correction_2, Ro_02d, Ro_02e_right)
     Ro_02e_lo1 = Ro_02c - (Ro_02e - Ro_02e_right) + Ro_02e_right_rest
-    Ro_02e_lo2 = Ro_02e_lo1 + R_02 * correction_2_lo
+    Ro_02e_lo2 = Ro_02e_lo1 + R_02 * correction_2_cross2
     Ro_02e_lo = Ro_02e_lo2 + Ro_02c_lo
     Ro_02 = Ro_02e + R_02
     Ro_02_right = Ro_02 - Ro_02e
@@ -975,13 +970,13 @@ def mat3x3_orthonormalized(R):
     Ro_10c_right = Ro_10c - Ro_10a
     Ro_10c_left_rest = product_rest(R_10, correction_0, Ro_10a, Ro_10c - Ro_10c_right)
     Ro_10c_lo1 = Ro_10c_left_rest + product_rest(R_11, correction_3, Ro_10b, Ro_10c_right)
-    Ro_10c_lo = Ro_10c_lo1 + (R_10 * correction_0_lo + R_11 * correction_3_lo)
+    Ro_10c_lo = Ro_10c_lo1 + (R_10 * correction_0_cross2 + R_11 * correction_3_cross2)
     Ro_10d = R_12 * correction_4
     Ro_10e = Ro_10c + Ro_10d
     Ro_10e_right = Ro_10e - Ro_10c
     Ro_10e_right_rest = product_rest(R_12, correction_4, Ro_10d, Ro_10e_right)
     Ro_10e_lo1 = Ro_10c - (Ro_10e - Ro_10e_right) + Ro_10e_right_rest
-    Ro_10e_lo2 = Ro_10e_lo1 + R_12 * correction_4_lo
+    Ro_10e_lo2 = Ro_10e_lo1 + R_12 * correction_4_cross2
     Ro_10e_lo = Ro_10e_lo2 + Ro_10c_lo
     Ro_10 = R_10 + Ro_10e
     Ro_10_right = Ro_10 - R_10
@@ -993,13 +988,13 @@ def mat3x3_orthonormalized(R):
     Ro_11c_right = Ro_11c - Ro_11a
     Ro_11c_left_rest = product_rest(R_10, correction_3, Ro_11a, Ro_11c - Ro_11c_right)
     Ro_11c_lo1 = Ro_11c_left_rest + product_rest(R_11, correction_1, Ro_11b, Ro_11c_right)
-    Ro_11c_lo = Ro_11c_lo1 + (R_10 * correction_3_lo + R_11 * correction_1_lo)
+    Ro_11c_lo = Ro_11c_lo1 + (R_10 * correction_3_cross2 + R_11 * correction_1_cross2)
     Ro_11d = R_12 * correction_5
     Ro_11e = Ro_11c + Ro_11d
     Ro_11e_right = Ro_11e - Ro_11c
     Ro_11e_right_rest = product_rest(R_12, correction_5, Ro_11d, Ro_11e_right)
     Ro_11e_lo1 = Ro_11c - (Ro_11e - Ro_11e_right) + Ro_11e_right_rest
-    Ro_11e_lo2 = Ro_11e_lo1 + R_12 * correction_5_lo
+    Ro_11e_lo2 = Ro_11e_lo1 + R_12 * correction_5_cross2
     Ro_11e_lo = Ro_11e_lo2 + Ro_11c_lo
     Ro_11 = Ro_11e + R_11
     Ro_11_right = Ro_11 - Ro_11e
@@ -1011,13 +1006,13 @@ def mat3x3_orthonormalized(R):
     Ro_12c_right = Ro_12c - Ro_12a
     Ro_12c_left_rest = product_rest(R_10, correction_4, Ro_12a, Ro_12c - Ro_12c_right)
     Ro_12c_lo1 = Ro_12c_left_rest + product_rest(R_11, correction_5, Ro_12b, Ro_12c_right)
-    Ro_12c_lo = Ro_12c_lo1 + (R_10 * correction_4_lo + R_11 * correction_5_lo)
+    Ro_12c_lo = Ro_12c_lo1 + (R_10 * correction_4_cross2 + R_11 * correction_5_cross2)
     Ro_12d = R_12 * correction_2
     Ro_12e = Ro_12c + Ro_12d
     Ro_12e_right = Ro_12e - Ro_12c
     Ro_12e_right_rest = product_rest(R_12, correction_2, Ro_12d, Ro_12e_right)
     Ro_12e_lo1 = Ro_12c - (Ro_12e - Ro_12e_right) + Ro_12e_right_rest
-    Ro_12e_lo2 = Ro_12e_lo1 + R_12 * correction_2_lo
+    Ro_12e_lo2 = Ro_12e_lo1 + R_12 * correction_2_cross2
     Ro_12e_lo = Ro_12e_lo2 + Ro_12c_lo
     Ro_12 = Ro_12e + R_12
     Ro_12_right = Ro_12 - Ro_12e
@@ -1029,13 +1024,13 @@ def mat3x3_orthonormalized(R):
     Ro_20c_right = Ro_20c - Ro_20a
     Ro_20c_left_rest = product_rest(R_20, correction_0, Ro_20a, Ro_20c - Ro_20c_right)
     Ro_20c_lo1 = Ro_20c_left_rest + product_rest(R_21, correction_3, Ro_20b, Ro_20c_right)
-    Ro_20c_lo = Ro_20c_lo1 + (R_20 * correction_0_lo + R_21 * correction_3_lo)
+    Ro_20c_lo = Ro_20c_lo1 + (R_20 * correction_0_cross2 + R_21 * correction_3_cross2)
     Ro_20d = R_22 * correction_4
     Ro_20e = Ro_20c + Ro_20d
     Ro_20e_right = Ro_20e - Ro_20c
     Ro_20e_right_rest = product_rest(R_22, correction_4, Ro_20d, Ro_20e_right)
     Ro_20e_lo1 = Ro_20c - (Ro_20e - Ro_20e_right) + Ro_20e_right_rest
-    Ro_20e_lo2 = Ro_20e_lo1 + R_22 * correction_4_lo
+    Ro_20e_lo2 = Ro_20e_lo1 + R_22 * correction_4_cross2
     Ro_20e_lo = Ro_20e_lo2 + Ro_20c_lo
     Ro_20 = R_20 + Ro_20e
     Ro_20_right = Ro_20 - R_20
@@ -1047,13 +1042,13 @@ def mat3x3_orthonormalized(R):
     Ro_21c_right = Ro_21c - Ro_21a
     Ro_21c_left_rest = product_rest(R_20, correction_3, Ro_21a, Ro_21c - Ro_21c_right)
     Ro_21c_lo1 = Ro_21c_left_rest + product_rest(R_21, correction_1, Ro_21b, Ro_21c_right)
-    Ro_21c_lo = Ro_21c_lo1 + (R_20 * correction_3_lo + R_21 * correction_1_lo)
+    Ro_21c_lo = Ro_21c_lo1 + (R_20 * correction_3_cross2 + R_21 * correction_1_cross2)
     Ro_21d = R_22 * correction_5
     Ro_21e = Ro_21c + Ro_21d
     Ro_21e_right = Ro_21e - Ro_21c
     Ro_21e_right_rest = product_rest(R_22, correction_5, Ro_21d, Ro_21e_right)
     Ro_21e_lo1 = Ro_21c - (Ro_21e - Ro_21e_right) + Ro_21e_right_rest
-    Ro_21e_lo2 = Ro_21e_lo1 + R_22 * correction_5_lo
+    Ro_21e_lo2 = Ro_21e_lo1 + R_22 * correction_5_cross2
     Ro_21e_lo = Ro_21e_lo2 + Ro_21c_lo
     Ro_21 = Ro_21e + R_21
     Ro_21_right = Ro_21 - Ro_21e
@@ -1065,13 +1060,13 @@ def mat3x3_orthonormalized(R):
     Ro_22c_right = Ro_22c - Ro_22a
     Ro_22c_left_rest = product_rest(R_20, correction_4, Ro_22a, Ro_22c - Ro_22c_right)
     Ro_22c_lo1 = Ro_22c_left_rest + product_rest(R_21, correction_5, Ro_22b, Ro_22c_right)
-    Ro_22c_lo = Ro_22c_lo1 + (R_20 * correction_4_lo + R_21 * correction_5_lo)
+    Ro_22c_lo = Ro_22c_lo1 + (R_20 * correction_4_cross2 + R_21 * correction_5_cross2)
     Ro_22d = R_22 * correction_2
     Ro_22e = Ro_22c + Ro_22d
     Ro_22e_right = Ro_22e - Ro_22c
     Ro_22e_right_rest = product_rest(R_22, correction_2, Ro_22d, Ro_22e_right)
     Ro_22e_lo1 = Ro_22c - (Ro_22e - Ro_22e_right) + Ro_22e_right_rest
-    Ro_22e_lo2 = Ro_22e_lo1 + R_22 * correction_2_lo
+    Ro_22e_lo2 = Ro_22e_lo1 + R_22 * correction_2_cross2
     Ro_22e_lo = Ro_22e_lo2 + Ro_22c_lo
     Ro_22 = Ro_22e + R_22
     Ro_22_right = Ro_22 - Ro_22e

@@ -141,7 +141,7 @@ def mat3x3_orthonormalize(self):
     """self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
-    51 mul, 42 add, 3 neg.  Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the
+    51 mul, 42 add, 3 neg.  Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
     self_00, self_01, self_02, self_10, self_11, self_12, self_20, self_21, self_22 = self
@@ -178,7 +178,7 @@ def mat3x3_orthonormalized(R):
     """Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
-    51 mul, 42 add, 3 neg.  Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the
+    51 mul, 42 add, 3 neg.  Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
