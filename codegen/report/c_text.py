@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from coscrew_codegen.operations import Operation
-from coscrew_codegen.program import Constant, Input, Op, Operand, Program
+from coscrew_codegen.program import Op, Operand, Program, Ref
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
 from coscrew_codegen.targets.c import STRUCTS, c_name, c_type, member, parameters, returned
@@ -70,7 +70,7 @@ def last_component(program: Program) -> int:
     ready: dict[str, int] = {}
 
     def when(operand: Operand) -> int:
-        return 0 if isinstance(operand, (Input, Constant)) else ready[operand.name]
+        return ready[operand.name] if isinstance(operand, Ref) else 0
 
     for step in program.instructions:
         ready[step.name] = max(map(when, step.operands)) + _CYCLES.get(step.op, 4)

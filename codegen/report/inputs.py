@@ -46,7 +46,7 @@ def hard(operation: Operation, precision: Precision, count: int, seed: int) -> n
     small = np.exp2(-numbers.uniform(0, _SPREAD[precision.name], count))
     angles = np.where(numbers.random(count) < 0.5, small, np.pi - small)
     rows = _drawn(operation, precision, numbers, angles)
-    scales = np.exp2(numbers.uniform(-_SPREAD[precision.name], 2, (count, len(operation.inputs))))
+    scales = np.exp2(numbers.uniform(-_SPREAD[precision.name], 0, (count, len(operation.inputs))))
     free = [_drawing(a) is None for a in operation.inputs]
     sizes = [a.quantity.size for a in operation.inputs]
     factors = np.repeat(np.where(free, scales, 1.0), sizes, axis=1)
@@ -163,10 +163,16 @@ def _inertias(numbers: Generator, angles: np.ndarray, _: int) -> np.ndarray:
         1, x, y, z, y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z)], axis=1)
 
 
+def _fractions(numbers: Generator, angles: np.ndarray, size: int) -> np.ndarray:
+    """Of the way from one to another."""
+    return numbers.random((len(angles), size))
+
+
 # Quantities that are more than so many numbers, and arguments that are more than their quantity.
 _DRAWN: dict[str, Callable[[Generator, np.ndarray, int], np.ndarray]] = {
     "mat3x3": _rotations, "SE3": _displacements, "dc": _sines_and_cosines,
-    "quaternion": _quaternions, "inertia": _inertias, "axis": _axes, "A": _positive_definite, "Ic": _positive_definite}
+    "quaternion": _quaternions, "inertia": _inertias, "axis": _axes, "k": _fractions, "A": _positive_definite,
+    "Ic": _positive_definite}
 
 
 def _drawing(argument: Argument) -> Callable[[Generator, np.ndarray, int], np.ndarray] | None:

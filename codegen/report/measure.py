@@ -44,8 +44,8 @@ _PYTHON_SHARES = (0.1, 0.15, 0.25)
 
 # Rows for errors are counted, not timed, so that every machine draws the same: this many a minute,
 # were `_row_cost` 1.
-_ROW_BUDGET = 600_000.0
-_FEWEST_ROWS, _MOST_ROWS = 24, 20_000
+_ROW_BUDGET = 450_000.0
+_FEWEST_ROWS, _MOST_ROWS = 60, 20_000
 
 Item = TypeVar("Item")
 
@@ -125,7 +125,7 @@ def _row_cost(operation: Operation) -> float:
     bindings, values = sp.cse(components)
     expressions = (*(x for _, x in bindings), *values)
     special = sum(f.func.__name__ in SPECIAL for x in expressions for f in x.atoms(sp.Function))
-    return len(components) + 0.1 * sum(map(sp.count_ops, expressions)) + 100 * special
+    return len(components) + 0.25 * sum(map(sp.count_ops, expressions)) + 40 * special
 
 
 def _accuracies(plan: Plan, library: Library | None) -> dict[Key, Accuracy]:
