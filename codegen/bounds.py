@@ -19,8 +19,9 @@ from collections import defaultdict
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cache
 
-from coscrew_codegen.program import Constant, Input, Op, Operand, Program, Ref
+from coscrew_codegen.program import Constant, Input, Op, Operand, Program, Ref, scales
 
 Monomial = tuple[Input, ...]  # sorted; a power repeats its variable
 Polynomial = Mapping[Monomial, Fraction]
@@ -49,6 +50,7 @@ class _Series:
         return self.terms.get(deltas, {})
 
 
+@cache  # every language, and every precision of a program that is the same in both, asks again
 def bounds_of(program: Program) -> tuple[Bound, ...] | None:
     """One bound per result component; None where the program is not polynomial in exact constants."""
     values: dict[str, _Series] = {}
@@ -56,7 +58,8 @@ def bounds_of(program: Program) -> tuple[Bound, ...] | None:
         if step.op not in _RULES or any(map(_is_rounded_constant, step.operands)):
             return None
         operands = [_value(x, values) for x in step.operands]
-        values[step.name] = _RULES[step.op](operands, number)
+        values[step.name] = (_product(*operands) if scales(step) else
+                             _RULES[step.op](operands, number))
     found = [(_value(result, values), _last_rounding(result, program))
              for result in program.results]
     return tuple(_wide_bound(value) if program.wide else _bound(value, last)
@@ -93,15 +96,18 @@ def _by_part(program: Program, constants: list[Fraction]) -> str:
 
 
 def _last_rounding(result: Operand, program: Program) -> int | None:
-    """The number of the instruction that rounded the result last; a negation is exact."""
+    """The number of the instruction that rounded the result last; negating and scaling are exact."""
     steps = {step.name: (number, step) for number, step in enumerate(program.instructions)}
     while isinstance(result, Ref):
         number, step = steps[result.name]
-        if step.op in _ROUNDING:
+        if scales(step):
+            result = next(x for x in step.operands if not isinstance(x, Constant))
+        elif step.op in _ROUNDING:
             return number
-        if step.op is not Op.NEG:
+        elif step.op is Op.NEG:
+            result = step.operands[0]
+        else:
             return None
-        result = step.operands[0]
     return None
 
 

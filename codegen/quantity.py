@@ -5,6 +5,7 @@ targets' business.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import sympy as sp
 
@@ -98,7 +99,7 @@ class Argument:
     name: str
     quantity: Quantity
 
-    @property
+    @cached_property
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """One SymPy symbol per component, row by row: `a`, `c_0`, `D_03`."""
         shape = self.quantity.shape

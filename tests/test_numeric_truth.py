@@ -50,9 +50,10 @@ def digits():
         yield
 
 
-def run_c(operation: Operation, rules: Rules, row: Row, functions: Header | None = None
-          ) -> list[mp.mpf]:
-    """Every component of every output of the C function."""
+def run_c(operation: Operation, rules: Rules, row: Row, functions: Header | None = None,
+          shared: tuple[str, str] | None = None) -> list[mp.mpf]:
+    """Every component of every output of the C function; `shared`: an output and the input whose
+    object it is."""
     functions = (functions or header()).with_arithmetic(c_arithmetic(rules))
     name = c_name(operation.name, rules.precision)
     types = functions.parameters(name)
@@ -64,6 +65,8 @@ def run_c(operation: Operation, rules: Rules, row: Row, functions: Header | None
             continue
         for index, number in zip(np.ndindex(argument.quantity.shape), numbers, strict=True):
             memory[argument.name].entry(*index).write(number)
+    if shared:
+        memory[shared[0]] = memory[shared[1]]
     value = functions.call(name, *(memory[n] for n in types))
     if value is not None:
         memory[operation.outputs[0].name] = value
@@ -156,6 +159,16 @@ def test_text_is_its_kernel(operation, precision, language):
         assert not differs(found, wanted), [[float(x).hex() for x in part] for part in row]
     conditions = {test for test, _ in seen}
     assert {(test, value) for test in conditions for value in (True, False)} == seen
+
+
+@each_operation
+def test_c_output_may_be_an_input(operation):
+    rules, row = Rules(DOUBLE), rows(operation, DOUBLE)[0]
+    for output in operation.outputs:
+        for source in operation.inputs:
+            if source.quantity == output.quantity and source.quantity.shape:
+                together = run_c(operation, rules, row, shared=(output.name, source.name))
+                assert together == run_c(operation, rules, row)
 
 
 def test_another_threshold_is_noticed():

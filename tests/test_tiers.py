@@ -49,6 +49,11 @@ def test_no_error_exceeds_its_bound(operation: Operation, precision: Precision, 
             assert worst.ulps <= limit, f"{worst.ulps} ulp for {worst.ulps_witness}"
 
 
+# c2 of kernels that are three products deep.
+LONG = {"inertia_energy": 64, "inertia_transformed": 60, "mat3x3_orthonormalize": 54,
+        "mat3x3_orthonormalized": 54}
+
+
 def test_the_bounds_are_those_derived_by_hand():
     """c1 and c2 of a few kernels, counted along the longest way from an input to the result."""
     by_name = {op.name: op for op in TIERED}
@@ -65,7 +70,8 @@ def test_the_bounds_are_those_derived_by_hand():
     for operation in TIERED:
         for bound in bounds(operation, PRECISIONS[0], "accurate"):
             assert bound.c1 == 0
-            assert bound.c2 <= 44
+            assert bound.c2 <= LONG.get(operation.name, 44)
+    assert max(LONG.values()) <= 64  # one ulp is proved up to 7e13 there, elsewhere:
     assert PROVED_CONDITION < 1 / (2 * 44 * Fraction(1, 2**53))  # so one ulp is proved up to there
 
 

@@ -71,7 +71,7 @@ def _jacobian_inverse(sign: int, v: sp.Matrix) -> sp.Matrix:
 
 
 def _bound_jacobian_inverse(sign: int, let: Let, v: sp.Matrix) -> sp.Matrix:
-    return rodrigues(let, v, -sign * sp.Rational(1, 2), Angle.of(let, v).b())
+    return rodrigues(let, v, -sign * sp.Rational(1, 2), *Angle.of(let, v).b())
 
 
 def _bound_turn(let: Let, axis: sp.Matrix, angle: sp.Expr) -> sp.Matrix:
@@ -93,11 +93,10 @@ _NEWTON = "the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3
 
 _ROTATIONS = (
     _op("SO3_exp", "R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|", (_v,), (_R,),
-        _exp, _bound_exp, (("R", 6),)),
+        _exp, _bound_exp, (("R", 5),)),
     _op("SO3_log", "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as "
         "much as R", (_R,), (_vo,), _log_of,
-        lambda let, R: _log(let, R)[0],
-        (("vo", 6),)),
+        lambda let, R: _log(let, R)[0], (("vo", 8),)),
     *(_op(f"SO3_{side}Jacobian", f"R = J_{side[0]}(v) = I {'+-'[sign < 0]} (1 - cos θ)/θ^2 v~ + "
           "(θ - sin θ)/θ^3 v~^2, θ = |v|", (_v,), (_R,), partial(_jacobian, sign),
           partial(_bound_jacobian, sign), (("R", 5),))
@@ -111,7 +110,7 @@ _ROTATIONS = (
         (("R", 8),)),
     _op("axis_angle_from_mat3x3", f"angle and axis of the rotation R; {ANGLE}", (_R,),
         (_angle, _axis), lambda R: axis_and_angle(_log_of(R)),
-        lambda let, R: axis_angle(let, quaternion_of(let, R)), (("angle", 6), ("axis", 4))),
+        lambda let, R: axis_angle(let, quaternion_of(let, R)), (("angle", 8), ("axis", 5))),
     _op("mat3x3_orthonormalize", f"self = {_NEWTON}", (_self,), (_self,),
         lambda R: _newton(unnamed, R), _newton),
     _op("mat3x3_orthonormalized", f"Ro = {_NEWTON}", (_R,), (_Ro,),
@@ -142,9 +141,10 @@ def _screw_of(D: sp.Matrix) -> sp.Matrix:
 def _bound_screw_of(let: Let, D: sp.Matrix) -> sp.Matrix:
     t = translation(D)
     w, angle = _log(let, rotation(D))
-    u = let("u", w.cross(t))
-    small = let("small", angle.b() * let("uu", w.cross(u)) - u / 2)
-    return stack(t + small, w)
+    b, across = angle.b()
+    along = let("along", let("pitch", b * let("wt", w.dot(t))) * w)
+    turned = let("turned", let("u", w.cross(t)) / 2)
+    return stack(across * t + let("across_axis", along - turned), w)
 
 
 def _coupling(let: Let, s: sp.Matrix, orders: tuple[sp.Expr, ...]) -> sp.Matrix:
@@ -183,7 +183,7 @@ def _motion_jacobian_inverse(sign: int, s: sp.Matrix) -> sp.Matrix:
 
 def _bound_motion_jacobian_inverse(sign: int, let: Let, s: sp.Matrix) -> sp.Matrix:
     angle = Angle.of(let, ang(s))
-    J = let("J", rodrigues(let, ang(s), -sign * sp.Rational(1, 2), angle.b()))
+    J = let("J", rodrigues(let, ang(s), -sign * sp.Rational(1, 2), *angle.b()))
     Q = let("Q", _coupling(let, sign * s, angle.g(2, 3, 4, 5)))
     return blocks(J, -J * let("QJ", Q * J), O3, J)
 
@@ -206,9 +206,9 @@ def _bound_interpolated(let: Let, D1: sp.Matrix, D2: sp.Matrix, k: sp.Expr) -> s
 
 _DISPLACEMENTS = (
     _op("SE3_exp", "D = exp s = [exp ω~ | J_l(ω) v]", (_s,), (_D,), _move, _bound_move,
-        (("R", 6), ("t", 8))),
+        (("R", 5), ("t", 8))),
     _op("SE3_log", "so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R", (_D,), (_so,),
-        _screw_of, _bound_screw_of, (("lin", 12), ("ang", 6))),
+        _screw_of, _bound_screw_of, (("lin", 14), ("ang", 8))),
     *(_op(f"SE3_{side}Jacobian", f"M = J_{side[0]}(s) = Σ ({'-' * (sign < 0)}[ad](s))^k / (k+1)!",
           (_s,), (_M,), partial(_motion_jacobian, sign), partial(_bound_motion_jacobian, sign),
           (("M", 20),)) for side, sign in (("left", 1), ("right", -1))),

@@ -129,8 +129,9 @@ class _Writer:
         used = {x.argument for x in self.program.used_inputs()}
         lines = [self._unpacked(a) for n, a in enumerate(self.program.inputs)
                  if n in used and a.quantity.shape]
-        while (long := self._long_line()) is not None:
-            self._unnest(long)
+        for step in self.program.instructions:
+            if step.name not in self.nested:
+                self._shorten(step)
         lines += [self._assigned(step) for step in self.program.instructions
                   if step.name not in self.nested]
         results = [self._operand(x, 0) for x in self.program.results]
@@ -145,22 +146,18 @@ class _Writer:
             return plain
         return listed("(", names, f") = {argument.name}", WIDTH - 4)
 
-    def _long_line(self) -> Instruction | None:
-        """An assignment that is too wide and has something nested in it."""
-        return next((step for step in self.program.instructions if step.name not in self.nested
-                     and len(self._assigned(step)) > WIDTH - 4 and self._nested_in(step)), None)
+    def _shorten(self, step: Instruction) -> None:
+        """While the assignment is too wide, give the widest expression nested in it its own line."""
+        while len(self._assigned(step)) > WIDTH - 4 and (inner := self._nested_in(step)):
+            widest = max(inner, key=lambda x: min(len(self._expression(x)[0]), WIDTH // 2))
+            del self.nested[widest.name]
+            self._shorten(widest)
 
     def _nested_in(self, step: Instruction) -> list[Instruction]:
         found = [self.nested[x.name] for x in step.operands
                  if isinstance(x, Ref) and x.name in self.nested]
         return [inner for x in found for inner in (x, *self._nested_in(x))
                 if inner.op not in (Op.LESS, Op.EQUAL)]
-
-    def _unnest(self, step: Instruction) -> None:
-        """Give the widest expression nested in the step a line of its own."""
-        widest = max(self._nested_in(step), key=lambda inner: min(
-            len(self._expression(inner)[0]), WIDTH // 2))
-        del self.nested[widest.name]
 
     def _assigned(self, step: Instruction) -> str:
         return f"{step.name} = {self._expression(step)[0]}"

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
 
 import numpy as np
 
@@ -22,6 +23,7 @@ class Precision:
         """The constant's exact value in this precision, before rounding."""
         return {"double": constant.double, "single": constant.single}[self.name]
 
+    @cache
     def literal(self, constant: Constant) -> str:
         """The shortest decimal that rounds to the constant in this precision."""
         return str(self.rounded(self.value(constant)))

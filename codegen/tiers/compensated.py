@@ -11,7 +11,7 @@ well; (a - u) + (x y - a) is x y - u, rounded once: a single fma.
 
 from dataclasses import replace
 
-from coscrew_codegen.program import Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program import Instruction, Op, Operand, Ref, scales
 
 
 class Compensator:
@@ -35,13 +35,16 @@ class Compensator:
             self._sum(step)
 
     def _product(self, step: Instruction) -> None:
-        """(a + a_lo)(b + b_lo): a b rounded; a_lo b + a b_lo."""
+        """(a + a_lo)(b + b_lo): a b rounded; a_lo b + a b_lo.  A power of two rounds nothing."""
         a, b = step.operands
         a_lo, b_lo = (self.low(step, x) for x in step.operands)
         self.steps.append(step)
         cross = [self.issue(step, Op.MUL, pair, f"cross{number}")
                  for number, pair in enumerate(((a_lo, b), (a, b_lo)), start=1)
                  if None not in pair]
+        if scales(step):
+            self._low |= {step.name: x for x in cross}
+            return
         if len(cross) == 2:
             cross = [self.issue(step, Op.ADD, tuple(cross), "cross")]
         if cross:

@@ -12741,8 +12741,8 @@ static inline void ksl_product_qqconj_accurate(const ksl_quaternion_t *q1,
 
 /* vo = R(q) v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-   30 mul, 78 add, 3 product error, 15 product rest.
-   Error <= u |result| + 49 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   30 mul, 75 add, 15 product rest.
+   Error <= u |result| + 38 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
@@ -12761,13 +12761,10 @@ static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_
   const double t_0 = 2.0 * c_0, t_0_cross2 = 2.0 * c_0_lo;
   const double t_1 = 2.0 * c_1, t_1_cross2 = 2.0 * c_1_lo;
   const double t_2 = 2.0 * c_2, t_2_cross2 = 2.0 * c_2_lo;
-  const double t_0_error = ksl_product_error(2.0, c_0, t_0), t_0_lo = t_0_error + t_0_cross2,
-      turn_0a = q->w * t_0, turn_0a_cross2 = q->w * t_0_lo,
-      t_2_error = ksl_product_error(2.0, c_2, t_2), t_2_lo = t_2_error + t_2_cross2,
-      turn_0b = q->y * t_2, turn_0b_cross2 = q->y * t_2_lo,
-      t_1_error = ksl_product_error(2.0, c_1, t_1), t_1_lo = t_1_error + t_1_cross2,
-      turn_0c = q->z * t_1, turn_0c_cross2 = q->z * t_1_lo, turn_0d = turn_0b - turn_0c,
-      turn_0d_right = turn_0b - turn_0d, turn_0d_left = turn_0d + turn_0d_right,
+  const double turn_0a = q->w * t_0, turn_0a_cross2 = q->w * t_0_cross2, turn_0b = q->y * t_2,
+      turn_0b_cross2 = q->y * t_2_cross2, turn_0c = q->z * t_1, turn_0c_cross2 = q->z * t_1_cross2,
+      turn_0d = turn_0b - turn_0c, turn_0d_right = turn_0b - turn_0d,
+      turn_0d_left = turn_0d + turn_0d_right,
       turn_0d_left_rest = ksl_product_rest(q->y, t_2, turn_0b, turn_0d_left),
       turn_0d_right_rest = ksl_product_rest(q->z, t_1, turn_0c, turn_0d_right),
       turn_0d_cross = turn_0b_cross2 - turn_0c_cross2,
@@ -12777,8 +12774,8 @@ static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_
       turn_0_left_rest = ksl_product_rest(q->w, t_0, turn_0a, turn_0_left),
       turn_0_right_rest = turn_0d - turn_0_right, turn_0_lo1 = turn_0_left_rest + turn_0_right_rest,
       turn_0_lo2 = turn_0_lo1 + turn_0d_lo, turn_0_lo = turn_0_lo2 + turn_0a_cross2;
-  const double turn_1a = q->w * t_1, turn_1a_cross2 = q->w * t_1_lo, turn_1b = q->z * t_0,
-      turn_1b_cross2 = q->z * t_0_lo, turn_1c = q->x * t_2, turn_1c_cross2 = q->x * t_2_lo,
+  const double turn_1a = q->w * t_1, turn_1a_cross2 = q->w * t_1_cross2, turn_1b = q->z * t_0,
+      turn_1b_cross2 = q->z * t_0_cross2, turn_1c = q->x * t_2, turn_1c_cross2 = q->x * t_2_cross2,
       turn_1d = turn_1b - turn_1c, turn_1d_right = turn_1b - turn_1d,
       turn_1d_left = turn_1d + turn_1d_right,
       turn_1d_left_rest = ksl_product_rest(q->z, t_0, turn_1b, turn_1d_left),
@@ -12790,8 +12787,8 @@ static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_
       turn_1_left_rest = ksl_product_rest(q->w, t_1, turn_1a, turn_1_left),
       turn_1_right_rest = turn_1d - turn_1_right, turn_1_lo1 = turn_1_left_rest + turn_1_right_rest,
       turn_1_lo2 = turn_1_lo1 + turn_1d_lo, turn_1_lo = turn_1_lo2 + turn_1a_cross2;
-  const double turn_2a = q->w * t_2, turn_2a_cross2 = q->w * t_2_lo, turn_2b = q->x * t_1,
-      turn_2b_cross2 = q->x * t_1_lo, turn_2c = q->y * t_0, turn_2c_cross2 = q->y * t_0_lo,
+  const double turn_2a = q->w * t_2, turn_2a_cross2 = q->w * t_2_cross2, turn_2b = q->x * t_1,
+      turn_2b_cross2 = q->x * t_1_cross2, turn_2c = q->y * t_0, turn_2c_cross2 = q->y * t_0_cross2,
       turn_2d = turn_2b - turn_2c, turn_2d_right = turn_2b - turn_2d,
       turn_2d_left = turn_2d + turn_2d_right,
       turn_2d_left_rest = ksl_product_rest(q->x, t_1, turn_2b, turn_2d_left),
@@ -12822,8 +12819,8 @@ static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_
 
 /* vo = R(q)^T v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-   30 mul, 78 add, 3 product error, 15 product rest.
-   Error <= u |result| + 49 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   30 mul, 75 add, 15 product rest.
+   Error <= u |result| + 38 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
@@ -12842,13 +12839,10 @@ static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const 
   const double t_0 = 2.0 * c_0, t_0_cross2 = 2.0 * c_0_lo;
   const double t_1 = 2.0 * c_1, t_1_cross2 = 2.0 * c_1_lo;
   const double t_2 = 2.0 * c_2, t_2_cross2 = 2.0 * c_2_lo;
-  const double t_0_error = ksl_product_error(2.0, c_0, t_0), t_0_lo = t_0_error + t_0_cross2,
-      turn_0a = q->w * t_0, turn_0a_cross2 = q->w * t_0_lo,
-      t_1_error = ksl_product_error(2.0, c_1, t_1), t_1_lo = t_1_error + t_1_cross2,
-      turn_0b = q->z * t_1, turn_0b_cross2 = q->z * t_1_lo,
-      t_2_error = ksl_product_error(2.0, c_2, t_2), t_2_lo = t_2_error + t_2_cross2,
-      turn_0c = q->y * t_2, turn_0c_cross2 = q->y * t_2_lo, turn_0d = turn_0b - turn_0c,
-      turn_0d_right = turn_0b - turn_0d, turn_0d_left = turn_0d + turn_0d_right,
+  const double turn_0a = q->w * t_0, turn_0a_cross2 = q->w * t_0_cross2, turn_0b = q->z * t_1,
+      turn_0b_cross2 = q->z * t_1_cross2, turn_0c = q->y * t_2, turn_0c_cross2 = q->y * t_2_cross2,
+      turn_0d = turn_0b - turn_0c, turn_0d_right = turn_0b - turn_0d,
+      turn_0d_left = turn_0d + turn_0d_right,
       turn_0d_left_rest = ksl_product_rest(q->z, t_1, turn_0b, turn_0d_left),
       turn_0d_right_rest = ksl_product_rest(q->y, t_2, turn_0c, turn_0d_right),
       turn_0d_cross = turn_0b_cross2 - turn_0c_cross2,
@@ -12858,8 +12852,8 @@ static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const 
       turn_0_left_rest = ksl_product_rest(q->w, t_0, turn_0a, turn_0_left),
       turn_0_right_rest = turn_0d - turn_0_right, turn_0_lo1 = turn_0_left_rest + turn_0_right_rest,
       turn_0_lo2 = turn_0_lo1 + turn_0d_lo, turn_0_lo = turn_0_lo2 + turn_0a_cross2;
-  const double turn_1a = q->w * t_1, turn_1a_cross2 = q->w * t_1_lo, turn_1b = q->x * t_2,
-      turn_1b_cross2 = q->x * t_2_lo, turn_1c = q->z * t_0, turn_1c_cross2 = q->z * t_0_lo,
+  const double turn_1a = q->w * t_1, turn_1a_cross2 = q->w * t_1_cross2, turn_1b = q->x * t_2,
+      turn_1b_cross2 = q->x * t_2_cross2, turn_1c = q->z * t_0, turn_1c_cross2 = q->z * t_0_cross2,
       turn_1d = turn_1b - turn_1c, turn_1d_right = turn_1b - turn_1d,
       turn_1d_left = turn_1d + turn_1d_right,
       turn_1d_left_rest = ksl_product_rest(q->x, t_2, turn_1b, turn_1d_left),
@@ -12871,8 +12865,8 @@ static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const 
       turn_1_left_rest = ksl_product_rest(q->w, t_1, turn_1a, turn_1_left),
       turn_1_right_rest = turn_1d - turn_1_right, turn_1_lo1 = turn_1_left_rest + turn_1_right_rest,
       turn_1_lo2 = turn_1_lo1 + turn_1d_lo, turn_1_lo = turn_1_lo2 + turn_1a_cross2;
-  const double turn_2a = q->w * t_2, turn_2a_cross2 = q->w * t_2_lo, turn_2b = q->y * t_0,
-      turn_2b_cross2 = q->y * t_0_lo, turn_2c = q->x * t_1, turn_2c_cross2 = q->x * t_1_lo,
+  const double turn_2a = q->w * t_2, turn_2a_cross2 = q->w * t_2_cross2, turn_2b = q->y * t_0,
+      turn_2b_cross2 = q->y * t_0_cross2, turn_2c = q->x * t_1, turn_2c_cross2 = q->x * t_1_cross2,
       turn_2d = turn_2b - turn_2c, turn_2d_right = turn_2b - turn_2d,
       turn_2d_left = turn_2d + turn_2d_right,
       turn_2d_left_rest = ksl_product_rest(q->y, t_0, turn_2b, turn_2d_left),
@@ -12903,7 +12897,7 @@ static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const 
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-   41 mul, 117 add, 11 product error, 24 product rest, 2 div, 9 equal, 9 select. */
+   41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select. */
 static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
   const double squares_0 = q->w * q->w;
   const double squares_1 = q->x * q->x;
@@ -12993,20 +12987,19 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
       m_5_lo = m_5_left_rest + m_5_right_rest;
   const double R_00 = factor * d0, R_00_cross1 = factor_lo * d0, R_00_cross2 = factor * d0_lo,
       R_00_cross = R_00_cross1 + R_00_cross2;
-  const double twice_error = ksl_product_error(2.0, factor, twice),
-      twice_lo = twice_error + twice_cross2, R_01 = twice * m_0, R_01_cross1 = twice_lo * m_0,
-      R_01_cross2 = twice * m_0_lo, R_01_cross = R_01_cross1 + R_01_cross2;
-  const double R_02 = twice * m_1, R_02_cross1 = twice_lo * m_1, R_02_cross2 = twice * m_1_lo,
+  const double R_01 = twice * m_0, R_01_cross1 = twice_cross2 * m_0, R_01_cross2 = twice * m_0_lo,
+      R_01_cross = R_01_cross1 + R_01_cross2;
+  const double R_02 = twice * m_1, R_02_cross1 = twice_cross2 * m_1, R_02_cross2 = twice * m_1_lo,
       R_02_cross = R_02_cross1 + R_02_cross2;
-  const double R_10 = twice * m_3, R_10_cross1 = twice_lo * m_3, R_10_cross2 = twice * m_3_lo,
+  const double R_10 = twice * m_3, R_10_cross1 = twice_cross2 * m_3, R_10_cross2 = twice * m_3_lo,
       R_10_cross = R_10_cross1 + R_10_cross2;
   const double R_11 = factor * d1, R_11_cross1 = factor_lo * d1, R_11_cross2 = factor * d1_lo,
       R_11_cross = R_11_cross1 + R_11_cross2;
-  const double R_12 = twice * m_2, R_12_cross1 = twice_lo * m_2, R_12_cross2 = twice * m_2_lo,
+  const double R_12 = twice * m_2, R_12_cross1 = twice_cross2 * m_2, R_12_cross2 = twice * m_2_lo,
       R_12_cross = R_12_cross1 + R_12_cross2;
-  const double R_20 = twice * m_4, R_20_cross1 = twice_lo * m_4, R_20_cross2 = twice * m_4_lo,
+  const double R_20 = twice * m_4, R_20_cross1 = twice_cross2 * m_4, R_20_cross2 = twice * m_4_lo,
       R_20_cross = R_20_cross1 + R_20_cross2;
-  const double R_21 = twice * m_5, R_21_cross1 = twice_lo * m_5, R_21_cross2 = twice * m_5_lo,
+  const double R_21 = twice * m_5, R_21_cross1 = twice_cross2 * m_5, R_21_cross2 = twice * m_5_lo,
       R_21_cross = R_21_cross1 + R_21_cross2;
   const double R_22 = factor * d2, R_22_cross1 = factor_lo * d2, R_22_cross2 = factor * d2_lo,
       R_22_cross = R_22_cross1 + R_22_cross2;
@@ -13050,7 +13043,7 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-   21 mul, 200 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
+   21 mul, 248 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
      select. */
 static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
     ksl_quaternion_t *qo) {
@@ -13072,38 +13065,64 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
   const double s_2 = R->m01 + R->m10, s_2_right = s_2 - R->m01, s_2_left = s_2 - s_2_right,
       s_2_left_rest = R->m01 - s_2_left, s_2_right_rest = R->m10 - s_2_right,
       s_2_lo = s_2_left_rest + s_2_right_rest;
-  const double d_0a = R->m00 + R->m11, d_0a_right = d_0a - R->m00, d_0a_left = d_0a - d_0a_right,
-      d_0a_left_rest = R->m00 - d_0a_left, d_0a_right_rest = R->m11 - d_0a_right,
-      d_0a_lo = d_0a_left_rest + d_0a_right_rest, d_0b = d_0a + R->m22, d_0b_right = d_0b - d_0a,
+  const double less_0 = 1.0 - R->m00, less_0_right = 1.0 - less_0,
+      less_0_left = less_0 + less_0_right, less_0_left_rest = 1.0 - less_0_left,
+      less_0_right_rest = R->m00 - less_0_right, less_0_lo = less_0_left_rest - less_0_right_rest;
+  const double less_1 = 1.0 - R->m11, less_1_right = 1.0 - less_1,
+      less_1_left = less_1 + less_1_right, less_1_left_rest = 1.0 - less_1_left,
+      less_1_right_rest = R->m11 - less_1_right, less_1_lo = less_1_left_rest - less_1_right_rest;
+  const double less_2 = 1.0 - R->m22, less_2_right = 1.0 - less_2,
+      less_2_left = less_2 + less_2_right, less_2_left_rest = 1.0 - less_2_left,
+      less_2_right_rest = R->m22 - less_2_right, less_2_lo = less_2_left_rest - less_2_right_rest;
+  const double more_0 = R->m00 + 1.0, more_0_right = more_0 - R->m00,
+      more_0_left = more_0 - more_0_right, more_0_left_rest = R->m00 - more_0_left,
+      more_0_right_rest = 1.0 - more_0_right, more_0_lo = more_0_left_rest + more_0_right_rest;
+  const double more_1 = R->m11 + 1.0, more_1_right = more_1 - R->m11,
+      more_1_left = more_1 - more_1_right, more_1_left_rest = R->m11 - more_1_left,
+      more_1_right_rest = 1.0 - more_1_right, more_1_lo = more_1_left_rest + more_1_right_rest;
+  const double more_2 = R->m22 + 1.0, more_2_right = more_2 - R->m22,
+      more_2_left = more_2 - more_2_right, more_2_left_rest = R->m22 - more_2_left,
+      more_2_right_rest = 1.0 - more_2_right, more_2_lo = more_2_left_rest + more_2_right_rest;
+  const double d_0a = less_0 + less_1, d_0a_right = d_0a - less_0, d_0a_left = d_0a - d_0a_right,
+      d_0a_left_rest = less_0 - d_0a_left, d_0a_right_rest = less_1 - d_0a_right,
+      d_0a_lo1 = d_0a_left_rest + d_0a_right_rest, d_0a_lo2 = d_0a_lo1 + less_1_lo,
+      d_0a_lo = d_0a_lo2 + less_0_lo, d_0b = d_0a + less_2, d_0b_right = d_0b - d_0a,
       d_0b_left = d_0b - d_0b_right, d_0b_left_rest = d_0a - d_0b_left,
-      d_0b_right_rest = R->m22 - d_0b_right, d_0b_lo1 = d_0b_left_rest + d_0b_right_rest,
-      d_0b_lo = d_0b_lo1 + d_0a_lo, d_0 = d_0b + 1.0, d_0_right = d_0 - d_0b,
-      d_0_left = d_0 - d_0_right, d_0_left_rest = d_0b - d_0_left, d_0_right_rest = 1.0 - d_0_right,
-      d_0_lo1 = d_0_left_rest + d_0_right_rest, d_0_lo = d_0_lo1 + d_0b_lo;
-  const double d_1a = R->m00 - R->m11, d_1a_right = R->m00 - d_1a, d_1a_left = d_1a + d_1a_right,
-      d_1a_left_rest = R->m00 - d_1a_left, d_1a_right_rest = R->m11 - d_1a_right,
-      d_1a_lo = d_1a_left_rest - d_1a_right_rest, d_1b = d_1a - R->m22, d_1b_right = d_1a - d_1b,
-      d_1b_left = d_1b + d_1b_right, d_1b_left_rest = d_1a - d_1b_left,
-      d_1b_right_rest = R->m22 - d_1b_right, d_1b_lo1 = d_1b_left_rest - d_1b_right_rest,
-      d_1b_lo = d_1b_lo1 + d_1a_lo, d_1 = d_1b + 1.0, d_1_right = d_1 - d_1b,
-      d_1_left = d_1 - d_1_right, d_1_left_rest = d_1b - d_1_left, d_1_right_rest = 1.0 - d_1_right,
-      d_1_lo1 = d_1_left_rest + d_1_right_rest, d_1_lo = d_1_lo1 + d_1b_lo;
-  const double d_2a = R->m11 - R->m00, d_2a_right = R->m11 - d_2a, d_2a_left = d_2a + d_2a_right,
-      d_2a_left_rest = R->m11 - d_2a_left, d_2a_right_rest = R->m00 - d_2a_right,
-      d_2a_lo = d_2a_left_rest - d_2a_right_rest, d_2b = d_2a - R->m22, d_2b_right = d_2a - d_2b,
-      d_2b_left = d_2b + d_2b_right, d_2b_left_rest = d_2a - d_2b_left,
-      d_2b_right_rest = R->m22 - d_2b_right, d_2b_lo1 = d_2b_left_rest - d_2b_right_rest,
-      d_2b_lo = d_2b_lo1 + d_2a_lo, d_2 = d_2b + 1.0, d_2_right = d_2 - d_2b,
-      d_2_left = d_2 - d_2_right, d_2_left_rest = d_2b - d_2_left, d_2_right_rest = 1.0 - d_2_right,
-      d_2_lo1 = d_2_left_rest + d_2_right_rest, d_2_lo = d_2_lo1 + d_2b_lo;
-  const double d_3a = R->m22 - R->m00, d_3a_right = R->m22 - d_3a, d_3a_left = d_3a + d_3a_right,
-      d_3a_left_rest = R->m22 - d_3a_left, d_3a_right_rest = R->m00 - d_3a_right,
-      d_3a_lo = d_3a_left_rest - d_3a_right_rest, d_3b = d_3a - R->m11, d_3b_right = d_3a - d_3b,
-      d_3b_left = d_3b + d_3b_right, d_3b_left_rest = d_3a - d_3b_left,
-      d_3b_right_rest = R->m11 - d_3b_right, d_3b_lo1 = d_3b_left_rest - d_3b_right_rest,
-      d_3b_lo = d_3b_lo1 + d_3a_lo, d_3 = d_3b + 1.0, d_3_right = d_3 - d_3b,
-      d_3_left = d_3 - d_3_right, d_3_left_rest = d_3b - d_3_left, d_3_right_rest = 1.0 - d_3_right,
-      d_3_lo1 = d_3_left_rest + d_3_right_rest, d_3_lo = d_3_lo1 + d_3b_lo;
+      d_0b_right_rest = less_2 - d_0b_right, d_0b_lo1 = d_0b_left_rest + d_0b_right_rest,
+      d_0b_lo2 = d_0b_lo1 + less_2_lo, d_0b_lo = d_0b_lo2 + d_0a_lo, d_0 = 4.0 - d_0b,
+      d_0_right = 4.0 - d_0, d_0_left = d_0 + d_0_right, d_0_left_rest = 4.0 - d_0_left,
+      d_0_right_rest = d_0b - d_0_right, d_0_lo1 = d_0_left_rest - d_0_right_rest,
+      d_0_lo = d_0_lo1 - d_0b_lo;
+  const double d_1a = 4.0 - less_0, d_1a_right = 4.0 - d_1a, d_1a_left = d_1a + d_1a_right,
+      d_1a_left_rest = 4.0 - d_1a_left, d_1a_right_rest = less_0 - d_1a_right,
+      d_1a_lo1 = d_1a_left_rest - d_1a_right_rest, d_1a_lo = d_1a_lo1 - less_0_lo,
+      d_1b = more_1 + more_2, d_1b_right = d_1b - more_1, d_1b_left = d_1b - d_1b_right,
+      d_1b_left_rest = more_1 - d_1b_left, d_1b_right_rest = more_2 - d_1b_right,
+      d_1b_lo1 = d_1b_left_rest + d_1b_right_rest, d_1b_lo2 = d_1b_lo1 + more_2_lo,
+      d_1b_lo = d_1b_lo2 + more_1_lo, d_1 = d_1a - d_1b, d_1_right = d_1a - d_1,
+      d_1_left = d_1 + d_1_right, d_1_left_rest = d_1a - d_1_left,
+      d_1_right_rest = d_1b - d_1_right, d_1_lo1 = d_1_left_rest - d_1_right_rest,
+      d_1_lo2 = d_1_lo1 - d_1b_lo, d_1_lo = d_1_lo2 + d_1a_lo;
+  const double d_2a = 4.0 - less_1, d_2a_right = 4.0 - d_2a, d_2a_left = d_2a + d_2a_right,
+      d_2a_left_rest = 4.0 - d_2a_left, d_2a_right_rest = less_1 - d_2a_right,
+      d_2a_lo1 = d_2a_left_rest - d_2a_right_rest, d_2a_lo = d_2a_lo1 - less_1_lo,
+      d_2b = more_0 + more_2, d_2b_right = d_2b - more_0, d_2b_left = d_2b - d_2b_right,
+      d_2b_left_rest = more_0 - d_2b_left, d_2b_right_rest = more_2 - d_2b_right,
+      d_2b_lo1 = d_2b_left_rest + d_2b_right_rest, d_2b_lo2 = d_2b_lo1 + more_2_lo,
+      d_2b_lo = d_2b_lo2 + more_0_lo, d_2 = d_2a - d_2b, d_2_right = d_2a - d_2,
+      d_2_left = d_2 + d_2_right, d_2_left_rest = d_2a - d_2_left,
+      d_2_right_rest = d_2b - d_2_right, d_2_lo1 = d_2_left_rest - d_2_right_rest,
+      d_2_lo2 = d_2_lo1 - d_2b_lo, d_2_lo = d_2_lo2 + d_2a_lo;
+  const double d_3a = 4.0 - less_2, d_3a_right = 4.0 - d_3a, d_3a_left = d_3a + d_3a_right,
+      d_3a_left_rest = 4.0 - d_3a_left, d_3a_right_rest = less_2 - d_3a_right,
+      d_3a_lo1 = d_3a_left_rest - d_3a_right_rest, d_3a_lo = d_3a_lo1 - less_2_lo,
+      d_3b = more_0 + more_1, d_3b_right = d_3b - more_0, d_3b_left = d_3b - d_3b_right,
+      d_3b_left_rest = more_0 - d_3b_left, d_3b_right_rest = more_1 - d_3b_right,
+      d_3b_lo1 = d_3b_left_rest + d_3b_right_rest, d_3b_lo2 = d_3b_lo1 + more_1_lo,
+      d_3b_lo = d_3b_lo2 + more_0_lo, d_3 = d_3a - d_3b, d_3_right = d_3a - d_3,
+      d_3_left = d_3 + d_3_right, d_3_left_rest = d_3a - d_3_left,
+      d_3_right_rest = d_3b - d_3_right, d_3_lo1 = d_3_left_rest - d_3_right_rest,
+      d_3_lo2 = d_3_lo1 - d_3b_lo, d_3_lo = d_3_lo2 + d_3a_lo;
   const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
   const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
   const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
@@ -13240,7 +13259,7 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where angle
      = 0; any multiple of a quaternion.
    q: quaternion (w; x, y, z), the scalar first; axis: vector.
-   23 mul, 56 add, 5 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
+   23 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
      less, 8 equal, 23 select. */
 static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternion_t *q,
     ksl_vec3_t *axis) {
@@ -13322,8 +13341,7 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
   const double angle = 2.0 * half, angle_cross2 = 2.0 * half_lo;
   const double axis_0 = half_of_n == 0.0 ? 1.0 : unit_0,
       axis_0_lo = half_of_n == 0.0 ? 0.0 : unit_0_lo;
-  const double angle_error = ksl_product_error(2.0, half, angle),
-      angle_lo = angle_error + angle_cross2, angle_rounded = angle + angle_lo,
+  const double angle_rounded = angle + angle_cross2,
       angle_final = angle_rounded == angle_rounded ? angle_rounded : angle;
   const double axis_0_rounded = axis_0 + axis_0_lo,
       axis_0_final = axis_0_rounded == axis_0_rounded ? axis_0_rounded : axis_0;
@@ -13339,7 +13357,7 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (w; x, y, z), the scalar first; vo: vector.
-   25 mul, 59 add, 6 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8 less,
+   25 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8 less,
      7 equal, 20 select. */
 static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
   const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
@@ -13397,11 +13415,10 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
   const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
       divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
   const double theta = 2.0 * half, theta_cross2 = 2.0 * half_lo;
-  const double theta_error = ksl_product_error(2.0, half, theta),
-      theta_lo = theta_error + theta_cross2, k_of_theta = theta + theta_lo,
-      k_of_theta_right = k_of_theta - theta, k_of_theta_left = k_of_theta - k_of_theta_right,
+  const double k_of_theta = theta + theta_cross2, k_of_theta_right = k_of_theta - theta,
+      k_of_theta_left = k_of_theta - k_of_theta_right,
       k_of_theta_left_rest = theta - k_of_theta_left,
-      k_of_theta_right_rest = theta_lo - k_of_theta_right,
+      k_of_theta_right_rest = theta_cross2 - k_of_theta_right,
       k_of_theta_lo = k_of_theta_left_rest + k_of_theta_right_rest,
       k_of_divisor = divisor + divisor_lo, k_of_divisor_right = k_of_divisor - divisor,
       k_of_divisor_left = k_of_divisor - k_of_divisor_right,
@@ -13630,7 +13647,7 @@ static inline void ksl_product_qqconjf_accurate(const ksl_quaternionf_t *q1,
 /* vo = R(q) v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
    18 mul, 12 add.
-   Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   Error <= u |result| + 3/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
@@ -13660,7 +13677,7 @@ static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *q, const ks
 /* vo = R(q)^T v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
    18 mul, 12 add.
-   Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   Error <= u |result| + 3/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
@@ -13739,7 +13756,7 @@ static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t 
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-   4 mul, 21 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select. */
+   4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select. */
 static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
     ksl_quaternionf_t *qo) {
   const double p_0 = (double)R->m21 - (double)R->m12;
@@ -13748,14 +13765,16 @@ static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
   const double s_0 = (double)R->m12 + (double)R->m21;
   const double s_1 = (double)R->m02 + (double)R->m20;
   const double s_2 = (double)R->m01 + (double)R->m10;
-  const double d_0a = (double)R->m00 + (double)R->m11, d_0b = d_0a + (double)R->m22,
-      d_0 = d_0b + 1.0;
-  const double d_1a = (double)R->m00 - (double)R->m11, d_1b = d_1a - (double)R->m22,
-      d_1 = d_1b + 1.0;
-  const double d_2a = (double)R->m11 - (double)R->m00, d_2b = d_2a - (double)R->m22,
-      d_2 = d_2b + 1.0;
-  const double d_3a = (double)R->m22 - (double)R->m00, d_3b = d_3a - (double)R->m11,
-      d_3 = d_3b + 1.0;
+  const double less_0 = 1.0 - (double)R->m00;
+  const double less_1 = 1.0 - (double)R->m11;
+  const double less_2 = 1.0 - (double)R->m22;
+  const double more_0 = (double)R->m00 + 1.0;
+  const double more_1 = (double)R->m11 + 1.0;
+  const double more_2 = (double)R->m22 + 1.0;
+  const double d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0 - d_0b;
+  const double d_1a = 4.0 - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
+  const double d_2a = 4.0 - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
+  const double d_3a = 4.0 - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
   const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
   const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
   const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
@@ -13868,7 +13887,7 @@ static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   40 mul, 214 add, 6 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+   40 mul, 261 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
      less, 10 equal, 51 select. */
 static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
@@ -13889,38 +13908,64 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double s_2 = R->m01 + R->m10, s_2_right = s_2 - R->m01, s_2_left = s_2 - s_2_right,
       s_2_left_rest = R->m01 - s_2_left, s_2_right_rest = R->m10 - s_2_right,
       s_2_lo = s_2_left_rest + s_2_right_rest;
-  const double d_0a = R->m00 + R->m11, d_0a_right = d_0a - R->m00, d_0a_left = d_0a - d_0a_right,
-      d_0a_left_rest = R->m00 - d_0a_left, d_0a_right_rest = R->m11 - d_0a_right,
-      d_0a_lo = d_0a_left_rest + d_0a_right_rest, d_0b = d_0a + R->m22, d_0b_right = d_0b - d_0a,
+  const double less_0 = 1.0 - R->m00, less_0_right = 1.0 - less_0,
+      less_0_left = less_0 + less_0_right, less_0_left_rest = 1.0 - less_0_left,
+      less_0_right_rest = R->m00 - less_0_right, less_0_lo = less_0_left_rest - less_0_right_rest;
+  const double less_1 = 1.0 - R->m11, less_1_right = 1.0 - less_1,
+      less_1_left = less_1 + less_1_right, less_1_left_rest = 1.0 - less_1_left,
+      less_1_right_rest = R->m11 - less_1_right, less_1_lo = less_1_left_rest - less_1_right_rest;
+  const double less_2 = 1.0 - R->m22, less_2_right = 1.0 - less_2,
+      less_2_left = less_2 + less_2_right, less_2_left_rest = 1.0 - less_2_left,
+      less_2_right_rest = R->m22 - less_2_right, less_2_lo = less_2_left_rest - less_2_right_rest;
+  const double more_0 = R->m00 + 1.0, more_0_right = more_0 - R->m00,
+      more_0_left = more_0 - more_0_right, more_0_left_rest = R->m00 - more_0_left,
+      more_0_right_rest = 1.0 - more_0_right, more_0_lo = more_0_left_rest + more_0_right_rest;
+  const double more_1 = R->m11 + 1.0, more_1_right = more_1 - R->m11,
+      more_1_left = more_1 - more_1_right, more_1_left_rest = R->m11 - more_1_left,
+      more_1_right_rest = 1.0 - more_1_right, more_1_lo = more_1_left_rest + more_1_right_rest;
+  const double more_2 = R->m22 + 1.0, more_2_right = more_2 - R->m22,
+      more_2_left = more_2 - more_2_right, more_2_left_rest = R->m22 - more_2_left,
+      more_2_right_rest = 1.0 - more_2_right, more_2_lo = more_2_left_rest + more_2_right_rest;
+  const double d_0a = less_0 + less_1, d_0a_right = d_0a - less_0, d_0a_left = d_0a - d_0a_right,
+      d_0a_left_rest = less_0 - d_0a_left, d_0a_right_rest = less_1 - d_0a_right,
+      d_0a_lo1 = d_0a_left_rest + d_0a_right_rest, d_0a_lo2 = d_0a_lo1 + less_1_lo,
+      d_0a_lo = d_0a_lo2 + less_0_lo, d_0b = d_0a + less_2, d_0b_right = d_0b - d_0a,
       d_0b_left = d_0b - d_0b_right, d_0b_left_rest = d_0a - d_0b_left,
-      d_0b_right_rest = R->m22 - d_0b_right, d_0b_lo1 = d_0b_left_rest + d_0b_right_rest,
-      d_0b_lo = d_0b_lo1 + d_0a_lo, d_0 = d_0b + 1.0, d_0_right = d_0 - d_0b,
-      d_0_left = d_0 - d_0_right, d_0_left_rest = d_0b - d_0_left, d_0_right_rest = 1.0 - d_0_right,
-      d_0_lo1 = d_0_left_rest + d_0_right_rest, d_0_lo = d_0_lo1 + d_0b_lo;
-  const double d_1a = R->m00 - R->m11, d_1a_right = R->m00 - d_1a, d_1a_left = d_1a + d_1a_right,
-      d_1a_left_rest = R->m00 - d_1a_left, d_1a_right_rest = R->m11 - d_1a_right,
-      d_1a_lo = d_1a_left_rest - d_1a_right_rest, d_1b = d_1a - R->m22, d_1b_right = d_1a - d_1b,
-      d_1b_left = d_1b + d_1b_right, d_1b_left_rest = d_1a - d_1b_left,
-      d_1b_right_rest = R->m22 - d_1b_right, d_1b_lo1 = d_1b_left_rest - d_1b_right_rest,
-      d_1b_lo = d_1b_lo1 + d_1a_lo, d_1 = d_1b + 1.0, d_1_right = d_1 - d_1b,
-      d_1_left = d_1 - d_1_right, d_1_left_rest = d_1b - d_1_left, d_1_right_rest = 1.0 - d_1_right,
-      d_1_lo1 = d_1_left_rest + d_1_right_rest, d_1_lo = d_1_lo1 + d_1b_lo;
-  const double d_2a = R->m11 - R->m00, d_2a_right = R->m11 - d_2a, d_2a_left = d_2a + d_2a_right,
-      d_2a_left_rest = R->m11 - d_2a_left, d_2a_right_rest = R->m00 - d_2a_right,
-      d_2a_lo = d_2a_left_rest - d_2a_right_rest, d_2b = d_2a - R->m22, d_2b_right = d_2a - d_2b,
-      d_2b_left = d_2b + d_2b_right, d_2b_left_rest = d_2a - d_2b_left,
-      d_2b_right_rest = R->m22 - d_2b_right, d_2b_lo1 = d_2b_left_rest - d_2b_right_rest,
-      d_2b_lo = d_2b_lo1 + d_2a_lo, d_2 = d_2b + 1.0, d_2_right = d_2 - d_2b,
-      d_2_left = d_2 - d_2_right, d_2_left_rest = d_2b - d_2_left, d_2_right_rest = 1.0 - d_2_right,
-      d_2_lo1 = d_2_left_rest + d_2_right_rest, d_2_lo = d_2_lo1 + d_2b_lo;
-  const double d_3a = R->m22 - R->m00, d_3a_right = R->m22 - d_3a, d_3a_left = d_3a + d_3a_right,
-      d_3a_left_rest = R->m22 - d_3a_left, d_3a_right_rest = R->m00 - d_3a_right,
-      d_3a_lo = d_3a_left_rest - d_3a_right_rest, d_3b = d_3a - R->m11, d_3b_right = d_3a - d_3b,
-      d_3b_left = d_3b + d_3b_right, d_3b_left_rest = d_3a - d_3b_left,
-      d_3b_right_rest = R->m11 - d_3b_right, d_3b_lo1 = d_3b_left_rest - d_3b_right_rest,
-      d_3b_lo = d_3b_lo1 + d_3a_lo, d_3 = d_3b + 1.0, d_3_right = d_3 - d_3b,
-      d_3_left = d_3 - d_3_right, d_3_left_rest = d_3b - d_3_left, d_3_right_rest = 1.0 - d_3_right,
-      d_3_lo1 = d_3_left_rest + d_3_right_rest, d_3_lo = d_3_lo1 + d_3b_lo;
+      d_0b_right_rest = less_2 - d_0b_right, d_0b_lo1 = d_0b_left_rest + d_0b_right_rest,
+      d_0b_lo2 = d_0b_lo1 + less_2_lo, d_0b_lo = d_0b_lo2 + d_0a_lo, d_0 = 4.0 - d_0b,
+      d_0_right = 4.0 - d_0, d_0_left = d_0 + d_0_right, d_0_left_rest = 4.0 - d_0_left,
+      d_0_right_rest = d_0b - d_0_right, d_0_lo1 = d_0_left_rest - d_0_right_rest,
+      d_0_lo = d_0_lo1 - d_0b_lo;
+  const double d_1a = 4.0 - less_0, d_1a_right = 4.0 - d_1a, d_1a_left = d_1a + d_1a_right,
+      d_1a_left_rest = 4.0 - d_1a_left, d_1a_right_rest = less_0 - d_1a_right,
+      d_1a_lo1 = d_1a_left_rest - d_1a_right_rest, d_1a_lo = d_1a_lo1 - less_0_lo,
+      d_1b = more_1 + more_2, d_1b_right = d_1b - more_1, d_1b_left = d_1b - d_1b_right,
+      d_1b_left_rest = more_1 - d_1b_left, d_1b_right_rest = more_2 - d_1b_right,
+      d_1b_lo1 = d_1b_left_rest + d_1b_right_rest, d_1b_lo2 = d_1b_lo1 + more_2_lo,
+      d_1b_lo = d_1b_lo2 + more_1_lo, d_1 = d_1a - d_1b, d_1_right = d_1a - d_1,
+      d_1_left = d_1 + d_1_right, d_1_left_rest = d_1a - d_1_left,
+      d_1_right_rest = d_1b - d_1_right, d_1_lo1 = d_1_left_rest - d_1_right_rest,
+      d_1_lo2 = d_1_lo1 - d_1b_lo, d_1_lo = d_1_lo2 + d_1a_lo;
+  const double d_2a = 4.0 - less_1, d_2a_right = 4.0 - d_2a, d_2a_left = d_2a + d_2a_right,
+      d_2a_left_rest = 4.0 - d_2a_left, d_2a_right_rest = less_1 - d_2a_right,
+      d_2a_lo1 = d_2a_left_rest - d_2a_right_rest, d_2a_lo = d_2a_lo1 - less_1_lo,
+      d_2b = more_0 + more_2, d_2b_right = d_2b - more_0, d_2b_left = d_2b - d_2b_right,
+      d_2b_left_rest = more_0 - d_2b_left, d_2b_right_rest = more_2 - d_2b_right,
+      d_2b_lo1 = d_2b_left_rest + d_2b_right_rest, d_2b_lo2 = d_2b_lo1 + more_2_lo,
+      d_2b_lo = d_2b_lo2 + more_0_lo, d_2 = d_2a - d_2b, d_2_right = d_2a - d_2,
+      d_2_left = d_2 + d_2_right, d_2_left_rest = d_2a - d_2_left,
+      d_2_right_rest = d_2b - d_2_right, d_2_lo1 = d_2_left_rest - d_2_right_rest,
+      d_2_lo2 = d_2_lo1 - d_2b_lo, d_2_lo = d_2_lo2 + d_2a_lo;
+  const double d_3a = 4.0 - less_2, d_3a_right = 4.0 - d_3a, d_3a_left = d_3a + d_3a_right,
+      d_3a_left_rest = 4.0 - d_3a_left, d_3a_right_rest = less_2 - d_3a_right,
+      d_3a_lo1 = d_3a_left_rest - d_3a_right_rest, d_3a_lo = d_3a_lo1 - less_2_lo,
+      d_3b = more_0 + more_1, d_3b_right = d_3b - more_0, d_3b_left = d_3b - d_3b_right,
+      d_3b_left_rest = more_0 - d_3b_left, d_3b_right_rest = more_1 - d_3b_right,
+      d_3b_lo1 = d_3b_left_rest + d_3b_right_rest, d_3b_lo2 = d_3b_lo1 + more_1_lo,
+      d_3b_lo = d_3b_lo2 + more_0_lo, d_3 = d_3a - d_3b, d_3_right = d_3a - d_3,
+      d_3_left = d_3 + d_3_right, d_3_left_rest = d_3a - d_3_left,
+      d_3_right_rest = d_3b - d_3_right, d_3_lo1 = d_3_left_rest - d_3_right_rest,
+      d_3_lo2 = d_3_lo1 - d_3b_lo, d_3_lo = d_3_lo2 + d_3a_lo;
   const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
   const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
   const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
@@ -14040,11 +14085,10 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
       divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
   const double theta = 2.0 * half, theta_cross2 = 2.0 * half_lo;
-  const double theta_error = ksl_product_error(2.0, half, theta),
-      theta_lo = theta_error + theta_cross2, k_of_theta = theta + theta_lo,
-      k_of_theta_right = k_of_theta - theta, k_of_theta_left = k_of_theta - k_of_theta_right,
+  const double k_of_theta = theta + theta_cross2, k_of_theta_right = k_of_theta - theta,
+      k_of_theta_left = k_of_theta - k_of_theta_right,
       k_of_theta_left_rest = theta - k_of_theta_left,
-      k_of_theta_right_rest = theta_lo - k_of_theta_right,
+      k_of_theta_right_rest = theta_cross2 - k_of_theta_right,
       k_of_theta_lo = k_of_theta_left_rest + k_of_theta_right_rest,
       k_of_divisor = divisor + divisor_lo, k_of_divisor_right = k_of_divisor - divisor,
       k_of_divisor_left = k_of_divisor - k_of_divisor_right,
@@ -14078,7 +14122,7 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
    R: rotation or other 3×3 matrix; axis: vector.
-   35 mul, 211 add, 5 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+   35 mul, 258 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
      less, 11 equal, 54 select. */
 static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
@@ -14099,38 +14143,64 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
   const double s_2 = R->m01 + R->m10, s_2_right = s_2 - R->m01, s_2_left = s_2 - s_2_right,
       s_2_left_rest = R->m01 - s_2_left, s_2_right_rest = R->m10 - s_2_right,
       s_2_lo = s_2_left_rest + s_2_right_rest;
-  const double d_0a = R->m00 + R->m11, d_0a_right = d_0a - R->m00, d_0a_left = d_0a - d_0a_right,
-      d_0a_left_rest = R->m00 - d_0a_left, d_0a_right_rest = R->m11 - d_0a_right,
-      d_0a_lo = d_0a_left_rest + d_0a_right_rest, d_0b = d_0a + R->m22, d_0b_right = d_0b - d_0a,
+  const double less_0 = 1.0 - R->m00, less_0_right = 1.0 - less_0,
+      less_0_left = less_0 + less_0_right, less_0_left_rest = 1.0 - less_0_left,
+      less_0_right_rest = R->m00 - less_0_right, less_0_lo = less_0_left_rest - less_0_right_rest;
+  const double less_1 = 1.0 - R->m11, less_1_right = 1.0 - less_1,
+      less_1_left = less_1 + less_1_right, less_1_left_rest = 1.0 - less_1_left,
+      less_1_right_rest = R->m11 - less_1_right, less_1_lo = less_1_left_rest - less_1_right_rest;
+  const double less_2 = 1.0 - R->m22, less_2_right = 1.0 - less_2,
+      less_2_left = less_2 + less_2_right, less_2_left_rest = 1.0 - less_2_left,
+      less_2_right_rest = R->m22 - less_2_right, less_2_lo = less_2_left_rest - less_2_right_rest;
+  const double more_0 = R->m00 + 1.0, more_0_right = more_0 - R->m00,
+      more_0_left = more_0 - more_0_right, more_0_left_rest = R->m00 - more_0_left,
+      more_0_right_rest = 1.0 - more_0_right, more_0_lo = more_0_left_rest + more_0_right_rest;
+  const double more_1 = R->m11 + 1.0, more_1_right = more_1 - R->m11,
+      more_1_left = more_1 - more_1_right, more_1_left_rest = R->m11 - more_1_left,
+      more_1_right_rest = 1.0 - more_1_right, more_1_lo = more_1_left_rest + more_1_right_rest;
+  const double more_2 = R->m22 + 1.0, more_2_right = more_2 - R->m22,
+      more_2_left = more_2 - more_2_right, more_2_left_rest = R->m22 - more_2_left,
+      more_2_right_rest = 1.0 - more_2_right, more_2_lo = more_2_left_rest + more_2_right_rest;
+  const double d_0a = less_0 + less_1, d_0a_right = d_0a - less_0, d_0a_left = d_0a - d_0a_right,
+      d_0a_left_rest = less_0 - d_0a_left, d_0a_right_rest = less_1 - d_0a_right,
+      d_0a_lo1 = d_0a_left_rest + d_0a_right_rest, d_0a_lo2 = d_0a_lo1 + less_1_lo,
+      d_0a_lo = d_0a_lo2 + less_0_lo, d_0b = d_0a + less_2, d_0b_right = d_0b - d_0a,
       d_0b_left = d_0b - d_0b_right, d_0b_left_rest = d_0a - d_0b_left,
-      d_0b_right_rest = R->m22 - d_0b_right, d_0b_lo1 = d_0b_left_rest + d_0b_right_rest,
-      d_0b_lo = d_0b_lo1 + d_0a_lo, d_0 = d_0b + 1.0, d_0_right = d_0 - d_0b,
-      d_0_left = d_0 - d_0_right, d_0_left_rest = d_0b - d_0_left, d_0_right_rest = 1.0 - d_0_right,
-      d_0_lo1 = d_0_left_rest + d_0_right_rest, d_0_lo = d_0_lo1 + d_0b_lo;
-  const double d_1a = R->m00 - R->m11, d_1a_right = R->m00 - d_1a, d_1a_left = d_1a + d_1a_right,
-      d_1a_left_rest = R->m00 - d_1a_left, d_1a_right_rest = R->m11 - d_1a_right,
-      d_1a_lo = d_1a_left_rest - d_1a_right_rest, d_1b = d_1a - R->m22, d_1b_right = d_1a - d_1b,
-      d_1b_left = d_1b + d_1b_right, d_1b_left_rest = d_1a - d_1b_left,
-      d_1b_right_rest = R->m22 - d_1b_right, d_1b_lo1 = d_1b_left_rest - d_1b_right_rest,
-      d_1b_lo = d_1b_lo1 + d_1a_lo, d_1 = d_1b + 1.0, d_1_right = d_1 - d_1b,
-      d_1_left = d_1 - d_1_right, d_1_left_rest = d_1b - d_1_left, d_1_right_rest = 1.0 - d_1_right,
-      d_1_lo1 = d_1_left_rest + d_1_right_rest, d_1_lo = d_1_lo1 + d_1b_lo;
-  const double d_2a = R->m11 - R->m00, d_2a_right = R->m11 - d_2a, d_2a_left = d_2a + d_2a_right,
-      d_2a_left_rest = R->m11 - d_2a_left, d_2a_right_rest = R->m00 - d_2a_right,
-      d_2a_lo = d_2a_left_rest - d_2a_right_rest, d_2b = d_2a - R->m22, d_2b_right = d_2a - d_2b,
-      d_2b_left = d_2b + d_2b_right, d_2b_left_rest = d_2a - d_2b_left,
-      d_2b_right_rest = R->m22 - d_2b_right, d_2b_lo1 = d_2b_left_rest - d_2b_right_rest,
-      d_2b_lo = d_2b_lo1 + d_2a_lo, d_2 = d_2b + 1.0, d_2_right = d_2 - d_2b,
-      d_2_left = d_2 - d_2_right, d_2_left_rest = d_2b - d_2_left, d_2_right_rest = 1.0 - d_2_right,
-      d_2_lo1 = d_2_left_rest + d_2_right_rest, d_2_lo = d_2_lo1 + d_2b_lo;
-  const double d_3a = R->m22 - R->m00, d_3a_right = R->m22 - d_3a, d_3a_left = d_3a + d_3a_right,
-      d_3a_left_rest = R->m22 - d_3a_left, d_3a_right_rest = R->m00 - d_3a_right,
-      d_3a_lo = d_3a_left_rest - d_3a_right_rest, d_3b = d_3a - R->m11, d_3b_right = d_3a - d_3b,
-      d_3b_left = d_3b + d_3b_right, d_3b_left_rest = d_3a - d_3b_left,
-      d_3b_right_rest = R->m11 - d_3b_right, d_3b_lo1 = d_3b_left_rest - d_3b_right_rest,
-      d_3b_lo = d_3b_lo1 + d_3a_lo, d_3 = d_3b + 1.0, d_3_right = d_3 - d_3b,
-      d_3_left = d_3 - d_3_right, d_3_left_rest = d_3b - d_3_left, d_3_right_rest = 1.0 - d_3_right,
-      d_3_lo1 = d_3_left_rest + d_3_right_rest, d_3_lo = d_3_lo1 + d_3b_lo;
+      d_0b_right_rest = less_2 - d_0b_right, d_0b_lo1 = d_0b_left_rest + d_0b_right_rest,
+      d_0b_lo2 = d_0b_lo1 + less_2_lo, d_0b_lo = d_0b_lo2 + d_0a_lo, d_0 = 4.0 - d_0b,
+      d_0_right = 4.0 - d_0, d_0_left = d_0 + d_0_right, d_0_left_rest = 4.0 - d_0_left,
+      d_0_right_rest = d_0b - d_0_right, d_0_lo1 = d_0_left_rest - d_0_right_rest,
+      d_0_lo = d_0_lo1 - d_0b_lo;
+  const double d_1a = 4.0 - less_0, d_1a_right = 4.0 - d_1a, d_1a_left = d_1a + d_1a_right,
+      d_1a_left_rest = 4.0 - d_1a_left, d_1a_right_rest = less_0 - d_1a_right,
+      d_1a_lo1 = d_1a_left_rest - d_1a_right_rest, d_1a_lo = d_1a_lo1 - less_0_lo,
+      d_1b = more_1 + more_2, d_1b_right = d_1b - more_1, d_1b_left = d_1b - d_1b_right,
+      d_1b_left_rest = more_1 - d_1b_left, d_1b_right_rest = more_2 - d_1b_right,
+      d_1b_lo1 = d_1b_left_rest + d_1b_right_rest, d_1b_lo2 = d_1b_lo1 + more_2_lo,
+      d_1b_lo = d_1b_lo2 + more_1_lo, d_1 = d_1a - d_1b, d_1_right = d_1a - d_1,
+      d_1_left = d_1 + d_1_right, d_1_left_rest = d_1a - d_1_left,
+      d_1_right_rest = d_1b - d_1_right, d_1_lo1 = d_1_left_rest - d_1_right_rest,
+      d_1_lo2 = d_1_lo1 - d_1b_lo, d_1_lo = d_1_lo2 + d_1a_lo;
+  const double d_2a = 4.0 - less_1, d_2a_right = 4.0 - d_2a, d_2a_left = d_2a + d_2a_right,
+      d_2a_left_rest = 4.0 - d_2a_left, d_2a_right_rest = less_1 - d_2a_right,
+      d_2a_lo1 = d_2a_left_rest - d_2a_right_rest, d_2a_lo = d_2a_lo1 - less_1_lo,
+      d_2b = more_0 + more_2, d_2b_right = d_2b - more_0, d_2b_left = d_2b - d_2b_right,
+      d_2b_left_rest = more_0 - d_2b_left, d_2b_right_rest = more_2 - d_2b_right,
+      d_2b_lo1 = d_2b_left_rest + d_2b_right_rest, d_2b_lo2 = d_2b_lo1 + more_2_lo,
+      d_2b_lo = d_2b_lo2 + more_0_lo, d_2 = d_2a - d_2b, d_2_right = d_2a - d_2,
+      d_2_left = d_2 + d_2_right, d_2_left_rest = d_2a - d_2_left,
+      d_2_right_rest = d_2b - d_2_right, d_2_lo1 = d_2_left_rest - d_2_right_rest,
+      d_2_lo2 = d_2_lo1 - d_2b_lo, d_2_lo = d_2_lo2 + d_2a_lo;
+  const double d_3a = 4.0 - less_2, d_3a_right = 4.0 - d_3a, d_3a_left = d_3a + d_3a_right,
+      d_3a_left_rest = 4.0 - d_3a_left, d_3a_right_rest = less_2 - d_3a_right,
+      d_3a_lo1 = d_3a_left_rest - d_3a_right_rest, d_3a_lo = d_3a_lo1 - less_2_lo,
+      d_3b = more_0 + more_1, d_3b_right = d_3b - more_0, d_3b_left = d_3b - d_3b_right,
+      d_3b_left_rest = more_0 - d_3b_left, d_3b_right_rest = more_1 - d_3b_right,
+      d_3b_lo1 = d_3b_left_rest + d_3b_right_rest, d_3b_lo2 = d_3b_lo1 + more_1_lo,
+      d_3b_lo = d_3b_lo2 + more_0_lo, d_3 = d_3a - d_3b, d_3_right = d_3a - d_3,
+      d_3_left = d_3 + d_3_right, d_3_left_rest = d_3a - d_3_left,
+      d_3_right_rest = d_3b - d_3_right, d_3_lo1 = d_3_left_rest - d_3_right_rest,
+      d_3_lo2 = d_3_lo1 - d_3b_lo, d_3_lo = d_3_lo2 + d_3a_lo;
   const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
   const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
   const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
@@ -14284,8 +14354,7 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
   const double angle = 2.0 * half, angle_cross2 = 2.0 * half_lo;
   const double axis_0 = half_of_n == 0.0 ? 1.0 : unit_0,
       axis_0_lo = half_of_n == 0.0 ? 0.0 : unit_0_lo;
-  const double angle_error = ksl_product_error(2.0, half, angle),
-      angle_lo = angle_error + angle_cross2, angle_rounded = angle + angle_lo,
+  const double angle_rounded = angle + angle_cross2,
       angle_final = angle_rounded == angle_rounded ? angle_rounded : angle;
   const double axis_0_rounded = axis_0 + axis_0_lo,
       axis_0_final = axis_0_rounded == axis_0_rounded ? axis_0_rounded : axis_0;
@@ -14301,8 +14370,8 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
 
 /* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
-   84 mul, 276 add, 6 product error, 45 product rest, 6 neg.
-   Error <= u |result| + 68 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   84 mul, 270 add, 45 product rest, 6 neg.
+   Error <= u |result| + 54 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
   const double defect_0a = self->m00 * self->m00, defect_0b = 1.0 - defect_0a,
@@ -14398,12 +14467,10 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
   const double correction_3 = 0.5 * defect_3, correction_3_cross2 = 0.5 * defect_3_lo;
   const double correction_4 = 0.5 * defect_4, correction_4_cross2 = 0.5 * defect_4_lo;
   const double correction_5 = 0.5 * defect_5, correction_5_cross2 = 0.5 * defect_5_lo;
-  const double correction_0_error = ksl_product_error(0.5, defect_0, correction_0),
-      correction_0_lo = correction_0_error + correction_0_cross2,
-      self_00_new_a = self->m00 * correction_0, self_00_new_a_cross2 = self->m00 * correction_0_lo,
-      correction_3_error = ksl_product_error(0.5, defect_3, correction_3),
-      correction_3_lo = correction_3_error + correction_3_cross2,
-      self_00_new_b = self->m01 * correction_3, self_00_new_b_cross2 = self->m01 * correction_3_lo,
+  const double self_00_new_a = self->m00 * correction_0,
+      self_00_new_a_cross2 = self->m00 * correction_0_cross2,
+      self_00_new_b = self->m01 * correction_3,
+      self_00_new_b_cross2 = self->m01 * correction_3_cross2,
       self_00_new_c = self_00_new_a + self_00_new_b,
       self_00_new_c_right = self_00_new_c - self_00_new_a,
       self_00_new_c_left = self_00_new_c - self_00_new_c_right,
@@ -14412,9 +14479,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_00_new_c_cross = self_00_new_a_cross2 + self_00_new_b_cross2,
       self_00_new_c_lo1 = self_00_new_c_left_rest + self_00_new_c_right_rest,
       self_00_new_c_lo = self_00_new_c_lo1 + self_00_new_c_cross,
-      correction_4_error = ksl_product_error(0.5, defect_4, correction_4),
-      correction_4_lo = correction_4_error + correction_4_cross2,
-      self_00_new_d = self->m02 * correction_4, self_00_new_d_cross2 = self->m02 * correction_4_lo,
+      self_00_new_d = self->m02 * correction_4,
+      self_00_new_d_cross2 = self->m02 * correction_4_cross2,
       self_00_new_e = self_00_new_c + self_00_new_d,
       self_00_new_e_right = self_00_new_e - self_00_new_c,
       self_00_new_e_left = self_00_new_e - self_00_new_e_right,
@@ -14430,10 +14496,9 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_00_new_lo1 = self_00_new_left_rest + self_00_new_right_rest,
       self_00_new_lo = self_00_new_lo1 + self_00_new_e_lo;
   const double self_01_new_a = self->m00 * correction_3,
-      self_01_new_a_cross2 = self->m00 * correction_3_lo,
-      correction_1_error = ksl_product_error(0.5, defect_1, correction_1),
-      correction_1_lo = correction_1_error + correction_1_cross2,
-      self_01_new_b = self->m01 * correction_1, self_01_new_b_cross2 = self->m01 * correction_1_lo,
+      self_01_new_a_cross2 = self->m00 * correction_3_cross2,
+      self_01_new_b = self->m01 * correction_1,
+      self_01_new_b_cross2 = self->m01 * correction_1_cross2,
       self_01_new_c = self_01_new_a + self_01_new_b,
       self_01_new_c_right = self_01_new_c - self_01_new_a,
       self_01_new_c_left = self_01_new_c - self_01_new_c_right,
@@ -14442,9 +14507,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_01_new_c_cross = self_01_new_a_cross2 + self_01_new_b_cross2,
       self_01_new_c_lo1 = self_01_new_c_left_rest + self_01_new_c_right_rest,
       self_01_new_c_lo = self_01_new_c_lo1 + self_01_new_c_cross,
-      correction_5_error = ksl_product_error(0.5, defect_5, correction_5),
-      correction_5_lo = correction_5_error + correction_5_cross2,
-      self_01_new_d = self->m02 * correction_5, self_01_new_d_cross2 = self->m02 * correction_5_lo,
+      self_01_new_d = self->m02 * correction_5,
+      self_01_new_d_cross2 = self->m02 * correction_5_cross2,
       self_01_new_e = self_01_new_c + self_01_new_d,
       self_01_new_e_right = self_01_new_e - self_01_new_c,
       self_01_new_e_left = self_01_new_e - self_01_new_e_right,
@@ -14460,8 +14524,9 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_01_new_lo1 = self_01_new_left_rest + self_01_new_right_rest,
       self_01_new_lo = self_01_new_lo1 + self_01_new_e_lo;
   const double self_02_new_a = self->m00 * correction_4,
-      self_02_new_a_cross2 = self->m00 * correction_4_lo, self_02_new_b = self->m01 * correction_5,
-      self_02_new_b_cross2 = self->m01 * correction_5_lo,
+      self_02_new_a_cross2 = self->m00 * correction_4_cross2,
+      self_02_new_b = self->m01 * correction_5,
+      self_02_new_b_cross2 = self->m01 * correction_5_cross2,
       self_02_new_c = self_02_new_a + self_02_new_b,
       self_02_new_c_right = self_02_new_c - self_02_new_a,
       self_02_new_c_left = self_02_new_c - self_02_new_c_right,
@@ -14470,9 +14535,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_02_new_c_cross = self_02_new_a_cross2 + self_02_new_b_cross2,
       self_02_new_c_lo1 = self_02_new_c_left_rest + self_02_new_c_right_rest,
       self_02_new_c_lo = self_02_new_c_lo1 + self_02_new_c_cross,
-      correction_2_error = ksl_product_error(0.5, defect_2, correction_2),
-      correction_2_lo = correction_2_error + correction_2_cross2,
-      self_02_new_d = self->m02 * correction_2, self_02_new_d_cross2 = self->m02 * correction_2_lo,
+      self_02_new_d = self->m02 * correction_2,
+      self_02_new_d_cross2 = self->m02 * correction_2_cross2,
       self_02_new_e = self_02_new_c + self_02_new_d,
       self_02_new_e_right = self_02_new_e - self_02_new_c,
       self_02_new_e_left = self_02_new_e - self_02_new_e_right,
@@ -14488,8 +14552,9 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_02_new_lo1 = self_02_new_left_rest + self_02_new_right_rest,
       self_02_new_lo = self_02_new_lo1 + self_02_new_e_lo;
   const double self_10_new_a = self->m10 * correction_0,
-      self_10_new_a_cross2 = self->m10 * correction_0_lo, self_10_new_b = self->m11 * correction_3,
-      self_10_new_b_cross2 = self->m11 * correction_3_lo,
+      self_10_new_a_cross2 = self->m10 * correction_0_cross2,
+      self_10_new_b = self->m11 * correction_3,
+      self_10_new_b_cross2 = self->m11 * correction_3_cross2,
       self_10_new_c = self_10_new_a + self_10_new_b,
       self_10_new_c_right = self_10_new_c - self_10_new_a,
       self_10_new_c_left = self_10_new_c - self_10_new_c_right,
@@ -14498,7 +14563,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_10_new_c_cross = self_10_new_a_cross2 + self_10_new_b_cross2,
       self_10_new_c_lo1 = self_10_new_c_left_rest + self_10_new_c_right_rest,
       self_10_new_c_lo = self_10_new_c_lo1 + self_10_new_c_cross,
-      self_10_new_d = self->m12 * correction_4, self_10_new_d_cross2 = self->m12 * correction_4_lo,
+      self_10_new_d = self->m12 * correction_4,
+      self_10_new_d_cross2 = self->m12 * correction_4_cross2,
       self_10_new_e = self_10_new_c + self_10_new_d,
       self_10_new_e_right = self_10_new_e - self_10_new_c,
       self_10_new_e_left = self_10_new_e - self_10_new_e_right,
@@ -14514,8 +14580,9 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_10_new_lo1 = self_10_new_left_rest + self_10_new_right_rest,
       self_10_new_lo = self_10_new_lo1 + self_10_new_e_lo;
   const double self_11_new_a = self->m10 * correction_3,
-      self_11_new_a_cross2 = self->m10 * correction_3_lo, self_11_new_b = self->m11 * correction_1,
-      self_11_new_b_cross2 = self->m11 * correction_1_lo,
+      self_11_new_a_cross2 = self->m10 * correction_3_cross2,
+      self_11_new_b = self->m11 * correction_1,
+      self_11_new_b_cross2 = self->m11 * correction_1_cross2,
       self_11_new_c = self_11_new_a + self_11_new_b,
       self_11_new_c_right = self_11_new_c - self_11_new_a,
       self_11_new_c_left = self_11_new_c - self_11_new_c_right,
@@ -14524,7 +14591,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_11_new_c_cross = self_11_new_a_cross2 + self_11_new_b_cross2,
       self_11_new_c_lo1 = self_11_new_c_left_rest + self_11_new_c_right_rest,
       self_11_new_c_lo = self_11_new_c_lo1 + self_11_new_c_cross,
-      self_11_new_d = self->m12 * correction_5, self_11_new_d_cross2 = self->m12 * correction_5_lo,
+      self_11_new_d = self->m12 * correction_5,
+      self_11_new_d_cross2 = self->m12 * correction_5_cross2,
       self_11_new_e = self_11_new_c + self_11_new_d,
       self_11_new_e_right = self_11_new_e - self_11_new_c,
       self_11_new_e_left = self_11_new_e - self_11_new_e_right,
@@ -14540,8 +14608,9 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_11_new_lo1 = self_11_new_left_rest + self_11_new_right_rest,
       self_11_new_lo = self_11_new_lo1 + self_11_new_e_lo;
   const double self_12_new_a = self->m10 * correction_4,
-      self_12_new_a_cross2 = self->m10 * correction_4_lo, self_12_new_b = self->m11 * correction_5,
-      self_12_new_b_cross2 = self->m11 * correction_5_lo,
+      self_12_new_a_cross2 = self->m10 * correction_4_cross2,
+      self_12_new_b = self->m11 * correction_5,
+      self_12_new_b_cross2 = self->m11 * correction_5_cross2,
       self_12_new_c = self_12_new_a + self_12_new_b,
       self_12_new_c_right = self_12_new_c - self_12_new_a,
       self_12_new_c_left = self_12_new_c - self_12_new_c_right,
@@ -14550,7 +14619,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_12_new_c_cross = self_12_new_a_cross2 + self_12_new_b_cross2,
       self_12_new_c_lo1 = self_12_new_c_left_rest + self_12_new_c_right_rest,
       self_12_new_c_lo = self_12_new_c_lo1 + self_12_new_c_cross,
-      self_12_new_d = self->m12 * correction_2, self_12_new_d_cross2 = self->m12 * correction_2_lo,
+      self_12_new_d = self->m12 * correction_2,
+      self_12_new_d_cross2 = self->m12 * correction_2_cross2,
       self_12_new_e = self_12_new_c + self_12_new_d,
       self_12_new_e_right = self_12_new_e - self_12_new_c,
       self_12_new_e_left = self_12_new_e - self_12_new_e_right,
@@ -14566,8 +14636,9 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_12_new_lo1 = self_12_new_left_rest + self_12_new_right_rest,
       self_12_new_lo = self_12_new_lo1 + self_12_new_e_lo;
   const double self_20_new_a = self->m20 * correction_0,
-      self_20_new_a_cross2 = self->m20 * correction_0_lo, self_20_new_b = self->m21 * correction_3,
-      self_20_new_b_cross2 = self->m21 * correction_3_lo,
+      self_20_new_a_cross2 = self->m20 * correction_0_cross2,
+      self_20_new_b = self->m21 * correction_3,
+      self_20_new_b_cross2 = self->m21 * correction_3_cross2,
       self_20_new_c = self_20_new_a + self_20_new_b,
       self_20_new_c_right = self_20_new_c - self_20_new_a,
       self_20_new_c_left = self_20_new_c - self_20_new_c_right,
@@ -14576,7 +14647,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_20_new_c_cross = self_20_new_a_cross2 + self_20_new_b_cross2,
       self_20_new_c_lo1 = self_20_new_c_left_rest + self_20_new_c_right_rest,
       self_20_new_c_lo = self_20_new_c_lo1 + self_20_new_c_cross,
-      self_20_new_d = self->m22 * correction_4, self_20_new_d_cross2 = self->m22 * correction_4_lo,
+      self_20_new_d = self->m22 * correction_4,
+      self_20_new_d_cross2 = self->m22 * correction_4_cross2,
       self_20_new_e = self_20_new_c + self_20_new_d,
       self_20_new_e_right = self_20_new_e - self_20_new_c,
       self_20_new_e_left = self_20_new_e - self_20_new_e_right,
@@ -14592,8 +14664,9 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_20_new_lo1 = self_20_new_left_rest + self_20_new_right_rest,
       self_20_new_lo = self_20_new_lo1 + self_20_new_e_lo;
   const double self_21_new_a = self->m20 * correction_3,
-      self_21_new_a_cross2 = self->m20 * correction_3_lo, self_21_new_b = self->m21 * correction_1,
-      self_21_new_b_cross2 = self->m21 * correction_1_lo,
+      self_21_new_a_cross2 = self->m20 * correction_3_cross2,
+      self_21_new_b = self->m21 * correction_1,
+      self_21_new_b_cross2 = self->m21 * correction_1_cross2,
       self_21_new_c = self_21_new_a + self_21_new_b,
       self_21_new_c_right = self_21_new_c - self_21_new_a,
       self_21_new_c_left = self_21_new_c - self_21_new_c_right,
@@ -14602,7 +14675,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_21_new_c_cross = self_21_new_a_cross2 + self_21_new_b_cross2,
       self_21_new_c_lo1 = self_21_new_c_left_rest + self_21_new_c_right_rest,
       self_21_new_c_lo = self_21_new_c_lo1 + self_21_new_c_cross,
-      self_21_new_d = self->m22 * correction_5, self_21_new_d_cross2 = self->m22 * correction_5_lo,
+      self_21_new_d = self->m22 * correction_5,
+      self_21_new_d_cross2 = self->m22 * correction_5_cross2,
       self_21_new_e = self_21_new_c + self_21_new_d,
       self_21_new_e_right = self_21_new_e - self_21_new_c,
       self_21_new_e_left = self_21_new_e - self_21_new_e_right,
@@ -14618,8 +14692,9 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_21_new_lo1 = self_21_new_left_rest + self_21_new_right_rest,
       self_21_new_lo = self_21_new_lo1 + self_21_new_e_lo;
   const double self_22_new_a = self->m20 * correction_4,
-      self_22_new_a_cross2 = self->m20 * correction_4_lo, self_22_new_b = self->m21 * correction_5,
-      self_22_new_b_cross2 = self->m21 * correction_5_lo,
+      self_22_new_a_cross2 = self->m20 * correction_4_cross2,
+      self_22_new_b = self->m21 * correction_5,
+      self_22_new_b_cross2 = self->m21 * correction_5_cross2,
       self_22_new_c = self_22_new_a + self_22_new_b,
       self_22_new_c_right = self_22_new_c - self_22_new_a,
       self_22_new_c_left = self_22_new_c - self_22_new_c_right,
@@ -14628,7 +14703,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_22_new_c_cross = self_22_new_a_cross2 + self_22_new_b_cross2,
       self_22_new_c_lo1 = self_22_new_c_left_rest + self_22_new_c_right_rest,
       self_22_new_c_lo = self_22_new_c_lo1 + self_22_new_c_cross,
-      self_22_new_d = self->m22 * correction_2, self_22_new_d_cross2 = self->m22 * correction_2_lo,
+      self_22_new_d = self->m22 * correction_2,
+      self_22_new_d_cross2 = self->m22 * correction_2_cross2,
       self_22_new_e = self_22_new_c + self_22_new_d,
       self_22_new_e_right = self_22_new_e - self_22_new_c,
       self_22_new_e_left = self_22_new_e - self_22_new_e_right,
@@ -14665,8 +14741,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
 
 /* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
-   84 mul, 276 add, 6 product error, 45 product rest, 6 neg.
-   Error <= u |result| + 68 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   84 mul, 270 add, 45 product rest, 6 neg.
+   Error <= u |result| + 54 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double defect_0a = R->m00 * R->m00, defect_0b = 1.0 - defect_0a,
@@ -14762,21 +14838,15 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
   const double correction_3 = 0.5 * defect_3, correction_3_cross2 = 0.5 * defect_3_lo;
   const double correction_4 = 0.5 * defect_4, correction_4_cross2 = 0.5 * defect_4_lo;
   const double correction_5 = 0.5 * defect_5, correction_5_cross2 = 0.5 * defect_5_lo;
-  const double correction_0_error = ksl_product_error(0.5, defect_0, correction_0),
-      correction_0_lo = correction_0_error + correction_0_cross2, Ro_00a = R->m00 * correction_0,
-      Ro_00a_cross2 = R->m00 * correction_0_lo,
-      correction_3_error = ksl_product_error(0.5, defect_3, correction_3),
-      correction_3_lo = correction_3_error + correction_3_cross2, Ro_00b = R->m01 * correction_3,
-      Ro_00b_cross2 = R->m01 * correction_3_lo, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00c_right = Ro_00c - Ro_00a, Ro_00c_left = Ro_00c - Ro_00c_right,
+  const double Ro_00a = R->m00 * correction_0, Ro_00a_cross2 = R->m00 * correction_0_cross2,
+      Ro_00b = R->m01 * correction_3, Ro_00b_cross2 = R->m01 * correction_3_cross2,
+      Ro_00c = Ro_00a + Ro_00b, Ro_00c_right = Ro_00c - Ro_00a, Ro_00c_left = Ro_00c - Ro_00c_right,
       Ro_00c_left_rest = ksl_product_rest(R->m00, correction_0, Ro_00a, Ro_00c_left),
       Ro_00c_right_rest = ksl_product_rest(R->m01, correction_3, Ro_00b, Ro_00c_right),
       Ro_00c_cross = Ro_00a_cross2 + Ro_00b_cross2,
       Ro_00c_lo1 = Ro_00c_left_rest + Ro_00c_right_rest, Ro_00c_lo = Ro_00c_lo1 + Ro_00c_cross,
-      correction_4_error = ksl_product_error(0.5, defect_4, correction_4),
-      correction_4_lo = correction_4_error + correction_4_cross2, Ro_00d = R->m02 * correction_4,
-      Ro_00d_cross2 = R->m02 * correction_4_lo, Ro_00e = Ro_00c + Ro_00d,
-      Ro_00e_right = Ro_00e - Ro_00c, Ro_00e_left = Ro_00e - Ro_00e_right,
+      Ro_00d = R->m02 * correction_4, Ro_00d_cross2 = R->m02 * correction_4_cross2,
+      Ro_00e = Ro_00c + Ro_00d, Ro_00e_right = Ro_00e - Ro_00c, Ro_00e_left = Ro_00e - Ro_00e_right,
       Ro_00e_left_rest = Ro_00c - Ro_00e_left,
       Ro_00e_right_rest = ksl_product_rest(R->m02, correction_4, Ro_00d, Ro_00e_right),
       Ro_00e_lo1 = Ro_00e_left_rest + Ro_00e_right_rest, Ro_00e_lo2 = Ro_00e_lo1 + Ro_00d_cross2,
@@ -14784,19 +14854,15 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
       Ro_00_left = Ro_00 - Ro_00_right, Ro_00_left_rest = R->m00 - Ro_00_left,
       Ro_00_right_rest = Ro_00e - Ro_00_right, Ro_00_lo1 = Ro_00_left_rest + Ro_00_right_rest,
       Ro_00_lo = Ro_00_lo1 + Ro_00e_lo;
-  const double Ro_01a = R->m00 * correction_3, Ro_01a_cross2 = R->m00 * correction_3_lo,
-      correction_1_error = ksl_product_error(0.5, defect_1, correction_1),
-      correction_1_lo = correction_1_error + correction_1_cross2, Ro_01b = R->m01 * correction_1,
-      Ro_01b_cross2 = R->m01 * correction_1_lo, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01c_right = Ro_01c - Ro_01a, Ro_01c_left = Ro_01c - Ro_01c_right,
+  const double Ro_01a = R->m00 * correction_3, Ro_01a_cross2 = R->m00 * correction_3_cross2,
+      Ro_01b = R->m01 * correction_1, Ro_01b_cross2 = R->m01 * correction_1_cross2,
+      Ro_01c = Ro_01a + Ro_01b, Ro_01c_right = Ro_01c - Ro_01a, Ro_01c_left = Ro_01c - Ro_01c_right,
       Ro_01c_left_rest = ksl_product_rest(R->m00, correction_3, Ro_01a, Ro_01c_left),
       Ro_01c_right_rest = ksl_product_rest(R->m01, correction_1, Ro_01b, Ro_01c_right),
       Ro_01c_cross = Ro_01a_cross2 + Ro_01b_cross2,
       Ro_01c_lo1 = Ro_01c_left_rest + Ro_01c_right_rest, Ro_01c_lo = Ro_01c_lo1 + Ro_01c_cross,
-      correction_5_error = ksl_product_error(0.5, defect_5, correction_5),
-      correction_5_lo = correction_5_error + correction_5_cross2, Ro_01d = R->m02 * correction_5,
-      Ro_01d_cross2 = R->m02 * correction_5_lo, Ro_01e = Ro_01c + Ro_01d,
-      Ro_01e_right = Ro_01e - Ro_01c, Ro_01e_left = Ro_01e - Ro_01e_right,
+      Ro_01d = R->m02 * correction_5, Ro_01d_cross2 = R->m02 * correction_5_cross2,
+      Ro_01e = Ro_01c + Ro_01d, Ro_01e_right = Ro_01e - Ro_01c, Ro_01e_left = Ro_01e - Ro_01e_right,
       Ro_01e_left_rest = Ro_01c - Ro_01e_left,
       Ro_01e_right_rest = ksl_product_rest(R->m02, correction_5, Ro_01d, Ro_01e_right),
       Ro_01e_lo1 = Ro_01e_left_rest + Ro_01e_right_rest, Ro_01e_lo2 = Ro_01e_lo1 + Ro_01d_cross2,
@@ -14804,17 +14870,15 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
       Ro_01_left = Ro_01 - Ro_01_right, Ro_01_left_rest = Ro_01e - Ro_01_left,
       Ro_01_right_rest = R->m01 - Ro_01_right, Ro_01_lo1 = Ro_01_left_rest + Ro_01_right_rest,
       Ro_01_lo = Ro_01_lo1 + Ro_01e_lo;
-  const double Ro_02a = R->m00 * correction_4, Ro_02a_cross2 = R->m00 * correction_4_lo,
-      Ro_02b = R->m01 * correction_5, Ro_02b_cross2 = R->m01 * correction_5_lo,
+  const double Ro_02a = R->m00 * correction_4, Ro_02a_cross2 = R->m00 * correction_4_cross2,
+      Ro_02b = R->m01 * correction_5, Ro_02b_cross2 = R->m01 * correction_5_cross2,
       Ro_02c = Ro_02a + Ro_02b, Ro_02c_right = Ro_02c - Ro_02a, Ro_02c_left = Ro_02c - Ro_02c_right,
       Ro_02c_left_rest = ksl_product_rest(R->m00, correction_4, Ro_02a, Ro_02c_left),
       Ro_02c_right_rest = ksl_product_rest(R->m01, correction_5, Ro_02b, Ro_02c_right),
       Ro_02c_cross = Ro_02a_cross2 + Ro_02b_cross2,
       Ro_02c_lo1 = Ro_02c_left_rest + Ro_02c_right_rest, Ro_02c_lo = Ro_02c_lo1 + Ro_02c_cross,
-      correction_2_error = ksl_product_error(0.5, defect_2, correction_2),
-      correction_2_lo = correction_2_error + correction_2_cross2, Ro_02d = R->m02 * correction_2,
-      Ro_02d_cross2 = R->m02 * correction_2_lo, Ro_02e = Ro_02c + Ro_02d,
-      Ro_02e_right = Ro_02e - Ro_02c, Ro_02e_left = Ro_02e - Ro_02e_right,
+      Ro_02d = R->m02 * correction_2, Ro_02d_cross2 = R->m02 * correction_2_cross2,
+      Ro_02e = Ro_02c + Ro_02d, Ro_02e_right = Ro_02e - Ro_02c, Ro_02e_left = Ro_02e - Ro_02e_right,
       Ro_02e_left_rest = Ro_02c - Ro_02e_left,
       Ro_02e_right_rest = ksl_product_rest(R->m02, correction_2, Ro_02d, Ro_02e_right),
       Ro_02e_lo1 = Ro_02e_left_rest + Ro_02e_right_rest, Ro_02e_lo2 = Ro_02e_lo1 + Ro_02d_cross2,
@@ -14822,14 +14886,14 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
       Ro_02_left = Ro_02 - Ro_02_right, Ro_02_left_rest = Ro_02e - Ro_02_left,
       Ro_02_right_rest = R->m02 - Ro_02_right, Ro_02_lo1 = Ro_02_left_rest + Ro_02_right_rest,
       Ro_02_lo = Ro_02_lo1 + Ro_02e_lo;
-  const double Ro_10a = R->m10 * correction_0, Ro_10a_cross2 = R->m10 * correction_0_lo,
-      Ro_10b = R->m11 * correction_3, Ro_10b_cross2 = R->m11 * correction_3_lo,
+  const double Ro_10a = R->m10 * correction_0, Ro_10a_cross2 = R->m10 * correction_0_cross2,
+      Ro_10b = R->m11 * correction_3, Ro_10b_cross2 = R->m11 * correction_3_cross2,
       Ro_10c = Ro_10a + Ro_10b, Ro_10c_right = Ro_10c - Ro_10a, Ro_10c_left = Ro_10c - Ro_10c_right,
       Ro_10c_left_rest = ksl_product_rest(R->m10, correction_0, Ro_10a, Ro_10c_left),
       Ro_10c_right_rest = ksl_product_rest(R->m11, correction_3, Ro_10b, Ro_10c_right),
       Ro_10c_cross = Ro_10a_cross2 + Ro_10b_cross2,
       Ro_10c_lo1 = Ro_10c_left_rest + Ro_10c_right_rest, Ro_10c_lo = Ro_10c_lo1 + Ro_10c_cross,
-      Ro_10d = R->m12 * correction_4, Ro_10d_cross2 = R->m12 * correction_4_lo,
+      Ro_10d = R->m12 * correction_4, Ro_10d_cross2 = R->m12 * correction_4_cross2,
       Ro_10e = Ro_10c + Ro_10d, Ro_10e_right = Ro_10e - Ro_10c, Ro_10e_left = Ro_10e - Ro_10e_right,
       Ro_10e_left_rest = Ro_10c - Ro_10e_left,
       Ro_10e_right_rest = ksl_product_rest(R->m12, correction_4, Ro_10d, Ro_10e_right),
@@ -14838,14 +14902,14 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
       Ro_10_left = Ro_10 - Ro_10_right, Ro_10_left_rest = R->m10 - Ro_10_left,
       Ro_10_right_rest = Ro_10e - Ro_10_right, Ro_10_lo1 = Ro_10_left_rest + Ro_10_right_rest,
       Ro_10_lo = Ro_10_lo1 + Ro_10e_lo;
-  const double Ro_11a = R->m10 * correction_3, Ro_11a_cross2 = R->m10 * correction_3_lo,
-      Ro_11b = R->m11 * correction_1, Ro_11b_cross2 = R->m11 * correction_1_lo,
+  const double Ro_11a = R->m10 * correction_3, Ro_11a_cross2 = R->m10 * correction_3_cross2,
+      Ro_11b = R->m11 * correction_1, Ro_11b_cross2 = R->m11 * correction_1_cross2,
       Ro_11c = Ro_11a + Ro_11b, Ro_11c_right = Ro_11c - Ro_11a, Ro_11c_left = Ro_11c - Ro_11c_right,
       Ro_11c_left_rest = ksl_product_rest(R->m10, correction_3, Ro_11a, Ro_11c_left),
       Ro_11c_right_rest = ksl_product_rest(R->m11, correction_1, Ro_11b, Ro_11c_right),
       Ro_11c_cross = Ro_11a_cross2 + Ro_11b_cross2,
       Ro_11c_lo1 = Ro_11c_left_rest + Ro_11c_right_rest, Ro_11c_lo = Ro_11c_lo1 + Ro_11c_cross,
-      Ro_11d = R->m12 * correction_5, Ro_11d_cross2 = R->m12 * correction_5_lo,
+      Ro_11d = R->m12 * correction_5, Ro_11d_cross2 = R->m12 * correction_5_cross2,
       Ro_11e = Ro_11c + Ro_11d, Ro_11e_right = Ro_11e - Ro_11c, Ro_11e_left = Ro_11e - Ro_11e_right,
       Ro_11e_left_rest = Ro_11c - Ro_11e_left,
       Ro_11e_right_rest = ksl_product_rest(R->m12, correction_5, Ro_11d, Ro_11e_right),
@@ -14854,14 +14918,14 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
       Ro_11_left = Ro_11 - Ro_11_right, Ro_11_left_rest = Ro_11e - Ro_11_left,
       Ro_11_right_rest = R->m11 - Ro_11_right, Ro_11_lo1 = Ro_11_left_rest + Ro_11_right_rest,
       Ro_11_lo = Ro_11_lo1 + Ro_11e_lo;
-  const double Ro_12a = R->m10 * correction_4, Ro_12a_cross2 = R->m10 * correction_4_lo,
-      Ro_12b = R->m11 * correction_5, Ro_12b_cross2 = R->m11 * correction_5_lo,
+  const double Ro_12a = R->m10 * correction_4, Ro_12a_cross2 = R->m10 * correction_4_cross2,
+      Ro_12b = R->m11 * correction_5, Ro_12b_cross2 = R->m11 * correction_5_cross2,
       Ro_12c = Ro_12a + Ro_12b, Ro_12c_right = Ro_12c - Ro_12a, Ro_12c_left = Ro_12c - Ro_12c_right,
       Ro_12c_left_rest = ksl_product_rest(R->m10, correction_4, Ro_12a, Ro_12c_left),
       Ro_12c_right_rest = ksl_product_rest(R->m11, correction_5, Ro_12b, Ro_12c_right),
       Ro_12c_cross = Ro_12a_cross2 + Ro_12b_cross2,
       Ro_12c_lo1 = Ro_12c_left_rest + Ro_12c_right_rest, Ro_12c_lo = Ro_12c_lo1 + Ro_12c_cross,
-      Ro_12d = R->m12 * correction_2, Ro_12d_cross2 = R->m12 * correction_2_lo,
+      Ro_12d = R->m12 * correction_2, Ro_12d_cross2 = R->m12 * correction_2_cross2,
       Ro_12e = Ro_12c + Ro_12d, Ro_12e_right = Ro_12e - Ro_12c, Ro_12e_left = Ro_12e - Ro_12e_right,
       Ro_12e_left_rest = Ro_12c - Ro_12e_left,
       Ro_12e_right_rest = ksl_product_rest(R->m12, correction_2, Ro_12d, Ro_12e_right),
@@ -14870,14 +14934,14 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
       Ro_12_left = Ro_12 - Ro_12_right, Ro_12_left_rest = Ro_12e - Ro_12_left,
       Ro_12_right_rest = R->m12 - Ro_12_right, Ro_12_lo1 = Ro_12_left_rest + Ro_12_right_rest,
       Ro_12_lo = Ro_12_lo1 + Ro_12e_lo;
-  const double Ro_20a = R->m20 * correction_0, Ro_20a_cross2 = R->m20 * correction_0_lo,
-      Ro_20b = R->m21 * correction_3, Ro_20b_cross2 = R->m21 * correction_3_lo,
+  const double Ro_20a = R->m20 * correction_0, Ro_20a_cross2 = R->m20 * correction_0_cross2,
+      Ro_20b = R->m21 * correction_3, Ro_20b_cross2 = R->m21 * correction_3_cross2,
       Ro_20c = Ro_20a + Ro_20b, Ro_20c_right = Ro_20c - Ro_20a, Ro_20c_left = Ro_20c - Ro_20c_right,
       Ro_20c_left_rest = ksl_product_rest(R->m20, correction_0, Ro_20a, Ro_20c_left),
       Ro_20c_right_rest = ksl_product_rest(R->m21, correction_3, Ro_20b, Ro_20c_right),
       Ro_20c_cross = Ro_20a_cross2 + Ro_20b_cross2,
       Ro_20c_lo1 = Ro_20c_left_rest + Ro_20c_right_rest, Ro_20c_lo = Ro_20c_lo1 + Ro_20c_cross,
-      Ro_20d = R->m22 * correction_4, Ro_20d_cross2 = R->m22 * correction_4_lo,
+      Ro_20d = R->m22 * correction_4, Ro_20d_cross2 = R->m22 * correction_4_cross2,
       Ro_20e = Ro_20c + Ro_20d, Ro_20e_right = Ro_20e - Ro_20c, Ro_20e_left = Ro_20e - Ro_20e_right,
       Ro_20e_left_rest = Ro_20c - Ro_20e_left,
       Ro_20e_right_rest = ksl_product_rest(R->m22, correction_4, Ro_20d, Ro_20e_right),
@@ -14886,14 +14950,14 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
       Ro_20_left = Ro_20 - Ro_20_right, Ro_20_left_rest = R->m20 - Ro_20_left,
       Ro_20_right_rest = Ro_20e - Ro_20_right, Ro_20_lo1 = Ro_20_left_rest + Ro_20_right_rest,
       Ro_20_lo = Ro_20_lo1 + Ro_20e_lo;
-  const double Ro_21a = R->m20 * correction_3, Ro_21a_cross2 = R->m20 * correction_3_lo,
-      Ro_21b = R->m21 * correction_1, Ro_21b_cross2 = R->m21 * correction_1_lo,
+  const double Ro_21a = R->m20 * correction_3, Ro_21a_cross2 = R->m20 * correction_3_cross2,
+      Ro_21b = R->m21 * correction_1, Ro_21b_cross2 = R->m21 * correction_1_cross2,
       Ro_21c = Ro_21a + Ro_21b, Ro_21c_right = Ro_21c - Ro_21a, Ro_21c_left = Ro_21c - Ro_21c_right,
       Ro_21c_left_rest = ksl_product_rest(R->m20, correction_3, Ro_21a, Ro_21c_left),
       Ro_21c_right_rest = ksl_product_rest(R->m21, correction_1, Ro_21b, Ro_21c_right),
       Ro_21c_cross = Ro_21a_cross2 + Ro_21b_cross2,
       Ro_21c_lo1 = Ro_21c_left_rest + Ro_21c_right_rest, Ro_21c_lo = Ro_21c_lo1 + Ro_21c_cross,
-      Ro_21d = R->m22 * correction_5, Ro_21d_cross2 = R->m22 * correction_5_lo,
+      Ro_21d = R->m22 * correction_5, Ro_21d_cross2 = R->m22 * correction_5_cross2,
       Ro_21e = Ro_21c + Ro_21d, Ro_21e_right = Ro_21e - Ro_21c, Ro_21e_left = Ro_21e - Ro_21e_right,
       Ro_21e_left_rest = Ro_21c - Ro_21e_left,
       Ro_21e_right_rest = ksl_product_rest(R->m22, correction_5, Ro_21d, Ro_21e_right),
@@ -14902,14 +14966,14 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
       Ro_21_left = Ro_21 - Ro_21_right, Ro_21_left_rest = Ro_21e - Ro_21_left,
       Ro_21_right_rest = R->m21 - Ro_21_right, Ro_21_lo1 = Ro_21_left_rest + Ro_21_right_rest,
       Ro_21_lo = Ro_21_lo1 + Ro_21e_lo;
-  const double Ro_22a = R->m20 * correction_4, Ro_22a_cross2 = R->m20 * correction_4_lo,
-      Ro_22b = R->m21 * correction_5, Ro_22b_cross2 = R->m21 * correction_5_lo,
+  const double Ro_22a = R->m20 * correction_4, Ro_22a_cross2 = R->m20 * correction_4_cross2,
+      Ro_22b = R->m21 * correction_5, Ro_22b_cross2 = R->m21 * correction_5_cross2,
       Ro_22c = Ro_22a + Ro_22b, Ro_22c_right = Ro_22c - Ro_22a, Ro_22c_left = Ro_22c - Ro_22c_right,
       Ro_22c_left_rest = ksl_product_rest(R->m20, correction_4, Ro_22a, Ro_22c_left),
       Ro_22c_right_rest = ksl_product_rest(R->m21, correction_5, Ro_22b, Ro_22c_right),
       Ro_22c_cross = Ro_22a_cross2 + Ro_22b_cross2,
       Ro_22c_lo1 = Ro_22c_left_rest + Ro_22c_right_rest, Ro_22c_lo = Ro_22c_lo1 + Ro_22c_cross,
-      Ro_22d = R->m22 * correction_2, Ro_22d_cross2 = R->m22 * correction_2_lo,
+      Ro_22d = R->m22 * correction_2, Ro_22d_cross2 = R->m22 * correction_2_cross2,
       Ro_22e = Ro_22c + Ro_22d, Ro_22e_right = Ro_22e - Ro_22c, Ro_22e_left = Ro_22e - Ro_22e_right,
       Ro_22e_left_rest = Ro_22c - Ro_22e_left,
       Ro_22e_right_rest = ksl_product_rest(R->m22, correction_2, Ro_22d, Ro_22e_right),
@@ -14940,7 +15004,7 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   11 mul, 20 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select. */
+   11 mul, 26 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select. */
 static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const double p_0 = (double)R->m21 - (double)R->m12;
   const double p_1 = (double)R->m02 - (double)R->m20;
@@ -14948,14 +15012,16 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
   const double s_0 = (double)R->m12 + (double)R->m21;
   const double s_1 = (double)R->m02 + (double)R->m20;
   const double s_2 = (double)R->m01 + (double)R->m10;
-  const double d_0a = (double)R->m00 + (double)R->m11, d_0b = d_0a + (double)R->m22,
-      d_0 = d_0b + 1.0;
-  const double d_1a = (double)R->m00 - (double)R->m11, d_1b = d_1a - (double)R->m22,
-      d_1 = d_1b + 1.0;
-  const double d_2a = (double)R->m11 - (double)R->m00, d_2b = d_2a - (double)R->m22,
-      d_2 = d_2b + 1.0;
-  const double d_3a = (double)R->m22 - (double)R->m00, d_3b = d_3a - (double)R->m11,
-      d_3 = d_3b + 1.0;
+  const double less_0 = 1.0 - (double)R->m00;
+  const double less_1 = 1.0 - (double)R->m11;
+  const double less_2 = 1.0 - (double)R->m22;
+  const double more_0 = (double)R->m00 + 1.0;
+  const double more_1 = (double)R->m11 + 1.0;
+  const double more_2 = (double)R->m22 + 1.0;
+  const double d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0 - d_0b;
+  const double d_1a = 4.0 - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
+  const double d_2a = 4.0 - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
+  const double d_3a = 4.0 - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
   const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
   const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
   const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
@@ -15001,7 +15067,7 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
    R: rotation or other 3×3 matrix; axis: vector.
-   8 mul, 20 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select. */
+   8 mul, 26 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select. */
 static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *axis) {
   const double p_0 = (double)R->m21 - (double)R->m12;
@@ -15010,14 +15076,16 @@ static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   const double s_0 = (double)R->m12 + (double)R->m21;
   const double s_1 = (double)R->m02 + (double)R->m20;
   const double s_2 = (double)R->m01 + (double)R->m10;
-  const double d_0a = (double)R->m00 + (double)R->m11, d_0b = d_0a + (double)R->m22,
-      d_0 = d_0b + 1.0;
-  const double d_1a = (double)R->m00 - (double)R->m11, d_1b = d_1a - (double)R->m22,
-      d_1 = d_1b + 1.0;
-  const double d_2a = (double)R->m11 - (double)R->m00, d_2b = d_2a - (double)R->m22,
-      d_2 = d_2b + 1.0;
-  const double d_3a = (double)R->m22 - (double)R->m00, d_3b = d_3a - (double)R->m11,
-      d_3 = d_3b + 1.0;
+  const double less_0 = 1.0 - (double)R->m00;
+  const double less_1 = 1.0 - (double)R->m11;
+  const double less_2 = 1.0 - (double)R->m22;
+  const double more_0 = (double)R->m00 + 1.0;
+  const double more_1 = (double)R->m11 + 1.0;
+  const double more_2 = (double)R->m22 + 1.0;
+  const double d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0 - d_0b;
+  const double d_1a = 4.0 - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
+  const double d_2a = 4.0 - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
+  const double d_3a = 4.0 - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
   const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
   const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
   const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
@@ -15065,7 +15133,7 @@ static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
 /* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
-   Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_mat3x3f_orthonormalize_accurate(ksl_mat3x3f_t *self) {
   const double defect_0a = (double)self->m00 * (double)self->m00, defect_0b = 1.0 - defect_0a,
@@ -15163,7 +15231,7 @@ static inline void ksl_mat3x3f_orthonormalize_accurate(ksl_mat3x3f_t *self) {
 /* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
-   Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_mat3x3f_orthonormalized_accurate(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const double defect_0a = (double)R->m00 * (double)R->m00, defect_0b = 1.0 - defect_0a,
@@ -18717,8 +18785,8 @@ static inline void ksl_product_Bs_accurate(const ksl_inertia_t *B, const ksl_scr
 /* s·B s / 2, the kinetic energy in J of a body that moves with s.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
-   38 mul, 132 add, 1 product error, 30 product rest.
-   Error <= u |result| + 81 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   38 mul, 131 add, 30 product rest.
+   Error <= u |result| + 64 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline double ksl_inertia_energy_accurate(const ksl_inertia_t *B, const ksl_screw_t *s) {
   const double p_0a = B->m * s->m0, p_0b = B->h.z * s->m4, p_0c = B->h.y * s->m5,
@@ -18823,8 +18891,7 @@ static inline double ksl_inertia_energy_accurate(const ksl_inertia_t *B, const k
       twice_lo1 = twice_left_rest + twice_right_rest, twice_lo2 = twice_lo1 + twice_j_lo,
       twice_lo = twice_lo2 + twice_e_lo;
   const double energy = 0.5 * twice, energy_cross2 = 0.5 * twice_lo;
-  const double energy_error = ksl_product_error(0.5, twice, energy),
-      energy_lo = energy_error + energy_cross2, energy_rounded = energy + energy_lo;
+  const double energy_rounded = energy + energy_cross2;
   return energy_rounded;
 }
 
@@ -19255,16 +19322,14 @@ static inline void ksl_inertia_transformed_accurate(const ksl_SE3_t *D, const ks
      positive exactly if a body of positive density has this inertia.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2).
-   43 mul, 201 add, 10 product error, 13 product rest, 20 div, 6 neg, 9 less, 1 equal, 26 select. */
+   43 mul, 204 add, 10 product error, 10 product rest, 20 div, 6 neg, 9 less, 1 equal, 26 select. */
 static inline double ksl_inertia_consistency_accurate(const ksl_inertia_t *B) {
   const double trace_a = 0.5 * B->xx, trace_b = 0.5 * B->yy, trace_c = trace_a + trace_b,
       trace_c_right = trace_c - trace_a, trace_c_left = trace_c - trace_c_right,
-      trace_c_left_rest = ksl_product_rest(0.5, B->xx, trace_a, trace_c_left),
-      trace_c_right_rest = ksl_product_rest(0.5, B->yy, trace_b, trace_c_right),
+      trace_c_left_rest = trace_a - trace_c_left, trace_c_right_rest = trace_b - trace_c_right,
       trace_c_lo = trace_c_left_rest + trace_c_right_rest, trace_d = 0.5 * B->zz,
       trace = trace_c + trace_d, trace_right = trace - trace_c, trace_left = trace - trace_right,
-      trace_left_rest = trace_c - trace_left,
-      trace_right_rest = ksl_product_rest(0.5, B->zz, trace_d, trace_right),
+      trace_left_rest = trace_c - trace_left, trace_right_rest = trace_d - trace_right,
       trace_lo1 = trace_left_rest + trace_right_rest, trace_lo = trace_lo1 + trace_c_lo;
   const double sigma_0 = trace - B->xx, sigma_0_right = trace - sigma_0,
       sigma_0_left = sigma_0 + sigma_0_right, sigma_0_left_rest = trace - sigma_0_left,
@@ -19661,7 +19726,7 @@ static inline void ksl_product_Bsf_accurate(const ksl_inertiaf_t *B, const ksl_s
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
    31 mul, 23 add.
-   Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline float ksl_inertiaf_energy_accurate(const ksl_inertiaf_t *B, const ksl_screwf_t *s) {
   const double p_0a = (double)B->m * (double)s->m0, p_0b = (double)B->h.z * (double)s->m4,

@@ -6443,7 +6443,7 @@ static inline void ksl_product_qqconj_fused(const ksl_quaternion_t *q1,
 /* vo = R(q) v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
    9 mul, 3 add, 9 fma.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qv_fused(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
@@ -6470,7 +6470,7 @@ static inline void ksl_product_qv_fused(const ksl_quaternion_t *q, const ksl_vec
 /* vo = R(q)^T v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
    9 mul, 3 add, 9 fma.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qconjv_fused(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
@@ -6575,7 +6575,7 @@ static inline void ksl_product_qqconjf_fused(const ksl_quaternionf_t *q1,
 /* vo = R(q) v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
    9 mul, 3 add, 9 fma.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qvf_fused(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
@@ -6602,7 +6602,7 @@ static inline void ksl_product_qvf_fused(const ksl_quaternionf_t *q, const ksl_v
 /* vo = R(q)^T v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
    9 mul, 3 add, 9 fma.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qconjvf_fused(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
@@ -6637,7 +6637,7 @@ static inline void ksl_product_qconjvf_fused(const ksl_quaternionf_t *q, const k
 /* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    18 mul, 9 add, 33 fma, 3 neg.
-   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3_orthonormalize_fused(ksl_mat3x3_t *self) {
   const double defect_0b = fma(-self->m00, self->m00, 1.0),
@@ -6711,7 +6711,7 @@ static inline void ksl_mat3x3_orthonormalize_fused(ksl_mat3x3_t *self) {
 /* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    18 mul, 9 add, 33 fma, 3 neg.
-   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3_orthonormalized_fused(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double defect_0b = fma(-R->m00, R->m00, 1.0), defect_0d = fma(-R->m10, R->m10, defect_0b),
@@ -6764,7 +6764,7 @@ static inline void ksl_mat3x3_orthonormalized_fused(const ksl_mat3x3_t *R, ksl_m
 /* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    18 mul, 9 add, 33 fma, 3 neg.
-   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3f_orthonormalize_fused(ksl_mat3x3f_t *self) {
   const float defect_0b = fmaf(-self->m00, self->m00, 1.0f),
@@ -6838,7 +6838,7 @@ static inline void ksl_mat3x3f_orthonormalize_fused(ksl_mat3x3f_t *self) {
 /* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    18 mul, 9 add, 33 fma, 3 neg.
-   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3f_orthonormalized_fused(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const float defect_0b = fmaf(-R->m00, R->m00, 1.0f), defect_0d = fmaf(-R->m10, R->m10, defect_0b),
@@ -7047,7 +7047,7 @@ static inline void ksl_product_Bs_fused(const ksl_inertia_t *B, const ksl_screw_
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
    12 mul, 4 add, 19 fma.
-   Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_inertia_energy_fused(const ksl_inertia_t *B, const ksl_screw_t *s) {
   const double p_0b = B->h.z * s->m4, p_0d = fma(-B->h.y, s->m5, p_0b),
@@ -7322,7 +7322,7 @@ static inline void ksl_product_Bsf_fused(const ksl_inertiaf_t *B, const ksl_scre
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
    12 mul, 4 add, 19 fma.
-   Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_inertiaf_energy_fused(const ksl_inertiaf_t *B, const ksl_screwf_t *s) {
   const float p_0b = B->h.z * s->m4, p_0d = fmaf(-B->h.y, s->m5, p_0b),

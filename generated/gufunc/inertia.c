@@ -1158,7 +1158,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "\n"
     "(10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,\n"
     "xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy: number.\n"
-    "31 mul, 23 add.  Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded\n"
+    "31 mul, 23 add.  Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
    2, 1, inertia_energy_loops},
   {"inertia_shifted", "(3),(10)->(10)",

@@ -74,7 +74,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "21d5a2197fa85c73") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "eb22a4d25afd0ca0") < 0) {
     Py_DECREF(module);
     return NULL;
   }

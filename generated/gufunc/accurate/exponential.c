@@ -314,29 +314,29 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.\n"
-    "40 mul, 214 add, 6 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11\n"
+    "40 mul, 261 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11\n"
     "less, 10 equal, 51 select.\n",
    1, 1, SO3_log_loops},
   {"axis_angle_from_mat3x3", "(3,3)->(),(3)",
     "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.\n"
     "\n"
     "(3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.\n"
-    "35 mul, 211 add, 5 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11\n"
+    "35 mul, 258 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11\n"
     "less, 11 equal, 54 select.\n",
    1, 2, axis_angle_from_mat3x3_loops},
   {"mat3x3_orthonormalize", "(3,3)->(3,3)",
     "self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.\n"
     "\n"
     "(3,3)->(3,3).  self: rotation or other 3×3 matrix.\n"
-    "84 mul, 276 add, 6 product error, 45 product rest, 6 neg.  Error <= u |result| + 68 u^2 S, S\n"
-    "the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "84 mul, 270 add, 45 product rest, 6 neg.  Error <= u |result| + 54 u^2 S, S the sum of the\n"
+    "|terms| of the expanded formula; barring over- and underflow.\n",
    1, 1, mat3x3_orthonormalize_loops},
   {"mat3x3_orthonormalized", "(3,3)->(3,3)",
     "Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.\n"
     "\n"
     "(3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.\n"
-    "84 mul, 276 add, 6 product error, 45 product rest, 6 neg.  Error <= u |result| + 68 u^2 S, S\n"
-    "the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "84 mul, 270 add, 45 product rest, 6 neg.  Error <= u |result| + 54 u^2 S, S the sum of the\n"
+    "|terms| of the expanded formula; barring over- and underflow.\n",
    1, 1, mat3x3_orthonormalized_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

@@ -982,8 +982,8 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "\n"
     "(10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,\n"
     "xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy: number.\n"
-    "38 mul, 132 add, 1 product error, 30 product rest.  Error <= u |result| + 81 u^2 S, S the\n"
-    "sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "38 mul, 131 add, 30 product rest.  Error <= u |result| + 64 u^2 S, S the sum of the |terms|\n"
+    "of the expanded formula; barring over- and underflow.\n",
    2, 1, inertia_energy_loops},
   {"inertia_shifted", "(3),(10)->(10)",
     "Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.\n"
@@ -1007,7 +1007,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "\n"
     "(10)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,\n"
     "xz, yz in kg m^2); pivot: number.\n"
-    "43 mul, 201 add, 10 product error, 13 product rest, 20 div, 6 neg, 9 less, 1 equal, 26\n"
+    "43 mul, 204 add, 10 product error, 10 product rest, 20 div, 6 neg, 9 less, 1 equal, 26\n"
     "select.\n",
    1, 1, inertia_consistency_loops},
   {NULL, NULL, NULL, 0, 0, NULL},

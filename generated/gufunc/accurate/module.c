@@ -73,7 +73,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "660bbbe88e36f6ec") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "e020017c30a9e5fe") < 0) {
     Py_DECREF(module);
     return NULL;
   }

@@ -1101,27 +1101,27 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "vo = R(q) v, |q| = 1.\n"
     "\n"
     "(4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.\n"
-    "30 mul, 78 add, 3 product error, 15 product rest.  Error <= u |result| + 49 u^2 S, S the sum\n"
-    "of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "30 mul, 75 add, 15 product rest.  Error <= u |result| + 38 u^2 S, S the sum of the |terms|\n"
+    "of the expanded formula; barring over- and underflow.\n",
    2, 1, product_qv_loops},
   {"product_qconjv", "(4),(3)->(3)",
     "vo = R(q)^T v, |q| = 1.\n"
     "\n"
     "(4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.\n"
-    "30 mul, 78 add, 3 product error, 15 product rest.  Error <= u |result| + 49 u^2 S, S the sum\n"
-    "of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "30 mul, 75 add, 15 product rest.  Error <= u |result| + 38 u^2 S, S the sum of the |terms|\n"
+    "of the expanded formula; barring over- and underflow.\n",
    2, 1, product_qconjv_loops},
   {"mat3x3_from_quaternion", "(4)->(3,3)",
     "R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.\n"
     "\n"
     "(4)->(3,3).  q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.\n"
-    "41 mul, 117 add, 11 product error, 24 product rest, 2 div, 9 equal, 9 select.\n",
+    "41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.\n",
    1, 1, mat3x3_from_quaternion_loops},
   {"quaternion_from_mat3x3", "(3,3)->(4)",
     "qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.\n"
     "\n"
     "(3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.\n"
-    "21 mul, 200 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37\n"
+    "21 mul, 248 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37\n"
     "select.\n",
    1, 1, quaternion_from_mat3x3_loops},
   {"axis_angle_from_quaternion", "(4)->(),(3)",
@@ -1129,7 +1129,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "angle = 0; any multiple of a quaternion.\n"
     "\n"
     "(4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.\n"
-    "23 mul, 56 add, 5 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8\n"
+    "23 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8\n"
     "less, 8 equal, 23 select.\n",
    1, 2, axis_angle_from_quaternion_loops},
   {"quaternion_log", "(4)->(3)",
@@ -1137,7 +1137,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "it.\n"
     "\n"
     "(4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.\n"
-    "25 mul, 59 add, 6 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8\n"
+    "25 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8\n"
     "less, 7 equal, 20 select.\n",
    1, 1, quaternion_log_loops},
   {NULL, NULL, NULL, 0, 0, NULL},

@@ -8,7 +8,7 @@
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   40 mul, 214 add, 6 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+   40 mul, 261 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
      less, 10 equal, 51 select. */
 static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
@@ -29,38 +29,64 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double s_2 = R->m01 + R->m10, s_2_right = s_2 - R->m01, s_2_left = s_2 - s_2_right,
       s_2_left_rest = R->m01 - s_2_left, s_2_right_rest = R->m10 - s_2_right,
       s_2_lo = s_2_left_rest + s_2_right_rest;
-  const double d_0a = R->m00 + R->m11, d_0a_right = d_0a - R->m00, d_0a_left = d_0a - d_0a_right,
-      d_0a_left_rest = R->m00 - d_0a_left, d_0a_right_rest = R->m11 - d_0a_right,
-      d_0a_lo = d_0a_left_rest + d_0a_right_rest, d_0b = d_0a + R->m22, d_0b_right = d_0b - d_0a,
+  const double less_0 = 1.0 - R->m00, less_0_right = 1.0 - less_0,
+      less_0_left = less_0 + less_0_right, less_0_left_rest = 1.0 - less_0_left,
+      less_0_right_rest = R->m00 - less_0_right, less_0_lo = less_0_left_rest - less_0_right_rest;
+  const double less_1 = 1.0 - R->m11, less_1_right = 1.0 - less_1,
+      less_1_left = less_1 + less_1_right, less_1_left_rest = 1.0 - less_1_left,
+      less_1_right_rest = R->m11 - less_1_right, less_1_lo = less_1_left_rest - less_1_right_rest;
+  const double less_2 = 1.0 - R->m22, less_2_right = 1.0 - less_2,
+      less_2_left = less_2 + less_2_right, less_2_left_rest = 1.0 - less_2_left,
+      less_2_right_rest = R->m22 - less_2_right, less_2_lo = less_2_left_rest - less_2_right_rest;
+  const double more_0 = R->m00 + 1.0, more_0_right = more_0 - R->m00,
+      more_0_left = more_0 - more_0_right, more_0_left_rest = R->m00 - more_0_left,
+      more_0_right_rest = 1.0 - more_0_right, more_0_lo = more_0_left_rest + more_0_right_rest;
+  const double more_1 = R->m11 + 1.0, more_1_right = more_1 - R->m11,
+      more_1_left = more_1 - more_1_right, more_1_left_rest = R->m11 - more_1_left,
+      more_1_right_rest = 1.0 - more_1_right, more_1_lo = more_1_left_rest + more_1_right_rest;
+  const double more_2 = R->m22 + 1.0, more_2_right = more_2 - R->m22,
+      more_2_left = more_2 - more_2_right, more_2_left_rest = R->m22 - more_2_left,
+      more_2_right_rest = 1.0 - more_2_right, more_2_lo = more_2_left_rest + more_2_right_rest;
+  const double d_0a = less_0 + less_1, d_0a_right = d_0a - less_0, d_0a_left = d_0a - d_0a_right,
+      d_0a_left_rest = less_0 - d_0a_left, d_0a_right_rest = less_1 - d_0a_right,
+      d_0a_lo1 = d_0a_left_rest + d_0a_right_rest, d_0a_lo2 = d_0a_lo1 + less_1_lo,
+      d_0a_lo = d_0a_lo2 + less_0_lo, d_0b = d_0a + less_2, d_0b_right = d_0b - d_0a,
       d_0b_left = d_0b - d_0b_right, d_0b_left_rest = d_0a - d_0b_left,
-      d_0b_right_rest = R->m22 - d_0b_right, d_0b_lo1 = d_0b_left_rest + d_0b_right_rest,
-      d_0b_lo = d_0b_lo1 + d_0a_lo, d_0 = d_0b + 1.0, d_0_right = d_0 - d_0b,
-      d_0_left = d_0 - d_0_right, d_0_left_rest = d_0b - d_0_left, d_0_right_rest = 1.0 - d_0_right,
-      d_0_lo1 = d_0_left_rest + d_0_right_rest, d_0_lo = d_0_lo1 + d_0b_lo;
-  const double d_1a = R->m00 - R->m11, d_1a_right = R->m00 - d_1a, d_1a_left = d_1a + d_1a_right,
-      d_1a_left_rest = R->m00 - d_1a_left, d_1a_right_rest = R->m11 - d_1a_right,
-      d_1a_lo = d_1a_left_rest - d_1a_right_rest, d_1b = d_1a - R->m22, d_1b_right = d_1a - d_1b,
-      d_1b_left = d_1b + d_1b_right, d_1b_left_rest = d_1a - d_1b_left,
-      d_1b_right_rest = R->m22 - d_1b_right, d_1b_lo1 = d_1b_left_rest - d_1b_right_rest,
-      d_1b_lo = d_1b_lo1 + d_1a_lo, d_1 = d_1b + 1.0, d_1_right = d_1 - d_1b,
-      d_1_left = d_1 - d_1_right, d_1_left_rest = d_1b - d_1_left, d_1_right_rest = 1.0 - d_1_right,
-      d_1_lo1 = d_1_left_rest + d_1_right_rest, d_1_lo = d_1_lo1 + d_1b_lo;
-  const double d_2a = R->m11 - R->m00, d_2a_right = R->m11 - d_2a, d_2a_left = d_2a + d_2a_right,
-      d_2a_left_rest = R->m11 - d_2a_left, d_2a_right_rest = R->m00 - d_2a_right,
-      d_2a_lo = d_2a_left_rest - d_2a_right_rest, d_2b = d_2a - R->m22, d_2b_right = d_2a - d_2b,
-      d_2b_left = d_2b + d_2b_right, d_2b_left_rest = d_2a - d_2b_left,
-      d_2b_right_rest = R->m22 - d_2b_right, d_2b_lo1 = d_2b_left_rest - d_2b_right_rest,
-      d_2b_lo = d_2b_lo1 + d_2a_lo, d_2 = d_2b + 1.0, d_2_right = d_2 - d_2b,
-      d_2_left = d_2 - d_2_right, d_2_left_rest = d_2b - d_2_left, d_2_right_rest = 1.0 - d_2_right,
-      d_2_lo1 = d_2_left_rest + d_2_right_rest, d_2_lo = d_2_lo1 + d_2b_lo;
-  const double d_3a = R->m22 - R->m00, d_3a_right = R->m22 - d_3a, d_3a_left = d_3a + d_3a_right,
-      d_3a_left_rest = R->m22 - d_3a_left, d_3a_right_rest = R->m00 - d_3a_right,
-      d_3a_lo = d_3a_left_rest - d_3a_right_rest, d_3b = d_3a - R->m11, d_3b_right = d_3a - d_3b,
-      d_3b_left = d_3b + d_3b_right, d_3b_left_rest = d_3a - d_3b_left,
-      d_3b_right_rest = R->m11 - d_3b_right, d_3b_lo1 = d_3b_left_rest - d_3b_right_rest,
-      d_3b_lo = d_3b_lo1 + d_3a_lo, d_3 = d_3b + 1.0, d_3_right = d_3 - d_3b,
-      d_3_left = d_3 - d_3_right, d_3_left_rest = d_3b - d_3_left, d_3_right_rest = 1.0 - d_3_right,
-      d_3_lo1 = d_3_left_rest + d_3_right_rest, d_3_lo = d_3_lo1 + d_3b_lo;
+      d_0b_right_rest = less_2 - d_0b_right, d_0b_lo1 = d_0b_left_rest + d_0b_right_rest,
+      d_0b_lo2 = d_0b_lo1 + less_2_lo, d_0b_lo = d_0b_lo2 + d_0a_lo, d_0 = 4.0 - d_0b,
+      d_0_right = 4.0 - d_0, d_0_left = d_0 + d_0_right, d_0_left_rest = 4.0 - d_0_left,
+      d_0_right_rest = d_0b - d_0_right, d_0_lo1 = d_0_left_rest - d_0_right_rest,
+      d_0_lo = d_0_lo1 - d_0b_lo;
+  const double d_1a = 4.0 - less_0, d_1a_right = 4.0 - d_1a, d_1a_left = d_1a + d_1a_right,
+      d_1a_left_rest = 4.0 - d_1a_left, d_1a_right_rest = less_0 - d_1a_right,
+      d_1a_lo1 = d_1a_left_rest - d_1a_right_rest, d_1a_lo = d_1a_lo1 - less_0_lo,
+      d_1b = more_1 + more_2, d_1b_right = d_1b - more_1, d_1b_left = d_1b - d_1b_right,
+      d_1b_left_rest = more_1 - d_1b_left, d_1b_right_rest = more_2 - d_1b_right,
+      d_1b_lo1 = d_1b_left_rest + d_1b_right_rest, d_1b_lo2 = d_1b_lo1 + more_2_lo,
+      d_1b_lo = d_1b_lo2 + more_1_lo, d_1 = d_1a - d_1b, d_1_right = d_1a - d_1,
+      d_1_left = d_1 + d_1_right, d_1_left_rest = d_1a - d_1_left,
+      d_1_right_rest = d_1b - d_1_right, d_1_lo1 = d_1_left_rest - d_1_right_rest,
+      d_1_lo2 = d_1_lo1 - d_1b_lo, d_1_lo = d_1_lo2 + d_1a_lo;
+  const double d_2a = 4.0 - less_1, d_2a_right = 4.0 - d_2a, d_2a_left = d_2a + d_2a_right,
+      d_2a_left_rest = 4.0 - d_2a_left, d_2a_right_rest = less_1 - d_2a_right,
+      d_2a_lo1 = d_2a_left_rest - d_2a_right_rest, d_2a_lo = d_2a_lo1 - less_1_lo,
+      d_2b = more_0 + more_2, d_2b_right = d_2b - more_0, d_2b_left = d_2b - d_2b_right,
+      d_2b_left_rest = more_0 - d_2b_left, d_2b_right_rest = more_2 - d_2b_right,
+      d_2b_lo1 = d_2b_left_rest + d_2b_right_rest, d_2b_lo2 = d_2b_lo1 + more_2_lo,
+      d_2b_lo = d_2b_lo2 + more_0_lo, d_2 = d_2a - d_2b, d_2_right = d_2a - d_2,
+      d_2_left = d_2 + d_2_right, d_2_left_rest = d_2a - d_2_left,
+      d_2_right_rest = d_2b - d_2_right, d_2_lo1 = d_2_left_rest - d_2_right_rest,
+      d_2_lo2 = d_2_lo1 - d_2b_lo, d_2_lo = d_2_lo2 + d_2a_lo;
+  const double d_3a = 4.0 - less_2, d_3a_right = 4.0 - d_3a, d_3a_left = d_3a + d_3a_right,
+      d_3a_left_rest = 4.0 - d_3a_left, d_3a_right_rest = less_2 - d_3a_right,
+      d_3a_lo1 = d_3a_left_rest - d_3a_right_rest, d_3a_lo = d_3a_lo1 - less_2_lo,
+      d_3b = more_0 + more_1, d_3b_right = d_3b - more_0, d_3b_left = d_3b - d_3b_right,
+      d_3b_left_rest = more_0 - d_3b_left, d_3b_right_rest = more_1 - d_3b_right,
+      d_3b_lo1 = d_3b_left_rest + d_3b_right_rest, d_3b_lo2 = d_3b_lo1 + more_1_lo,
+      d_3b_lo = d_3b_lo2 + more_0_lo, d_3 = d_3a - d_3b, d_3_right = d_3a - d_3,
+      d_3_left = d_3 + d_3_right, d_3_left_rest = d_3a - d_3_left,
+      d_3_right_rest = d_3b - d_3_right, d_3_lo1 = d_3_left_rest - d_3_right_rest,
+      d_3_lo2 = d_3_lo1 - d_3b_lo, d_3_lo = d_3_lo2 + d_3a_lo;
   const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
   const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
   const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
@@ -180,11 +206,10 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
       divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
   const double theta = 2.0 * half, theta_cross2 = 2.0 * half_lo;
-  const double theta_error = ksl_product_error(2.0, half, theta),
-      theta_lo = theta_error + theta_cross2, k_of_theta = theta + theta_lo,
-      k_of_theta_right = k_of_theta - theta, k_of_theta_left = k_of_theta - k_of_theta_right,
+  const double k_of_theta = theta + theta_cross2, k_of_theta_right = k_of_theta - theta,
+      k_of_theta_left = k_of_theta - k_of_theta_right,
       k_of_theta_left_rest = theta - k_of_theta_left,
-      k_of_theta_right_rest = theta_lo - k_of_theta_right,
+      k_of_theta_right_rest = theta_cross2 - k_of_theta_right,
       k_of_theta_lo = k_of_theta_left_rest + k_of_theta_right_rest,
       k_of_divisor = divisor + divisor_lo, k_of_divisor_right = k_of_divisor - divisor,
       k_of_divisor_left = k_of_divisor - k_of_divisor_right,
@@ -218,7 +243,7 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
    R: rotation or other 3×3 matrix; axis: vector.
-   35 mul, 211 add, 5 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+   35 mul, 258 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
      less, 11 equal, 54 select. */
 static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
@@ -239,38 +264,64 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
   const double s_2 = R->m01 + R->m10, s_2_right = s_2 - R->m01, s_2_left = s_2 - s_2_right,
       s_2_left_rest = R->m01 - s_2_left, s_2_right_rest = R->m10 - s_2_right,
       s_2_lo = s_2_left_rest + s_2_right_rest;
-  const double d_0a = R->m00 + R->m11, d_0a_right = d_0a - R->m00, d_0a_left = d_0a - d_0a_right,
-      d_0a_left_rest = R->m00 - d_0a_left, d_0a_right_rest = R->m11 - d_0a_right,
-      d_0a_lo = d_0a_left_rest + d_0a_right_rest, d_0b = d_0a + R->m22, d_0b_right = d_0b - d_0a,
+  const double less_0 = 1.0 - R->m00, less_0_right = 1.0 - less_0,
+      less_0_left = less_0 + less_0_right, less_0_left_rest = 1.0 - less_0_left,
+      less_0_right_rest = R->m00 - less_0_right, less_0_lo = less_0_left_rest - less_0_right_rest;
+  const double less_1 = 1.0 - R->m11, less_1_right = 1.0 - less_1,
+      less_1_left = less_1 + less_1_right, less_1_left_rest = 1.0 - less_1_left,
+      less_1_right_rest = R->m11 - less_1_right, less_1_lo = less_1_left_rest - less_1_right_rest;
+  const double less_2 = 1.0 - R->m22, less_2_right = 1.0 - less_2,
+      less_2_left = less_2 + less_2_right, less_2_left_rest = 1.0 - less_2_left,
+      less_2_right_rest = R->m22 - less_2_right, less_2_lo = less_2_left_rest - less_2_right_rest;
+  const double more_0 = R->m00 + 1.0, more_0_right = more_0 - R->m00,
+      more_0_left = more_0 - more_0_right, more_0_left_rest = R->m00 - more_0_left,
+      more_0_right_rest = 1.0 - more_0_right, more_0_lo = more_0_left_rest + more_0_right_rest;
+  const double more_1 = R->m11 + 1.0, more_1_right = more_1 - R->m11,
+      more_1_left = more_1 - more_1_right, more_1_left_rest = R->m11 - more_1_left,
+      more_1_right_rest = 1.0 - more_1_right, more_1_lo = more_1_left_rest + more_1_right_rest;
+  const double more_2 = R->m22 + 1.0, more_2_right = more_2 - R->m22,
+      more_2_left = more_2 - more_2_right, more_2_left_rest = R->m22 - more_2_left,
+      more_2_right_rest = 1.0 - more_2_right, more_2_lo = more_2_left_rest + more_2_right_rest;
+  const double d_0a = less_0 + less_1, d_0a_right = d_0a - less_0, d_0a_left = d_0a - d_0a_right,
+      d_0a_left_rest = less_0 - d_0a_left, d_0a_right_rest = less_1 - d_0a_right,
+      d_0a_lo1 = d_0a_left_rest + d_0a_right_rest, d_0a_lo2 = d_0a_lo1 + less_1_lo,
+      d_0a_lo = d_0a_lo2 + less_0_lo, d_0b = d_0a + less_2, d_0b_right = d_0b - d_0a,
       d_0b_left = d_0b - d_0b_right, d_0b_left_rest = d_0a - d_0b_left,
-      d_0b_right_rest = R->m22 - d_0b_right, d_0b_lo1 = d_0b_left_rest + d_0b_right_rest,
-      d_0b_lo = d_0b_lo1 + d_0a_lo, d_0 = d_0b + 1.0, d_0_right = d_0 - d_0b,
-      d_0_left = d_0 - d_0_right, d_0_left_rest = d_0b - d_0_left, d_0_right_rest = 1.0 - d_0_right,
-      d_0_lo1 = d_0_left_rest + d_0_right_rest, d_0_lo = d_0_lo1 + d_0b_lo;
-  const double d_1a = R->m00 - R->m11, d_1a_right = R->m00 - d_1a, d_1a_left = d_1a + d_1a_right,
-      d_1a_left_rest = R->m00 - d_1a_left, d_1a_right_rest = R->m11 - d_1a_right,
-      d_1a_lo = d_1a_left_rest - d_1a_right_rest, d_1b = d_1a - R->m22, d_1b_right = d_1a - d_1b,
-      d_1b_left = d_1b + d_1b_right, d_1b_left_rest = d_1a - d_1b_left,
-      d_1b_right_rest = R->m22 - d_1b_right, d_1b_lo1 = d_1b_left_rest - d_1b_right_rest,
-      d_1b_lo = d_1b_lo1 + d_1a_lo, d_1 = d_1b + 1.0, d_1_right = d_1 - d_1b,
-      d_1_left = d_1 - d_1_right, d_1_left_rest = d_1b - d_1_left, d_1_right_rest = 1.0 - d_1_right,
-      d_1_lo1 = d_1_left_rest + d_1_right_rest, d_1_lo = d_1_lo1 + d_1b_lo;
-  const double d_2a = R->m11 - R->m00, d_2a_right = R->m11 - d_2a, d_2a_left = d_2a + d_2a_right,
-      d_2a_left_rest = R->m11 - d_2a_left, d_2a_right_rest = R->m00 - d_2a_right,
-      d_2a_lo = d_2a_left_rest - d_2a_right_rest, d_2b = d_2a - R->m22, d_2b_right = d_2a - d_2b,
-      d_2b_left = d_2b + d_2b_right, d_2b_left_rest = d_2a - d_2b_left,
-      d_2b_right_rest = R->m22 - d_2b_right, d_2b_lo1 = d_2b_left_rest - d_2b_right_rest,
-      d_2b_lo = d_2b_lo1 + d_2a_lo, d_2 = d_2b + 1.0, d_2_right = d_2 - d_2b,
-      d_2_left = d_2 - d_2_right, d_2_left_rest = d_2b - d_2_left, d_2_right_rest = 1.0 - d_2_right,
-      d_2_lo1 = d_2_left_rest + d_2_right_rest, d_2_lo = d_2_lo1 + d_2b_lo;
-  const double d_3a = R->m22 - R->m00, d_3a_right = R->m22 - d_3a, d_3a_left = d_3a + d_3a_right,
-      d_3a_left_rest = R->m22 - d_3a_left, d_3a_right_rest = R->m00 - d_3a_right,
-      d_3a_lo = d_3a_left_rest - d_3a_right_rest, d_3b = d_3a - R->m11, d_3b_right = d_3a - d_3b,
-      d_3b_left = d_3b + d_3b_right, d_3b_left_rest = d_3a - d_3b_left,
-      d_3b_right_rest = R->m11 - d_3b_right, d_3b_lo1 = d_3b_left_rest - d_3b_right_rest,
-      d_3b_lo = d_3b_lo1 + d_3a_lo, d_3 = d_3b + 1.0, d_3_right = d_3 - d_3b,
-      d_3_left = d_3 - d_3_right, d_3_left_rest = d_3b - d_3_left, d_3_right_rest = 1.0 - d_3_right,
-      d_3_lo1 = d_3_left_rest + d_3_right_rest, d_3_lo = d_3_lo1 + d_3b_lo;
+      d_0b_right_rest = less_2 - d_0b_right, d_0b_lo1 = d_0b_left_rest + d_0b_right_rest,
+      d_0b_lo2 = d_0b_lo1 + less_2_lo, d_0b_lo = d_0b_lo2 + d_0a_lo, d_0 = 4.0 - d_0b,
+      d_0_right = 4.0 - d_0, d_0_left = d_0 + d_0_right, d_0_left_rest = 4.0 - d_0_left,
+      d_0_right_rest = d_0b - d_0_right, d_0_lo1 = d_0_left_rest - d_0_right_rest,
+      d_0_lo = d_0_lo1 - d_0b_lo;
+  const double d_1a = 4.0 - less_0, d_1a_right = 4.0 - d_1a, d_1a_left = d_1a + d_1a_right,
+      d_1a_left_rest = 4.0 - d_1a_left, d_1a_right_rest = less_0 - d_1a_right,
+      d_1a_lo1 = d_1a_left_rest - d_1a_right_rest, d_1a_lo = d_1a_lo1 - less_0_lo,
+      d_1b = more_1 + more_2, d_1b_right = d_1b - more_1, d_1b_left = d_1b - d_1b_right,
+      d_1b_left_rest = more_1 - d_1b_left, d_1b_right_rest = more_2 - d_1b_right,
+      d_1b_lo1 = d_1b_left_rest + d_1b_right_rest, d_1b_lo2 = d_1b_lo1 + more_2_lo,
+      d_1b_lo = d_1b_lo2 + more_1_lo, d_1 = d_1a - d_1b, d_1_right = d_1a - d_1,
+      d_1_left = d_1 + d_1_right, d_1_left_rest = d_1a - d_1_left,
+      d_1_right_rest = d_1b - d_1_right, d_1_lo1 = d_1_left_rest - d_1_right_rest,
+      d_1_lo2 = d_1_lo1 - d_1b_lo, d_1_lo = d_1_lo2 + d_1a_lo;
+  const double d_2a = 4.0 - less_1, d_2a_right = 4.0 - d_2a, d_2a_left = d_2a + d_2a_right,
+      d_2a_left_rest = 4.0 - d_2a_left, d_2a_right_rest = less_1 - d_2a_right,
+      d_2a_lo1 = d_2a_left_rest - d_2a_right_rest, d_2a_lo = d_2a_lo1 - less_1_lo,
+      d_2b = more_0 + more_2, d_2b_right = d_2b - more_0, d_2b_left = d_2b - d_2b_right,
+      d_2b_left_rest = more_0 - d_2b_left, d_2b_right_rest = more_2 - d_2b_right,
+      d_2b_lo1 = d_2b_left_rest + d_2b_right_rest, d_2b_lo2 = d_2b_lo1 + more_2_lo,
+      d_2b_lo = d_2b_lo2 + more_0_lo, d_2 = d_2a - d_2b, d_2_right = d_2a - d_2,
+      d_2_left = d_2 + d_2_right, d_2_left_rest = d_2a - d_2_left,
+      d_2_right_rest = d_2b - d_2_right, d_2_lo1 = d_2_left_rest - d_2_right_rest,
+      d_2_lo2 = d_2_lo1 - d_2b_lo, d_2_lo = d_2_lo2 + d_2a_lo;
+  const double d_3a = 4.0 - less_2, d_3a_right = 4.0 - d_3a, d_3a_left = d_3a + d_3a_right,
+      d_3a_left_rest = 4.0 - d_3a_left, d_3a_right_rest = less_2 - d_3a_right,
+      d_3a_lo1 = d_3a_left_rest - d_3a_right_rest, d_3a_lo = d_3a_lo1 - less_2_lo,
+      d_3b = more_0 + more_1, d_3b_right = d_3b - more_0, d_3b_left = d_3b - d_3b_right,
+      d_3b_left_rest = more_0 - d_3b_left, d_3b_right_rest = more_1 - d_3b_right,
+      d_3b_lo1 = d_3b_left_rest + d_3b_right_rest, d_3b_lo2 = d_3b_lo1 + more_1_lo,
+      d_3b_lo = d_3b_lo2 + more_0_lo, d_3 = d_3a - d_3b, d_3_right = d_3a - d_3,
+      d_3_left = d_3 + d_3_right, d_3_left_rest = d_3a - d_3_left,
+      d_3_right_rest = d_3b - d_3_right, d_3_lo1 = d_3_left_rest - d_3_right_rest,
+      d_3_lo2 = d_3_lo1 - d_3b_lo, d_3_lo = d_3_lo2 + d_3a_lo;
   const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
   const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
   const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
@@ -424,8 +475,7 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
   const double angle = 2.0 * half, angle_cross2 = 2.0 * half_lo;
   const double axis_0 = half_of_n == 0.0 ? 1.0 : unit_0,
       axis_0_lo = half_of_n == 0.0 ? 0.0 : unit_0_lo;
-  const double angle_error = ksl_product_error(2.0, half, angle),
-      angle_lo = angle_error + angle_cross2, angle_rounded = angle + angle_lo,
+  const double angle_rounded = angle + angle_cross2,
       angle_final = angle_rounded == angle_rounded ? angle_rounded : angle;
   const double axis_0_rounded = axis_0 + axis_0_lo,
       axis_0_final = axis_0_rounded == axis_0_rounded ? axis_0_rounded : axis_0;
@@ -441,8 +491,8 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
 
 /* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
-   84 mul, 276 add, 6 product error, 45 product rest, 6 neg.
-   Error <= u |result| + 68 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   84 mul, 270 add, 45 product rest, 6 neg.
+   Error <= u |result| + 54 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
   const double defect_0a = self->m00 * self->m00, defect_0b = 1.0 - defect_0a,
@@ -538,12 +588,10 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
   const double correction_3 = 0.5 * defect_3, correction_3_cross2 = 0.5 * defect_3_lo;
   const double correction_4 = 0.5 * defect_4, correction_4_cross2 = 0.5 * defect_4_lo;
   const double correction_5 = 0.5 * defect_5, correction_5_cross2 = 0.5 * defect_5_lo;
-  const double correction_0_error = ksl_product_error(0.5, defect_0, correction_0),
-      correction_0_lo = correction_0_error + correction_0_cross2,
-      self_00_new_a = self->m00 * correction_0, self_00_new_a_cross2 = self->m00 * correction_0_lo,
-      correction_3_error = ksl_product_error(0.5, defect_3, correction_3),
-      correction_3_lo = correction_3_error + correction_3_cross2,
-      self_00_new_b = self->m01 * correction_3, self_00_new_b_cross2 = self->m01 * correction_3_lo,
+  const double self_00_new_a = self->m00 * correction_0,
+      self_00_new_a_cross2 = self->m00 * correction_0_cross2,
+      self_00_new_b = self->m01 * correction_3,
+      self_00_new_b_cross2 = self->m01 * correction_3_cross2,
       self_00_new_c = self_00_new_a + self_00_new_b,
       self_00_new_c_right = self_00_new_c - self_00_new_a,
       self_00_new_c_left = self_00_new_c - self_00_new_c_right,
@@ -552,9 +600,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_00_new_c_cross = self_00_new_a_cross2 + self_00_new_b_cross2,
       self_00_new_c_lo1 = self_00_new_c_left_rest + self_00_new_c_right_rest,
       self_00_new_c_lo = self_00_new_c_lo1 + self_00_new_c_cross,
-      correction_4_error = ksl_product_error(0.5, defect_4, correction_4),
-      correction_4_lo = correction_4_error + correction_4_cross2,
-      self_00_new_d = self->m02 * correction_4, self_00_new_d_cross2 = self->m02 * correction_4_lo,
+      self_00_new_d = self->m02 * correction_4,
+      self_00_new_d_cross2 = self->m02 * correction_4_cross2,
       self_00_new_e = self_00_new_c + self_00_new_d,
       self_00_new_e_right = self_00_new_e - self_00_new_c,
       self_00_new_e_left = self_00_new_e - self_00_new_e_right,
@@ -570,10 +617,9 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_00_new_lo1 = self_00_new_left_rest + self_00_new_right_rest,
       self_00_new_lo = self_00_new_lo1 + self_00_new_e_lo;
   const double self_01_new_a = self->m00 * correction_3,
-      self_01_new_a_cross2 = self->m00 * correction_3_lo,
-      correction_1_error = ksl_product_error(0.5, defect_1, correction_1),
-      correction_1_lo = correction_1_error + correction_1_cross2,
-      self_01_new_b = self->m01 * correction_1, self_01_new_b_cross2 = self->m01 * correction_1_lo,
+      self_01_new_a_cross2 = self->m00 * correction_3_cross2,
+      self_01_new_b = self->m01 * correction_1,
+      self_01_new_b_cross2 = self->m01 * correction_1_cross2,
       self_01_new_c = self_01_new_a + self_01_new_b,
       self_01_new_c_right = self_01_new_c - self_01_new_a,
       self_01_new_c_left = self_01_new_c - self_01_new_c_right,
@@ -582,9 +628,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_01_new_c_cross = self_01_new_a_cross2 + self_01_new_b_cross2,
       self_01_new_c_lo1 = self_01_new_c_left_rest + self_01_new_c_right_rest,
       self_01_new_c_lo = self_01_new_c_lo1 + self_01_new_c_cross,
-      correction_5_error = ksl_product_error(0.5, defect_5, correction_5),
-      correction_5_lo = correction_5_error + correction_5_cross2,
-      self_01_new_d = self->m02 * correction_5, self_01_new_d_cross2 = self->m02 * correction_5_lo,
+      self_01_new_d = self->m02 * correction_5,
+      self_01_new_d_cross2 = self->m02 * correction_5_cross2,
       self_01_new_e = self_01_new_c + self_01_new_d,
       self_01_new_e_right = self_01_new_e - self_01_new_c,
       self_01_new_e_left = self_01_new_e - self_01_new_e_right,
@@ -600,8 +645,9 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_01_new_lo1 = self_01_new_left_rest + self_01_new_right_rest,
       self_01_new_lo = self_01_new_lo1 + self_01_new_e_lo;
   const double self_02_new_a = self->m00 * correction_4,
-      self_02_new_a_cross2 = self->m00 * correction_4_lo, self_02_new_b = self->m01 * correction_5,
-      self_02_new_b_cross2 = self->m01 * correction_5_lo,
+      self_02_new_a_cross2 = self->m00 * correction_4_cross2,
+      self_02_new_b = self->m01 * correction_5,
+      self_02_new_b_cross2 = self->m01 * correction_5_cross2,
       self_02_new_c = self_02_new_a + self_02_new_b,
       self_02_new_c_right = self_02_new_c - self_02_new_a,
       self_02_new_c_left = self_02_new_c - self_02_new_c_right,
@@ -610,9 +656,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_02_new_c_cross = self_02_new_a_cross2 + self_02_new_b_cross2,
       self_02_new_c_lo1 = self_02_new_c_left_rest + self_02_new_c_right_rest,
       self_02_new_c_lo = self_02_new_c_lo1 + self_02_new_c_cross,
-      correction_2_error = ksl_product_error(0.5, defect_2, correction_2),
-      correction_2_lo = correction_2_error + correction_2_cross2,
-      self_02_new_d = self->m02 * correction_2, self_02_new_d_cross2 = self->m02 * correction_2_lo,
+      self_02_new_d = self->m02 * correction_2,
+      self_02_new_d_cross2 = self->m02 * correction_2_cross2,
       self_02_new_e = self_02_new_c + self_02_new_d,
       self_02_new_e_right = self_02_new_e - self_02_new_c,
       self_02_new_e_left = self_02_new_e - self_02_new_e_right,
@@ -628,8 +673,9 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_02_new_lo1 = self_02_new_left_rest + self_02_new_right_rest,
       self_02_new_lo = self_02_new_lo1 + self_02_new_e_lo;
   const double self_10_new_a = self->m10 * correction_0,
-      self_10_new_a_cross2 = self->m10 * correction_0_lo, self_10_new_b = self->m11 * correction_3,
-      self_10_new_b_cross2 = self->m11 * correction_3_lo,
+      self_10_new_a_cross2 = self->m10 * correction_0_cross2,
+      self_10_new_b = self->m11 * correction_3,
+      self_10_new_b_cross2 = self->m11 * correction_3_cross2,
       self_10_new_c = self_10_new_a + self_10_new_b,
       self_10_new_c_right = self_10_new_c - self_10_new_a,
       self_10_new_c_left = self_10_new_c - self_10_new_c_right,
@@ -638,7 +684,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_10_new_c_cross = self_10_new_a_cross2 + self_10_new_b_cross2,
       self_10_new_c_lo1 = self_10_new_c_left_rest + self_10_new_c_right_rest,
       self_10_new_c_lo = self_10_new_c_lo1 + self_10_new_c_cross,
-      self_10_new_d = self->m12 * correction_4, self_10_new_d_cross2 = self->m12 * correction_4_lo,
+      self_10_new_d = self->m12 * correction_4,
+      self_10_new_d_cross2 = self->m12 * correction_4_cross2,
       self_10_new_e = self_10_new_c + self_10_new_d,
       self_10_new_e_right = self_10_new_e - self_10_new_c,
       self_10_new_e_left = self_10_new_e - self_10_new_e_right,
@@ -654,8 +701,9 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_10_new_lo1 = self_10_new_left_rest + self_10_new_right_rest,
       self_10_new_lo = self_10_new_lo1 + self_10_new_e_lo;
   const double self_11_new_a = self->m10 * correction_3,
-      self_11_new_a_cross2 = self->m10 * correction_3_lo, self_11_new_b = self->m11 * correction_1,
-      self_11_new_b_cross2 = self->m11 * correction_1_lo,
+      self_11_new_a_cross2 = self->m10 * correction_3_cross2,
+      self_11_new_b = self->m11 * correction_1,
+      self_11_new_b_cross2 = self->m11 * correction_1_cross2,
       self_11_new_c = self_11_new_a + self_11_new_b,
       self_11_new_c_right = self_11_new_c - self_11_new_a,
       self_11_new_c_left = self_11_new_c - self_11_new_c_right,
@@ -664,7 +712,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_11_new_c_cross = self_11_new_a_cross2 + self_11_new_b_cross2,
       self_11_new_c_lo1 = self_11_new_c_left_rest + self_11_new_c_right_rest,
       self_11_new_c_lo = self_11_new_c_lo1 + self_11_new_c_cross,
-      self_11_new_d = self->m12 * correction_5, self_11_new_d_cross2 = self->m12 * correction_5_lo,
+      self_11_new_d = self->m12 * correction_5,
+      self_11_new_d_cross2 = self->m12 * correction_5_cross2,
       self_11_new_e = self_11_new_c + self_11_new_d,
       self_11_new_e_right = self_11_new_e - self_11_new_c,
       self_11_new_e_left = self_11_new_e - self_11_new_e_right,
@@ -680,8 +729,9 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_11_new_lo1 = self_11_new_left_rest + self_11_new_right_rest,
       self_11_new_lo = self_11_new_lo1 + self_11_new_e_lo;
   const double self_12_new_a = self->m10 * correction_4,
-      self_12_new_a_cross2 = self->m10 * correction_4_lo, self_12_new_b = self->m11 * correction_5,
-      self_12_new_b_cross2 = self->m11 * correction_5_lo,
+      self_12_new_a_cross2 = self->m10 * correction_4_cross2,
+      self_12_new_b = self->m11 * correction_5,
+      self_12_new_b_cross2 = self->m11 * correction_5_cross2,
       self_12_new_c = self_12_new_a + self_12_new_b,
       self_12_new_c_right = self_12_new_c - self_12_new_a,
       self_12_new_c_left = self_12_new_c - self_12_new_c_right,
@@ -690,7 +740,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_12_new_c_cross = self_12_new_a_cross2 + self_12_new_b_cross2,
       self_12_new_c_lo1 = self_12_new_c_left_rest + self_12_new_c_right_rest,
       self_12_new_c_lo = self_12_new_c_lo1 + self_12_new_c_cross,
-      self_12_new_d = self->m12 * correction_2, self_12_new_d_cross2 = self->m12 * correction_2_lo,
+      self_12_new_d = self->m12 * correction_2,
+      self_12_new_d_cross2 = self->m12 * correction_2_cross2,
       self_12_new_e = self_12_new_c + self_12_new_d,
       self_12_new_e_right = self_12_new_e - self_12_new_c,
       self_12_new_e_left = self_12_new_e - self_12_new_e_right,
@@ -706,8 +757,9 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_12_new_lo1 = self_12_new_left_rest + self_12_new_right_rest,
       self_12_new_lo = self_12_new_lo1 + self_12_new_e_lo;
   const double self_20_new_a = self->m20 * correction_0,
-      self_20_new_a_cross2 = self->m20 * correction_0_lo, self_20_new_b = self->m21 * correction_3,
-      self_20_new_b_cross2 = self->m21 * correction_3_lo,
+      self_20_new_a_cross2 = self->m20 * correction_0_cross2,
+      self_20_new_b = self->m21 * correction_3,
+      self_20_new_b_cross2 = self->m21 * correction_3_cross2,
       self_20_new_c = self_20_new_a + self_20_new_b,
       self_20_new_c_right = self_20_new_c - self_20_new_a,
       self_20_new_c_left = self_20_new_c - self_20_new_c_right,
@@ -716,7 +768,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_20_new_c_cross = self_20_new_a_cross2 + self_20_new_b_cross2,
       self_20_new_c_lo1 = self_20_new_c_left_rest + self_20_new_c_right_rest,
       self_20_new_c_lo = self_20_new_c_lo1 + self_20_new_c_cross,
-      self_20_new_d = self->m22 * correction_4, self_20_new_d_cross2 = self->m22 * correction_4_lo,
+      self_20_new_d = self->m22 * correction_4,
+      self_20_new_d_cross2 = self->m22 * correction_4_cross2,
       self_20_new_e = self_20_new_c + self_20_new_d,
       self_20_new_e_right = self_20_new_e - self_20_new_c,
       self_20_new_e_left = self_20_new_e - self_20_new_e_right,
@@ -732,8 +785,9 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_20_new_lo1 = self_20_new_left_rest + self_20_new_right_rest,
       self_20_new_lo = self_20_new_lo1 + self_20_new_e_lo;
   const double self_21_new_a = self->m20 * correction_3,
-      self_21_new_a_cross2 = self->m20 * correction_3_lo, self_21_new_b = self->m21 * correction_1,
-      self_21_new_b_cross2 = self->m21 * correction_1_lo,
+      self_21_new_a_cross2 = self->m20 * correction_3_cross2,
+      self_21_new_b = self->m21 * correction_1,
+      self_21_new_b_cross2 = self->m21 * correction_1_cross2,
       self_21_new_c = self_21_new_a + self_21_new_b,
       self_21_new_c_right = self_21_new_c - self_21_new_a,
       self_21_new_c_left = self_21_new_c - self_21_new_c_right,
@@ -742,7 +796,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_21_new_c_cross = self_21_new_a_cross2 + self_21_new_b_cross2,
       self_21_new_c_lo1 = self_21_new_c_left_rest + self_21_new_c_right_rest,
       self_21_new_c_lo = self_21_new_c_lo1 + self_21_new_c_cross,
-      self_21_new_d = self->m22 * correction_5, self_21_new_d_cross2 = self->m22 * correction_5_lo,
+      self_21_new_d = self->m22 * correction_5,
+      self_21_new_d_cross2 = self->m22 * correction_5_cross2,
       self_21_new_e = self_21_new_c + self_21_new_d,
       self_21_new_e_right = self_21_new_e - self_21_new_c,
       self_21_new_e_left = self_21_new_e - self_21_new_e_right,
@@ -758,8 +813,9 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_21_new_lo1 = self_21_new_left_rest + self_21_new_right_rest,
       self_21_new_lo = self_21_new_lo1 + self_21_new_e_lo;
   const double self_22_new_a = self->m20 * correction_4,
-      self_22_new_a_cross2 = self->m20 * correction_4_lo, self_22_new_b = self->m21 * correction_5,
-      self_22_new_b_cross2 = self->m21 * correction_5_lo,
+      self_22_new_a_cross2 = self->m20 * correction_4_cross2,
+      self_22_new_b = self->m21 * correction_5,
+      self_22_new_b_cross2 = self->m21 * correction_5_cross2,
       self_22_new_c = self_22_new_a + self_22_new_b,
       self_22_new_c_right = self_22_new_c - self_22_new_a,
       self_22_new_c_left = self_22_new_c - self_22_new_c_right,
@@ -768,7 +824,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_22_new_c_cross = self_22_new_a_cross2 + self_22_new_b_cross2,
       self_22_new_c_lo1 = self_22_new_c_left_rest + self_22_new_c_right_rest,
       self_22_new_c_lo = self_22_new_c_lo1 + self_22_new_c_cross,
-      self_22_new_d = self->m22 * correction_2, self_22_new_d_cross2 = self->m22 * correction_2_lo,
+      self_22_new_d = self->m22 * correction_2,
+      self_22_new_d_cross2 = self->m22 * correction_2_cross2,
       self_22_new_e = self_22_new_c + self_22_new_d,
       self_22_new_e_right = self_22_new_e - self_22_new_c,
       self_22_new_e_left = self_22_new_e - self_22_new_e_right,
@@ -805,8 +862,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
 
 /* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
-   84 mul, 276 add, 6 product error, 45 product rest, 6 neg.
-   Error <= u |result| + 68 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   84 mul, 270 add, 45 product rest, 6 neg.
+   Error <= u |result| + 54 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double defect_0a = R->m00 * R->m00, defect_0b = 1.0 - defect_0a,
@@ -902,21 +959,15 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
   const double correction_3 = 0.5 * defect_3, correction_3_cross2 = 0.5 * defect_3_lo;
   const double correction_4 = 0.5 * defect_4, correction_4_cross2 = 0.5 * defect_4_lo;
   const double correction_5 = 0.5 * defect_5, correction_5_cross2 = 0.5 * defect_5_lo;
-  const double correction_0_error = ksl_product_error(0.5, defect_0, correction_0),
-      correction_0_lo = correction_0_error + correction_0_cross2, Ro_00a = R->m00 * correction_0,
-      Ro_00a_cross2 = R->m00 * correction_0_lo,
-      correction_3_error = ksl_product_error(0.5, defect_3, correction_3),
-      correction_3_lo = correction_3_error + correction_3_cross2, Ro_00b = R->m01 * correction_3,
-      Ro_00b_cross2 = R->m01 * correction_3_lo, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00c_right = Ro_00c - Ro_00a, Ro_00c_left = Ro_00c - Ro_00c_right,
+  const double Ro_00a = R->m00 * correction_0, Ro_00a_cross2 = R->m00 * correction_0_cross2,
+      Ro_00b = R->m01 * correction_3, Ro_00b_cross2 = R->m01 * correction_3_cross2,
+      Ro_00c = Ro_00a + Ro_00b, Ro_00c_right = Ro_00c - Ro_00a, Ro_00c_left = Ro_00c - Ro_00c_right,
       Ro_00c_left_rest = ksl_product_rest(R->m00, correction_0, Ro_00a, Ro_00c_left),
       Ro_00c_right_rest = ksl_product_rest(R->m01, correction_3, Ro_00b, Ro_00c_right),
       Ro_00c_cross = Ro_00a_cross2 + Ro_00b_cross2,
       Ro_00c_lo1 = Ro_00c_left_rest + Ro_00c_right_rest, Ro_00c_lo = Ro_00c_lo1 + Ro_00c_cross,
-      correction_4_error = ksl_product_error(0.5, defect_4, correction_4),
-      correction_4_lo = correction_4_error + correction_4_cross2, Ro_00d = R->m02 * correction_4,
-      Ro_00d_cross2 = R->m02 * correction_4_lo, Ro_00e = Ro_00c + Ro_00d,
-      Ro_00e_right = Ro_00e - Ro_00c, Ro_00e_left = Ro_00e - Ro_00e_right,
+      Ro_00d = R->m02 * correction_4, Ro_00d_cross2 = R->m02 * correction_4_cross2,
+      Ro_00e = Ro_00c + Ro_00d, Ro_00e_right = Ro_00e - Ro_00c, Ro_00e_left = Ro_00e - Ro_00e_right,
       Ro_00e_left_rest = Ro_00c - Ro_00e_left,
       Ro_00e_right_rest = ksl_product_rest(R->m02, correction_4, Ro_00d, Ro_00e_right),
       Ro_00e_lo1 = Ro_00e_left_rest + Ro_00e_right_rest, Ro_00e_lo2 = Ro_00e_lo1 + Ro_00d_cross2,
@@ -924,19 +975,15 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
       Ro_00_left = Ro_00 - Ro_00_right, Ro_00_left_rest = R->m00 - Ro_00_left,
       Ro_00_right_rest = Ro_00e - Ro_00_right, Ro_00_lo1 = Ro_00_left_rest + Ro_00_right_rest,
       Ro_00_lo = Ro_00_lo1 + Ro_00e_lo;
-  const double Ro_01a = R->m00 * correction_3, Ro_01a_cross2 = R->m00 * correction_3_lo,
-      correction_1_error = ksl_product_error(0.5, defect_1, correction_1),
-      correction_1_lo = correction_1_error + correction_1_cross2, Ro_01b = R->m01 * correction_1,
-      Ro_01b_cross2 = R->m01 * correction_1_lo, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01c_right = Ro_01c - Ro_01a, Ro_01c_left = Ro_01c - Ro_01c_right,
+  const double Ro_01a = R->m00 * correction_3, Ro_01a_cross2 = R->m00 * correction_3_cross2,
+      Ro_01b = R->m01 * correction_1, Ro_01b_cross2 = R->m01 * correction_1_cross2,
+      Ro_01c = Ro_01a + Ro_01b, Ro_01c_right = Ro_01c - Ro_01a, Ro_01c_left = Ro_01c - Ro_01c_right,
       Ro_01c_left_rest = ksl_product_rest(R->m00, correction_3, Ro_01a, Ro_01c_left),
       Ro_01c_right_rest = ksl_product_rest(R->m01, correction_1, Ro_01b, Ro_01c_right),
       Ro_01c_cross = Ro_01a_cross2 + Ro_01b_cross2,
       Ro_01c_lo1 = Ro_01c_left_rest + Ro_01c_right_rest, Ro_01c_lo = Ro_01c_lo1 + Ro_01c_cross,
-      correction_5_error = ksl_product_error(0.5, defect_5, correction_5),
-      correction_5_lo = correction_5_error + correction_5_cross2, Ro_01d = R->m02 * correction_5,
-      Ro_01d_cross2 = R->m02 * correction_5_lo, Ro_01e = Ro_01c + Ro_01d,
-      Ro_01e_right = Ro_01e - Ro_01c, Ro_01e_left = Ro_01e - Ro_01e_right,
+      Ro_01d = R->m02 * correction_5, Ro_01d_cross2 = R->m02 * correction_5_cross2,
+      Ro_01e = Ro_01c + Ro_01d, Ro_01e_right = Ro_01e - Ro_01c, Ro_01e_left = Ro_01e - Ro_01e_right,
       Ro_01e_left_rest = Ro_01c - Ro_01e_left,
       Ro_01e_right_rest = ksl_product_rest(R->m02, correction_5, Ro_01d, Ro_01e_right),
       Ro_01e_lo1 = Ro_01e_left_rest + Ro_01e_right_rest, Ro_01e_lo2 = Ro_01e_lo1 + Ro_01d_cross2,
@@ -944,17 +991,15 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
       Ro_01_left = Ro_01 - Ro_01_right, Ro_01_left_rest = Ro_01e - Ro_01_left,
       Ro_01_right_rest = R->m01 - Ro_01_right, Ro_01_lo1 = Ro_01_left_rest + Ro_01_right_rest,
       Ro_01_lo = Ro_01_lo1 + Ro_01e_lo;
-  const double Ro_02a = R->m00 * correction_4, Ro_02a_cross2 = R->m00 * correction_4_lo,
-      Ro_02b = R->m01 * correction_5, Ro_02b_cross2 = R->m01 * correction_5_lo,
+  const double Ro_02a = R->m00 * correction_4, Ro_02a_cross2 = R->m00 * correction_4_cross2,
+      Ro_02b = R->m01 * correction_5, Ro_02b_cross2 = R->m01 * correction_5_cross2,
       Ro_02c = Ro_02a + Ro_02b, Ro_02c_right = Ro_02c - Ro_02a, Ro_02c_left = Ro_02c - Ro_02c_right,
       Ro_02c_left_rest = ksl_product_rest(R->m00, correction_4, Ro_02a, Ro_02c_left),
       Ro_02c_right_rest = ksl_product_rest(R->m01, correction_5, Ro_02b, Ro_02c_right),
       Ro_02c_cross = Ro_02a_cross2 + Ro_02b_cross2,
       Ro_02c_lo1 = Ro_02c_left_rest + Ro_02c_right_rest, Ro_02c_lo = Ro_02c_lo1 + Ro_02c_cross,
-      correction_2_error = ksl_product_error(0.5, defect_2, correction_2),
-      correction_2_lo = correction_2_error + correction_2_cross2, Ro_02d = R->m02 * correction_2,
-      Ro_02d_cross2 = R->m02 * correction_2_lo, Ro_02e = Ro_02c + Ro_02d,
-      Ro_02e_right = Ro_02e - Ro_02c, Ro_02e_left = Ro_02e - Ro_02e_right,
+      Ro_02d = R->m02 * correction_2, Ro_02d_cross2 = R->m02 * correction_2_cross2,
+      Ro_02e = Ro_02c + Ro_02d, Ro_02e_right = Ro_02e - Ro_02c, Ro_02e_left = Ro_02e - Ro_02e_right,
       Ro_02e_left_rest = Ro_02c - Ro_02e_left,
       Ro_02e_right_rest = ksl_product_rest(R->m02, correction_2, Ro_02d, Ro_02e_right),
       Ro_02e_lo1 = Ro_02e_left_rest + Ro_02e_right_rest, Ro_02e_lo2 = Ro_02e_lo1 + Ro_02d_cross2,
@@ -962,14 +1007,14 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
       Ro_02_left = Ro_02 - Ro_02_right, Ro_02_left_rest = Ro_02e - Ro_02_left,
       Ro_02_right_rest = R->m02 - Ro_02_right, Ro_02_lo1 = Ro_02_left_rest + Ro_02_right_rest,
       Ro_02_lo = Ro_02_lo1 + Ro_02e_lo;
-  const double Ro_10a = R->m10 * correction_0, Ro_10a_cross2 = R->m10 * correction_0_lo,
-      Ro_10b = R->m11 * correction_3, Ro_10b_cross2 = R->m11 * correction_3_lo,
+  const double Ro_10a = R->m10 * correction_0, Ro_10a_cross2 = R->m10 * correction_0_cross2,
+      Ro_10b = R->m11 * correction_3, Ro_10b_cross2 = R->m11 * correction_3_cross2,
       Ro_10c = Ro_10a + Ro_10b, Ro_10c_right = Ro_10c - Ro_10a, Ro_10c_left = Ro_10c - Ro_10c_right,
       Ro_10c_left_rest = ksl_product_rest(R->m10, correction_0, Ro_10a, Ro_10c_left),
       Ro_10c_right_rest = ksl_product_rest(R->m11, correction_3, Ro_10b, Ro_10c_right),
       Ro_10c_cross = Ro_10a_cross2 + Ro_10b_cross2,
       Ro_10c_lo1 = Ro_10c_left_rest + Ro_10c_right_rest, Ro_10c_lo = Ro_10c_lo1 + Ro_10c_cross,
-      Ro_10d = R->m12 * correction_4, Ro_10d_cross2 = R->m12 * correction_4_lo,
+      Ro_10d = R->m12 * correction_4, Ro_10d_cross2 = R->m12 * correction_4_cross2,
       Ro_10e = Ro_10c + Ro_10d, Ro_10e_right = Ro_10e - Ro_10c, Ro_10e_left = Ro_10e - Ro_10e_right,
       Ro_10e_left_rest = Ro_10c - Ro_10e_left,
       Ro_10e_right_rest = ksl_product_rest(R->m12, correction_4, Ro_10d, Ro_10e_right),
@@ -978,14 +1023,14 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
       Ro_10_left = Ro_10 - Ro_10_right, Ro_10_left_rest = R->m10 - Ro_10_left,
       Ro_10_right_rest = Ro_10e - Ro_10_right, Ro_10_lo1 = Ro_10_left_rest + Ro_10_right_rest,
       Ro_10_lo = Ro_10_lo1 + Ro_10e_lo;
-  const double Ro_11a = R->m10 * correction_3, Ro_11a_cross2 = R->m10 * correction_3_lo,
-      Ro_11b = R->m11 * correction_1, Ro_11b_cross2 = R->m11 * correction_1_lo,
+  const double Ro_11a = R->m10 * correction_3, Ro_11a_cross2 = R->m10 * correction_3_cross2,
+      Ro_11b = R->m11 * correction_1, Ro_11b_cross2 = R->m11 * correction_1_cross2,
       Ro_11c = Ro_11a + Ro_11b, Ro_11c_right = Ro_11c - Ro_11a, Ro_11c_left = Ro_11c - Ro_11c_right,
       Ro_11c_left_rest = ksl_product_rest(R->m10, correction_3, Ro_11a, Ro_11c_left),
       Ro_11c_right_rest = ksl_product_rest(R->m11, correction_1, Ro_11b, Ro_11c_right),
       Ro_11c_cross = Ro_11a_cross2 + Ro_11b_cross2,
       Ro_11c_lo1 = Ro_11c_left_rest + Ro_11c_right_rest, Ro_11c_lo = Ro_11c_lo1 + Ro_11c_cross,
-      Ro_11d = R->m12 * correction_5, Ro_11d_cross2 = R->m12 * correction_5_lo,
+      Ro_11d = R->m12 * correction_5, Ro_11d_cross2 = R->m12 * correction_5_cross2,
       Ro_11e = Ro_11c + Ro_11d, Ro_11e_right = Ro_11e - Ro_11c, Ro_11e_left = Ro_11e - Ro_11e_right,
       Ro_11e_left_rest = Ro_11c - Ro_11e_left,
       Ro_11e_right_rest = ksl_product_rest(R->m12, correction_5, Ro_11d, Ro_11e_right),
@@ -994,14 +1039,14 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
       Ro_11_left = Ro_11 - Ro_11_right, Ro_11_left_rest = Ro_11e - Ro_11_left,
       Ro_11_right_rest = R->m11 - Ro_11_right, Ro_11_lo1 = Ro_11_left_rest + Ro_11_right_rest,
       Ro_11_lo = Ro_11_lo1 + Ro_11e_lo;
-  const double Ro_12a = R->m10 * correction_4, Ro_12a_cross2 = R->m10 * correction_4_lo,
-      Ro_12b = R->m11 * correction_5, Ro_12b_cross2 = R->m11 * correction_5_lo,
+  const double Ro_12a = R->m10 * correction_4, Ro_12a_cross2 = R->m10 * correction_4_cross2,
+      Ro_12b = R->m11 * correction_5, Ro_12b_cross2 = R->m11 * correction_5_cross2,
       Ro_12c = Ro_12a + Ro_12b, Ro_12c_right = Ro_12c - Ro_12a, Ro_12c_left = Ro_12c - Ro_12c_right,
       Ro_12c_left_rest = ksl_product_rest(R->m10, correction_4, Ro_12a, Ro_12c_left),
       Ro_12c_right_rest = ksl_product_rest(R->m11, correction_5, Ro_12b, Ro_12c_right),
       Ro_12c_cross = Ro_12a_cross2 + Ro_12b_cross2,
       Ro_12c_lo1 = Ro_12c_left_rest + Ro_12c_right_rest, Ro_12c_lo = Ro_12c_lo1 + Ro_12c_cross,
-      Ro_12d = R->m12 * correction_2, Ro_12d_cross2 = R->m12 * correction_2_lo,
+      Ro_12d = R->m12 * correction_2, Ro_12d_cross2 = R->m12 * correction_2_cross2,
       Ro_12e = Ro_12c + Ro_12d, Ro_12e_right = Ro_12e - Ro_12c, Ro_12e_left = Ro_12e - Ro_12e_right,
       Ro_12e_left_rest = Ro_12c - Ro_12e_left,
       Ro_12e_right_rest = ksl_product_rest(R->m12, correction_2, Ro_12d, Ro_12e_right),
@@ -1010,14 +1055,14 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
       Ro_12_left = Ro_12 - Ro_12_right, Ro_12_left_rest = Ro_12e - Ro_12_left,
       Ro_12_right_rest = R->m12 - Ro_12_right, Ro_12_lo1 = Ro_12_left_rest + Ro_12_right_rest,
       Ro_12_lo = Ro_12_lo1 + Ro_12e_lo;
-  const double Ro_20a = R->m20 * correction_0, Ro_20a_cross2 = R->m20 * correction_0_lo,
-      Ro_20b = R->m21 * correction_3, Ro_20b_cross2 = R->m21 * correction_3_lo,
+  const double Ro_20a = R->m20 * correction_0, Ro_20a_cross2 = R->m20 * correction_0_cross2,
+      Ro_20b = R->m21 * correction_3, Ro_20b_cross2 = R->m21 * correction_3_cross2,
       Ro_20c = Ro_20a + Ro_20b, Ro_20c_right = Ro_20c - Ro_20a, Ro_20c_left = Ro_20c - Ro_20c_right,
       Ro_20c_left_rest = ksl_product_rest(R->m20, correction_0, Ro_20a, Ro_20c_left),
       Ro_20c_right_rest = ksl_product_rest(R->m21, correction_3, Ro_20b, Ro_20c_right),
       Ro_20c_cross = Ro_20a_cross2 + Ro_20b_cross2,
       Ro_20c_lo1 = Ro_20c_left_rest + Ro_20c_right_rest, Ro_20c_lo = Ro_20c_lo1 + Ro_20c_cross,
-      Ro_20d = R->m22 * correction_4, Ro_20d_cross2 = R->m22 * correction_4_lo,
+      Ro_20d = R->m22 * correction_4, Ro_20d_cross2 = R->m22 * correction_4_cross2,
       Ro_20e = Ro_20c + Ro_20d, Ro_20e_right = Ro_20e - Ro_20c, Ro_20e_left = Ro_20e - Ro_20e_right,
       Ro_20e_left_rest = Ro_20c - Ro_20e_left,
       Ro_20e_right_rest = ksl_product_rest(R->m22, correction_4, Ro_20d, Ro_20e_right),
@@ -1026,14 +1071,14 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
       Ro_20_left = Ro_20 - Ro_20_right, Ro_20_left_rest = R->m20 - Ro_20_left,
       Ro_20_right_rest = Ro_20e - Ro_20_right, Ro_20_lo1 = Ro_20_left_rest + Ro_20_right_rest,
       Ro_20_lo = Ro_20_lo1 + Ro_20e_lo;
-  const double Ro_21a = R->m20 * correction_3, Ro_21a_cross2 = R->m20 * correction_3_lo,
-      Ro_21b = R->m21 * correction_1, Ro_21b_cross2 = R->m21 * correction_1_lo,
+  const double Ro_21a = R->m20 * correction_3, Ro_21a_cross2 = R->m20 * correction_3_cross2,
+      Ro_21b = R->m21 * correction_1, Ro_21b_cross2 = R->m21 * correction_1_cross2,
       Ro_21c = Ro_21a + Ro_21b, Ro_21c_right = Ro_21c - Ro_21a, Ro_21c_left = Ro_21c - Ro_21c_right,
       Ro_21c_left_rest = ksl_product_rest(R->m20, correction_3, Ro_21a, Ro_21c_left),
       Ro_21c_right_rest = ksl_product_rest(R->m21, correction_1, Ro_21b, Ro_21c_right),
       Ro_21c_cross = Ro_21a_cross2 + Ro_21b_cross2,
       Ro_21c_lo1 = Ro_21c_left_rest + Ro_21c_right_rest, Ro_21c_lo = Ro_21c_lo1 + Ro_21c_cross,
-      Ro_21d = R->m22 * correction_5, Ro_21d_cross2 = R->m22 * correction_5_lo,
+      Ro_21d = R->m22 * correction_5, Ro_21d_cross2 = R->m22 * correction_5_cross2,
       Ro_21e = Ro_21c + Ro_21d, Ro_21e_right = Ro_21e - Ro_21c, Ro_21e_left = Ro_21e - Ro_21e_right,
       Ro_21e_left_rest = Ro_21c - Ro_21e_left,
       Ro_21e_right_rest = ksl_product_rest(R->m22, correction_5, Ro_21d, Ro_21e_right),
@@ -1042,14 +1087,14 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
       Ro_21_left = Ro_21 - Ro_21_right, Ro_21_left_rest = Ro_21e - Ro_21_left,
       Ro_21_right_rest = R->m21 - Ro_21_right, Ro_21_lo1 = Ro_21_left_rest + Ro_21_right_rest,
       Ro_21_lo = Ro_21_lo1 + Ro_21e_lo;
-  const double Ro_22a = R->m20 * correction_4, Ro_22a_cross2 = R->m20 * correction_4_lo,
-      Ro_22b = R->m21 * correction_5, Ro_22b_cross2 = R->m21 * correction_5_lo,
+  const double Ro_22a = R->m20 * correction_4, Ro_22a_cross2 = R->m20 * correction_4_cross2,
+      Ro_22b = R->m21 * correction_5, Ro_22b_cross2 = R->m21 * correction_5_cross2,
       Ro_22c = Ro_22a + Ro_22b, Ro_22c_right = Ro_22c - Ro_22a, Ro_22c_left = Ro_22c - Ro_22c_right,
       Ro_22c_left_rest = ksl_product_rest(R->m20, correction_4, Ro_22a, Ro_22c_left),
       Ro_22c_right_rest = ksl_product_rest(R->m21, correction_5, Ro_22b, Ro_22c_right),
       Ro_22c_cross = Ro_22a_cross2 + Ro_22b_cross2,
       Ro_22c_lo1 = Ro_22c_left_rest + Ro_22c_right_rest, Ro_22c_lo = Ro_22c_lo1 + Ro_22c_cross,
-      Ro_22d = R->m22 * correction_2, Ro_22d_cross2 = R->m22 * correction_2_lo,
+      Ro_22d = R->m22 * correction_2, Ro_22d_cross2 = R->m22 * correction_2_cross2,
       Ro_22e = Ro_22c + Ro_22d, Ro_22e_right = Ro_22e - Ro_22c, Ro_22e_left = Ro_22e - Ro_22e_right,
       Ro_22e_left_rest = Ro_22c - Ro_22e_left,
       Ro_22e_right_rest = ksl_product_rest(R->m22, correction_2, Ro_22d, Ro_22e_right),
@@ -1080,7 +1125,7 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   11 mul, 20 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select. */
+   11 mul, 26 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select. */
 static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const double p_0 = (double)R->m21 - (double)R->m12;
   const double p_1 = (double)R->m02 - (double)R->m20;
@@ -1088,14 +1133,16 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
   const double s_0 = (double)R->m12 + (double)R->m21;
   const double s_1 = (double)R->m02 + (double)R->m20;
   const double s_2 = (double)R->m01 + (double)R->m10;
-  const double d_0a = (double)R->m00 + (double)R->m11, d_0b = d_0a + (double)R->m22,
-      d_0 = d_0b + 1.0;
-  const double d_1a = (double)R->m00 - (double)R->m11, d_1b = d_1a - (double)R->m22,
-      d_1 = d_1b + 1.0;
-  const double d_2a = (double)R->m11 - (double)R->m00, d_2b = d_2a - (double)R->m22,
-      d_2 = d_2b + 1.0;
-  const double d_3a = (double)R->m22 - (double)R->m00, d_3b = d_3a - (double)R->m11,
-      d_3 = d_3b + 1.0;
+  const double less_0 = 1.0 - (double)R->m00;
+  const double less_1 = 1.0 - (double)R->m11;
+  const double less_2 = 1.0 - (double)R->m22;
+  const double more_0 = (double)R->m00 + 1.0;
+  const double more_1 = (double)R->m11 + 1.0;
+  const double more_2 = (double)R->m22 + 1.0;
+  const double d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0 - d_0b;
+  const double d_1a = 4.0 - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
+  const double d_2a = 4.0 - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
+  const double d_3a = 4.0 - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
   const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
   const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
   const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
@@ -1141,7 +1188,7 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
    R: rotation or other 3×3 matrix; axis: vector.
-   8 mul, 20 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select. */
+   8 mul, 26 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select. */
 static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *axis) {
   const double p_0 = (double)R->m21 - (double)R->m12;
@@ -1150,14 +1197,16 @@ static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   const double s_0 = (double)R->m12 + (double)R->m21;
   const double s_1 = (double)R->m02 + (double)R->m20;
   const double s_2 = (double)R->m01 + (double)R->m10;
-  const double d_0a = (double)R->m00 + (double)R->m11, d_0b = d_0a + (double)R->m22,
-      d_0 = d_0b + 1.0;
-  const double d_1a = (double)R->m00 - (double)R->m11, d_1b = d_1a - (double)R->m22,
-      d_1 = d_1b + 1.0;
-  const double d_2a = (double)R->m11 - (double)R->m00, d_2b = d_2a - (double)R->m22,
-      d_2 = d_2b + 1.0;
-  const double d_3a = (double)R->m22 - (double)R->m00, d_3b = d_3a - (double)R->m11,
-      d_3 = d_3b + 1.0;
+  const double less_0 = 1.0 - (double)R->m00;
+  const double less_1 = 1.0 - (double)R->m11;
+  const double less_2 = 1.0 - (double)R->m22;
+  const double more_0 = (double)R->m00 + 1.0;
+  const double more_1 = (double)R->m11 + 1.0;
+  const double more_2 = (double)R->m22 + 1.0;
+  const double d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0 - d_0b;
+  const double d_1a = 4.0 - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
+  const double d_2a = 4.0 - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
+  const double d_3a = 4.0 - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
   const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
   const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
   const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
@@ -1205,7 +1254,7 @@ static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
 /* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
-   Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_mat3x3f_orthonormalize_accurate(ksl_mat3x3f_t *self) {
   const double defect_0a = (double)self->m00 * (double)self->m00, defect_0b = 1.0 - defect_0a,
@@ -1303,7 +1352,7 @@ static inline void ksl_mat3x3f_orthonormalize_accurate(ksl_mat3x3f_t *self) {
 /* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
-   Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_mat3x3f_orthonormalized_accurate(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const double defect_0a = (double)R->m00 * (double)R->m00, defect_0b = 1.0 - defect_0a,

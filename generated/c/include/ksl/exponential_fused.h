@@ -9,7 +9,7 @@
 /* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    18 mul, 9 add, 33 fma, 3 neg.
-   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3_orthonormalize_fused(ksl_mat3x3_t *self) {
   const double defect_0b = fma(-self->m00, self->m00, 1.0),
@@ -83,7 +83,7 @@ static inline void ksl_mat3x3_orthonormalize_fused(ksl_mat3x3_t *self) {
 /* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    18 mul, 9 add, 33 fma, 3 neg.
-   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3_orthonormalized_fused(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double defect_0b = fma(-R->m00, R->m00, 1.0), defect_0d = fma(-R->m10, R->m10, defect_0b),
@@ -136,7 +136,7 @@ static inline void ksl_mat3x3_orthonormalized_fused(const ksl_mat3x3_t *R, ksl_m
 /* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    18 mul, 9 add, 33 fma, 3 neg.
-   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3f_orthonormalize_fused(ksl_mat3x3f_t *self) {
   const float defect_0b = fmaf(-self->m00, self->m00, 1.0f),
@@ -210,7 +210,7 @@ static inline void ksl_mat3x3f_orthonormalize_fused(ksl_mat3x3f_t *self) {
 /* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    18 mul, 9 add, 33 fma, 3 neg.
-   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3f_orthonormalized_fused(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const float defect_0b = fmaf(-R->m00, R->m00, 1.0f), defect_0d = fmaf(-R->m10, R->m10, defect_0b),

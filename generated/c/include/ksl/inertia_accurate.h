@@ -478,8 +478,8 @@ static inline void ksl_product_Bs_accurate(const ksl_inertia_t *B, const ksl_scr
 /* s·B s / 2, the kinetic energy in J of a body that moves with s.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
-   38 mul, 132 add, 1 product error, 30 product rest.
-   Error <= u |result| + 81 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   38 mul, 131 add, 30 product rest.
+   Error <= u |result| + 64 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline double ksl_inertia_energy_accurate(const ksl_inertia_t *B, const ksl_screw_t *s) {
   const double p_0a = B->m * s->m0, p_0b = B->h.z * s->m4, p_0c = B->h.y * s->m5,
@@ -584,8 +584,7 @@ static inline double ksl_inertia_energy_accurate(const ksl_inertia_t *B, const k
       twice_lo1 = twice_left_rest + twice_right_rest, twice_lo2 = twice_lo1 + twice_j_lo,
       twice_lo = twice_lo2 + twice_e_lo;
   const double energy = 0.5 * twice, energy_cross2 = 0.5 * twice_lo;
-  const double energy_error = ksl_product_error(0.5, twice, energy),
-      energy_lo = energy_error + energy_cross2, energy_rounded = energy + energy_lo;
+  const double energy_rounded = energy + energy_cross2;
   return energy_rounded;
 }
 
@@ -1016,16 +1015,14 @@ static inline void ksl_inertia_transformed_accurate(const ksl_SE3_t *D, const ks
      positive exactly if a body of positive density has this inertia.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2).
-   43 mul, 201 add, 10 product error, 13 product rest, 20 div, 6 neg, 9 less, 1 equal, 26 select. */
+   43 mul, 204 add, 10 product error, 10 product rest, 20 div, 6 neg, 9 less, 1 equal, 26 select. */
 static inline double ksl_inertia_consistency_accurate(const ksl_inertia_t *B) {
   const double trace_a = 0.5 * B->xx, trace_b = 0.5 * B->yy, trace_c = trace_a + trace_b,
       trace_c_right = trace_c - trace_a, trace_c_left = trace_c - trace_c_right,
-      trace_c_left_rest = ksl_product_rest(0.5, B->xx, trace_a, trace_c_left),
-      trace_c_right_rest = ksl_product_rest(0.5, B->yy, trace_b, trace_c_right),
+      trace_c_left_rest = trace_a - trace_c_left, trace_c_right_rest = trace_b - trace_c_right,
       trace_c_lo = trace_c_left_rest + trace_c_right_rest, trace_d = 0.5 * B->zz,
       trace = trace_c + trace_d, trace_right = trace - trace_c, trace_left = trace - trace_right,
-      trace_left_rest = trace_c - trace_left,
-      trace_right_rest = ksl_product_rest(0.5, B->zz, trace_d, trace_right),
+      trace_left_rest = trace_c - trace_left, trace_right_rest = trace_d - trace_right,
       trace_lo1 = trace_left_rest + trace_right_rest, trace_lo = trace_lo1 + trace_c_lo;
   const double sigma_0 = trace - B->xx, sigma_0_right = trace - sigma_0,
       sigma_0_left = sigma_0 + sigma_0_right, sigma_0_left_rest = trace - sigma_0_left,
@@ -1422,7 +1419,7 @@ static inline void ksl_product_Bsf_accurate(const ksl_inertiaf_t *B, const ksl_s
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
    31 mul, 23 add.
-   Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline float ksl_inertiaf_energy_accurate(const ksl_inertiaf_t *B, const ksl_screwf_t *s) {
   const double p_0a = (double)B->m * (double)s->m0, p_0b = (double)B->h.z * (double)s->m4,

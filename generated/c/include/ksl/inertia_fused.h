@@ -157,7 +157,7 @@ static inline void ksl_product_Bs_fused(const ksl_inertia_t *B, const ksl_screw_
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
    12 mul, 4 add, 19 fma.
-   Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_inertia_energy_fused(const ksl_inertia_t *B, const ksl_screw_t *s) {
   const double p_0b = B->h.z * s->m4, p_0d = fma(-B->h.y, s->m5, p_0b),
@@ -432,7 +432,7 @@ static inline void ksl_product_Bsf_fused(const ksl_inertiaf_t *B, const ksl_scre
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
    12 mul, 4 add, 19 fma.
-   Error <= u |result| + 8 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_inertiaf_energy_fused(const ksl_inertiaf_t *B, const ksl_screwf_t *s) {
   const float p_0b = B->h.z * s->m4, p_0d = fmaf(-B->h.y, s->m5, p_0b),

@@ -548,8 +548,8 @@ static inline void ksl_product_qqconj_accurate(const ksl_quaternion_t *q1,
 
 /* vo = R(q) v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-   30 mul, 78 add, 3 product error, 15 product rest.
-   Error <= u |result| + 49 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   30 mul, 75 add, 15 product rest.
+   Error <= u |result| + 38 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
@@ -568,13 +568,10 @@ static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_
   const double t_0 = 2.0 * c_0, t_0_cross2 = 2.0 * c_0_lo;
   const double t_1 = 2.0 * c_1, t_1_cross2 = 2.0 * c_1_lo;
   const double t_2 = 2.0 * c_2, t_2_cross2 = 2.0 * c_2_lo;
-  const double t_0_error = ksl_product_error(2.0, c_0, t_0), t_0_lo = t_0_error + t_0_cross2,
-      turn_0a = q->w * t_0, turn_0a_cross2 = q->w * t_0_lo,
-      t_2_error = ksl_product_error(2.0, c_2, t_2), t_2_lo = t_2_error + t_2_cross2,
-      turn_0b = q->y * t_2, turn_0b_cross2 = q->y * t_2_lo,
-      t_1_error = ksl_product_error(2.0, c_1, t_1), t_1_lo = t_1_error + t_1_cross2,
-      turn_0c = q->z * t_1, turn_0c_cross2 = q->z * t_1_lo, turn_0d = turn_0b - turn_0c,
-      turn_0d_right = turn_0b - turn_0d, turn_0d_left = turn_0d + turn_0d_right,
+  const double turn_0a = q->w * t_0, turn_0a_cross2 = q->w * t_0_cross2, turn_0b = q->y * t_2,
+      turn_0b_cross2 = q->y * t_2_cross2, turn_0c = q->z * t_1, turn_0c_cross2 = q->z * t_1_cross2,
+      turn_0d = turn_0b - turn_0c, turn_0d_right = turn_0b - turn_0d,
+      turn_0d_left = turn_0d + turn_0d_right,
       turn_0d_left_rest = ksl_product_rest(q->y, t_2, turn_0b, turn_0d_left),
       turn_0d_right_rest = ksl_product_rest(q->z, t_1, turn_0c, turn_0d_right),
       turn_0d_cross = turn_0b_cross2 - turn_0c_cross2,
@@ -584,8 +581,8 @@ static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_
       turn_0_left_rest = ksl_product_rest(q->w, t_0, turn_0a, turn_0_left),
       turn_0_right_rest = turn_0d - turn_0_right, turn_0_lo1 = turn_0_left_rest + turn_0_right_rest,
       turn_0_lo2 = turn_0_lo1 + turn_0d_lo, turn_0_lo = turn_0_lo2 + turn_0a_cross2;
-  const double turn_1a = q->w * t_1, turn_1a_cross2 = q->w * t_1_lo, turn_1b = q->z * t_0,
-      turn_1b_cross2 = q->z * t_0_lo, turn_1c = q->x * t_2, turn_1c_cross2 = q->x * t_2_lo,
+  const double turn_1a = q->w * t_1, turn_1a_cross2 = q->w * t_1_cross2, turn_1b = q->z * t_0,
+      turn_1b_cross2 = q->z * t_0_cross2, turn_1c = q->x * t_2, turn_1c_cross2 = q->x * t_2_cross2,
       turn_1d = turn_1b - turn_1c, turn_1d_right = turn_1b - turn_1d,
       turn_1d_left = turn_1d + turn_1d_right,
       turn_1d_left_rest = ksl_product_rest(q->z, t_0, turn_1b, turn_1d_left),
@@ -597,8 +594,8 @@ static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_
       turn_1_left_rest = ksl_product_rest(q->w, t_1, turn_1a, turn_1_left),
       turn_1_right_rest = turn_1d - turn_1_right, turn_1_lo1 = turn_1_left_rest + turn_1_right_rest,
       turn_1_lo2 = turn_1_lo1 + turn_1d_lo, turn_1_lo = turn_1_lo2 + turn_1a_cross2;
-  const double turn_2a = q->w * t_2, turn_2a_cross2 = q->w * t_2_lo, turn_2b = q->x * t_1,
-      turn_2b_cross2 = q->x * t_1_lo, turn_2c = q->y * t_0, turn_2c_cross2 = q->y * t_0_lo,
+  const double turn_2a = q->w * t_2, turn_2a_cross2 = q->w * t_2_cross2, turn_2b = q->x * t_1,
+      turn_2b_cross2 = q->x * t_1_cross2, turn_2c = q->y * t_0, turn_2c_cross2 = q->y * t_0_cross2,
       turn_2d = turn_2b - turn_2c, turn_2d_right = turn_2b - turn_2d,
       turn_2d_left = turn_2d + turn_2d_right,
       turn_2d_left_rest = ksl_product_rest(q->x, t_1, turn_2b, turn_2d_left),
@@ -629,8 +626,8 @@ static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_
 
 /* vo = R(q)^T v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-   30 mul, 78 add, 3 product error, 15 product rest.
-   Error <= u |result| + 49 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   30 mul, 75 add, 15 product rest.
+   Error <= u |result| + 38 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
@@ -649,13 +646,10 @@ static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const 
   const double t_0 = 2.0 * c_0, t_0_cross2 = 2.0 * c_0_lo;
   const double t_1 = 2.0 * c_1, t_1_cross2 = 2.0 * c_1_lo;
   const double t_2 = 2.0 * c_2, t_2_cross2 = 2.0 * c_2_lo;
-  const double t_0_error = ksl_product_error(2.0, c_0, t_0), t_0_lo = t_0_error + t_0_cross2,
-      turn_0a = q->w * t_0, turn_0a_cross2 = q->w * t_0_lo,
-      t_1_error = ksl_product_error(2.0, c_1, t_1), t_1_lo = t_1_error + t_1_cross2,
-      turn_0b = q->z * t_1, turn_0b_cross2 = q->z * t_1_lo,
-      t_2_error = ksl_product_error(2.0, c_2, t_2), t_2_lo = t_2_error + t_2_cross2,
-      turn_0c = q->y * t_2, turn_0c_cross2 = q->y * t_2_lo, turn_0d = turn_0b - turn_0c,
-      turn_0d_right = turn_0b - turn_0d, turn_0d_left = turn_0d + turn_0d_right,
+  const double turn_0a = q->w * t_0, turn_0a_cross2 = q->w * t_0_cross2, turn_0b = q->z * t_1,
+      turn_0b_cross2 = q->z * t_1_cross2, turn_0c = q->y * t_2, turn_0c_cross2 = q->y * t_2_cross2,
+      turn_0d = turn_0b - turn_0c, turn_0d_right = turn_0b - turn_0d,
+      turn_0d_left = turn_0d + turn_0d_right,
       turn_0d_left_rest = ksl_product_rest(q->z, t_1, turn_0b, turn_0d_left),
       turn_0d_right_rest = ksl_product_rest(q->y, t_2, turn_0c, turn_0d_right),
       turn_0d_cross = turn_0b_cross2 - turn_0c_cross2,
@@ -665,8 +659,8 @@ static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const 
       turn_0_left_rest = ksl_product_rest(q->w, t_0, turn_0a, turn_0_left),
       turn_0_right_rest = turn_0d - turn_0_right, turn_0_lo1 = turn_0_left_rest + turn_0_right_rest,
       turn_0_lo2 = turn_0_lo1 + turn_0d_lo, turn_0_lo = turn_0_lo2 + turn_0a_cross2;
-  const double turn_1a = q->w * t_1, turn_1a_cross2 = q->w * t_1_lo, turn_1b = q->x * t_2,
-      turn_1b_cross2 = q->x * t_2_lo, turn_1c = q->z * t_0, turn_1c_cross2 = q->z * t_0_lo,
+  const double turn_1a = q->w * t_1, turn_1a_cross2 = q->w * t_1_cross2, turn_1b = q->x * t_2,
+      turn_1b_cross2 = q->x * t_2_cross2, turn_1c = q->z * t_0, turn_1c_cross2 = q->z * t_0_cross2,
       turn_1d = turn_1b - turn_1c, turn_1d_right = turn_1b - turn_1d,
       turn_1d_left = turn_1d + turn_1d_right,
       turn_1d_left_rest = ksl_product_rest(q->x, t_2, turn_1b, turn_1d_left),
@@ -678,8 +672,8 @@ static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const 
       turn_1_left_rest = ksl_product_rest(q->w, t_1, turn_1a, turn_1_left),
       turn_1_right_rest = turn_1d - turn_1_right, turn_1_lo1 = turn_1_left_rest + turn_1_right_rest,
       turn_1_lo2 = turn_1_lo1 + turn_1d_lo, turn_1_lo = turn_1_lo2 + turn_1a_cross2;
-  const double turn_2a = q->w * t_2, turn_2a_cross2 = q->w * t_2_lo, turn_2b = q->y * t_0,
-      turn_2b_cross2 = q->y * t_0_lo, turn_2c = q->x * t_1, turn_2c_cross2 = q->x * t_1_lo,
+  const double turn_2a = q->w * t_2, turn_2a_cross2 = q->w * t_2_cross2, turn_2b = q->y * t_0,
+      turn_2b_cross2 = q->y * t_0_cross2, turn_2c = q->x * t_1, turn_2c_cross2 = q->x * t_1_cross2,
       turn_2d = turn_2b - turn_2c, turn_2d_right = turn_2b - turn_2d,
       turn_2d_left = turn_2d + turn_2d_right,
       turn_2d_left_rest = ksl_product_rest(q->y, t_0, turn_2b, turn_2d_left),
@@ -710,7 +704,7 @@ static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const 
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-   41 mul, 117 add, 11 product error, 24 product rest, 2 div, 9 equal, 9 select. */
+   41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select. */
 static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
   const double squares_0 = q->w * q->w;
   const double squares_1 = q->x * q->x;
@@ -800,20 +794,19 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
       m_5_lo = m_5_left_rest + m_5_right_rest;
   const double R_00 = factor * d0, R_00_cross1 = factor_lo * d0, R_00_cross2 = factor * d0_lo,
       R_00_cross = R_00_cross1 + R_00_cross2;
-  const double twice_error = ksl_product_error(2.0, factor, twice),
-      twice_lo = twice_error + twice_cross2, R_01 = twice * m_0, R_01_cross1 = twice_lo * m_0,
-      R_01_cross2 = twice * m_0_lo, R_01_cross = R_01_cross1 + R_01_cross2;
-  const double R_02 = twice * m_1, R_02_cross1 = twice_lo * m_1, R_02_cross2 = twice * m_1_lo,
+  const double R_01 = twice * m_0, R_01_cross1 = twice_cross2 * m_0, R_01_cross2 = twice * m_0_lo,
+      R_01_cross = R_01_cross1 + R_01_cross2;
+  const double R_02 = twice * m_1, R_02_cross1 = twice_cross2 * m_1, R_02_cross2 = twice * m_1_lo,
       R_02_cross = R_02_cross1 + R_02_cross2;
-  const double R_10 = twice * m_3, R_10_cross1 = twice_lo * m_3, R_10_cross2 = twice * m_3_lo,
+  const double R_10 = twice * m_3, R_10_cross1 = twice_cross2 * m_3, R_10_cross2 = twice * m_3_lo,
       R_10_cross = R_10_cross1 + R_10_cross2;
   const double R_11 = factor * d1, R_11_cross1 = factor_lo * d1, R_11_cross2 = factor * d1_lo,
       R_11_cross = R_11_cross1 + R_11_cross2;
-  const double R_12 = twice * m_2, R_12_cross1 = twice_lo * m_2, R_12_cross2 = twice * m_2_lo,
+  const double R_12 = twice * m_2, R_12_cross1 = twice_cross2 * m_2, R_12_cross2 = twice * m_2_lo,
       R_12_cross = R_12_cross1 + R_12_cross2;
-  const double R_20 = twice * m_4, R_20_cross1 = twice_lo * m_4, R_20_cross2 = twice * m_4_lo,
+  const double R_20 = twice * m_4, R_20_cross1 = twice_cross2 * m_4, R_20_cross2 = twice * m_4_lo,
       R_20_cross = R_20_cross1 + R_20_cross2;
-  const double R_21 = twice * m_5, R_21_cross1 = twice_lo * m_5, R_21_cross2 = twice * m_5_lo,
+  const double R_21 = twice * m_5, R_21_cross1 = twice_cross2 * m_5, R_21_cross2 = twice * m_5_lo,
       R_21_cross = R_21_cross1 + R_21_cross2;
   const double R_22 = factor * d2, R_22_cross1 = factor_lo * d2, R_22_cross2 = factor * d2_lo,
       R_22_cross = R_22_cross1 + R_22_cross2;
@@ -857,7 +850,7 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-   21 mul, 200 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
+   21 mul, 248 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
      select. */
 static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
     ksl_quaternion_t *qo) {
@@ -879,38 +872,64 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
   const double s_2 = R->m01 + R->m10, s_2_right = s_2 - R->m01, s_2_left = s_2 - s_2_right,
       s_2_left_rest = R->m01 - s_2_left, s_2_right_rest = R->m10 - s_2_right,
       s_2_lo = s_2_left_rest + s_2_right_rest;
-  const double d_0a = R->m00 + R->m11, d_0a_right = d_0a - R->m00, d_0a_left = d_0a - d_0a_right,
-      d_0a_left_rest = R->m00 - d_0a_left, d_0a_right_rest = R->m11 - d_0a_right,
-      d_0a_lo = d_0a_left_rest + d_0a_right_rest, d_0b = d_0a + R->m22, d_0b_right = d_0b - d_0a,
+  const double less_0 = 1.0 - R->m00, less_0_right = 1.0 - less_0,
+      less_0_left = less_0 + less_0_right, less_0_left_rest = 1.0 - less_0_left,
+      less_0_right_rest = R->m00 - less_0_right, less_0_lo = less_0_left_rest - less_0_right_rest;
+  const double less_1 = 1.0 - R->m11, less_1_right = 1.0 - less_1,
+      less_1_left = less_1 + less_1_right, less_1_left_rest = 1.0 - less_1_left,
+      less_1_right_rest = R->m11 - less_1_right, less_1_lo = less_1_left_rest - less_1_right_rest;
+  const double less_2 = 1.0 - R->m22, less_2_right = 1.0 - less_2,
+      less_2_left = less_2 + less_2_right, less_2_left_rest = 1.0 - less_2_left,
+      less_2_right_rest = R->m22 - less_2_right, less_2_lo = less_2_left_rest - less_2_right_rest;
+  const double more_0 = R->m00 + 1.0, more_0_right = more_0 - R->m00,
+      more_0_left = more_0 - more_0_right, more_0_left_rest = R->m00 - more_0_left,
+      more_0_right_rest = 1.0 - more_0_right, more_0_lo = more_0_left_rest + more_0_right_rest;
+  const double more_1 = R->m11 + 1.0, more_1_right = more_1 - R->m11,
+      more_1_left = more_1 - more_1_right, more_1_left_rest = R->m11 - more_1_left,
+      more_1_right_rest = 1.0 - more_1_right, more_1_lo = more_1_left_rest + more_1_right_rest;
+  const double more_2 = R->m22 + 1.0, more_2_right = more_2 - R->m22,
+      more_2_left = more_2 - more_2_right, more_2_left_rest = R->m22 - more_2_left,
+      more_2_right_rest = 1.0 - more_2_right, more_2_lo = more_2_left_rest + more_2_right_rest;
+  const double d_0a = less_0 + less_1, d_0a_right = d_0a - less_0, d_0a_left = d_0a - d_0a_right,
+      d_0a_left_rest = less_0 - d_0a_left, d_0a_right_rest = less_1 - d_0a_right,
+      d_0a_lo1 = d_0a_left_rest + d_0a_right_rest, d_0a_lo2 = d_0a_lo1 + less_1_lo,
+      d_0a_lo = d_0a_lo2 + less_0_lo, d_0b = d_0a + less_2, d_0b_right = d_0b - d_0a,
       d_0b_left = d_0b - d_0b_right, d_0b_left_rest = d_0a - d_0b_left,
-      d_0b_right_rest = R->m22 - d_0b_right, d_0b_lo1 = d_0b_left_rest + d_0b_right_rest,
-      d_0b_lo = d_0b_lo1 + d_0a_lo, d_0 = d_0b + 1.0, d_0_right = d_0 - d_0b,
-      d_0_left = d_0 - d_0_right, d_0_left_rest = d_0b - d_0_left, d_0_right_rest = 1.0 - d_0_right,
-      d_0_lo1 = d_0_left_rest + d_0_right_rest, d_0_lo = d_0_lo1 + d_0b_lo;
-  const double d_1a = R->m00 - R->m11, d_1a_right = R->m00 - d_1a, d_1a_left = d_1a + d_1a_right,
-      d_1a_left_rest = R->m00 - d_1a_left, d_1a_right_rest = R->m11 - d_1a_right,
-      d_1a_lo = d_1a_left_rest - d_1a_right_rest, d_1b = d_1a - R->m22, d_1b_right = d_1a - d_1b,
-      d_1b_left = d_1b + d_1b_right, d_1b_left_rest = d_1a - d_1b_left,
-      d_1b_right_rest = R->m22 - d_1b_right, d_1b_lo1 = d_1b_left_rest - d_1b_right_rest,
-      d_1b_lo = d_1b_lo1 + d_1a_lo, d_1 = d_1b + 1.0, d_1_right = d_1 - d_1b,
-      d_1_left = d_1 - d_1_right, d_1_left_rest = d_1b - d_1_left, d_1_right_rest = 1.0 - d_1_right,
-      d_1_lo1 = d_1_left_rest + d_1_right_rest, d_1_lo = d_1_lo1 + d_1b_lo;
-  const double d_2a = R->m11 - R->m00, d_2a_right = R->m11 - d_2a, d_2a_left = d_2a + d_2a_right,
-      d_2a_left_rest = R->m11 - d_2a_left, d_2a_right_rest = R->m00 - d_2a_right,
-      d_2a_lo = d_2a_left_rest - d_2a_right_rest, d_2b = d_2a - R->m22, d_2b_right = d_2a - d_2b,
-      d_2b_left = d_2b + d_2b_right, d_2b_left_rest = d_2a - d_2b_left,
-      d_2b_right_rest = R->m22 - d_2b_right, d_2b_lo1 = d_2b_left_rest - d_2b_right_rest,
-      d_2b_lo = d_2b_lo1 + d_2a_lo, d_2 = d_2b + 1.0, d_2_right = d_2 - d_2b,
-      d_2_left = d_2 - d_2_right, d_2_left_rest = d_2b - d_2_left, d_2_right_rest = 1.0 - d_2_right,
-      d_2_lo1 = d_2_left_rest + d_2_right_rest, d_2_lo = d_2_lo1 + d_2b_lo;
-  const double d_3a = R->m22 - R->m00, d_3a_right = R->m22 - d_3a, d_3a_left = d_3a + d_3a_right,
-      d_3a_left_rest = R->m22 - d_3a_left, d_3a_right_rest = R->m00 - d_3a_right,
-      d_3a_lo = d_3a_left_rest - d_3a_right_rest, d_3b = d_3a - R->m11, d_3b_right = d_3a - d_3b,
-      d_3b_left = d_3b + d_3b_right, d_3b_left_rest = d_3a - d_3b_left,
-      d_3b_right_rest = R->m11 - d_3b_right, d_3b_lo1 = d_3b_left_rest - d_3b_right_rest,
-      d_3b_lo = d_3b_lo1 + d_3a_lo, d_3 = d_3b + 1.0, d_3_right = d_3 - d_3b,
-      d_3_left = d_3 - d_3_right, d_3_left_rest = d_3b - d_3_left, d_3_right_rest = 1.0 - d_3_right,
-      d_3_lo1 = d_3_left_rest + d_3_right_rest, d_3_lo = d_3_lo1 + d_3b_lo;
+      d_0b_right_rest = less_2 - d_0b_right, d_0b_lo1 = d_0b_left_rest + d_0b_right_rest,
+      d_0b_lo2 = d_0b_lo1 + less_2_lo, d_0b_lo = d_0b_lo2 + d_0a_lo, d_0 = 4.0 - d_0b,
+      d_0_right = 4.0 - d_0, d_0_left = d_0 + d_0_right, d_0_left_rest = 4.0 - d_0_left,
+      d_0_right_rest = d_0b - d_0_right, d_0_lo1 = d_0_left_rest - d_0_right_rest,
+      d_0_lo = d_0_lo1 - d_0b_lo;
+  const double d_1a = 4.0 - less_0, d_1a_right = 4.0 - d_1a, d_1a_left = d_1a + d_1a_right,
+      d_1a_left_rest = 4.0 - d_1a_left, d_1a_right_rest = less_0 - d_1a_right,
+      d_1a_lo1 = d_1a_left_rest - d_1a_right_rest, d_1a_lo = d_1a_lo1 - less_0_lo,
+      d_1b = more_1 + more_2, d_1b_right = d_1b - more_1, d_1b_left = d_1b - d_1b_right,
+      d_1b_left_rest = more_1 - d_1b_left, d_1b_right_rest = more_2 - d_1b_right,
+      d_1b_lo1 = d_1b_left_rest + d_1b_right_rest, d_1b_lo2 = d_1b_lo1 + more_2_lo,
+      d_1b_lo = d_1b_lo2 + more_1_lo, d_1 = d_1a - d_1b, d_1_right = d_1a - d_1,
+      d_1_left = d_1 + d_1_right, d_1_left_rest = d_1a - d_1_left,
+      d_1_right_rest = d_1b - d_1_right, d_1_lo1 = d_1_left_rest - d_1_right_rest,
+      d_1_lo2 = d_1_lo1 - d_1b_lo, d_1_lo = d_1_lo2 + d_1a_lo;
+  const double d_2a = 4.0 - less_1, d_2a_right = 4.0 - d_2a, d_2a_left = d_2a + d_2a_right,
+      d_2a_left_rest = 4.0 - d_2a_left, d_2a_right_rest = less_1 - d_2a_right,
+      d_2a_lo1 = d_2a_left_rest - d_2a_right_rest, d_2a_lo = d_2a_lo1 - less_1_lo,
+      d_2b = more_0 + more_2, d_2b_right = d_2b - more_0, d_2b_left = d_2b - d_2b_right,
+      d_2b_left_rest = more_0 - d_2b_left, d_2b_right_rest = more_2 - d_2b_right,
+      d_2b_lo1 = d_2b_left_rest + d_2b_right_rest, d_2b_lo2 = d_2b_lo1 + more_2_lo,
+      d_2b_lo = d_2b_lo2 + more_0_lo, d_2 = d_2a - d_2b, d_2_right = d_2a - d_2,
+      d_2_left = d_2 + d_2_right, d_2_left_rest = d_2a - d_2_left,
+      d_2_right_rest = d_2b - d_2_right, d_2_lo1 = d_2_left_rest - d_2_right_rest,
+      d_2_lo2 = d_2_lo1 - d_2b_lo, d_2_lo = d_2_lo2 + d_2a_lo;
+  const double d_3a = 4.0 - less_2, d_3a_right = 4.0 - d_3a, d_3a_left = d_3a + d_3a_right,
+      d_3a_left_rest = 4.0 - d_3a_left, d_3a_right_rest = less_2 - d_3a_right,
+      d_3a_lo1 = d_3a_left_rest - d_3a_right_rest, d_3a_lo = d_3a_lo1 - less_2_lo,
+      d_3b = more_0 + more_1, d_3b_right = d_3b - more_0, d_3b_left = d_3b - d_3b_right,
+      d_3b_left_rest = more_0 - d_3b_left, d_3b_right_rest = more_1 - d_3b_right,
+      d_3b_lo1 = d_3b_left_rest + d_3b_right_rest, d_3b_lo2 = d_3b_lo1 + more_1_lo,
+      d_3b_lo = d_3b_lo2 + more_0_lo, d_3 = d_3a - d_3b, d_3_right = d_3a - d_3,
+      d_3_left = d_3 + d_3_right, d_3_left_rest = d_3a - d_3_left,
+      d_3_right_rest = d_3b - d_3_right, d_3_lo1 = d_3_left_rest - d_3_right_rest,
+      d_3_lo2 = d_3_lo1 - d_3b_lo, d_3_lo = d_3_lo2 + d_3a_lo;
   const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
   const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
   const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
@@ -1047,7 +1066,7 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where angle
      = 0; any multiple of a quaternion.
    q: quaternion (w; x, y, z), the scalar first; axis: vector.
-   23 mul, 56 add, 5 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
+   23 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
      less, 8 equal, 23 select. */
 static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternion_t *q,
     ksl_vec3_t *axis) {
@@ -1129,8 +1148,7 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
   const double angle = 2.0 * half, angle_cross2 = 2.0 * half_lo;
   const double axis_0 = half_of_n == 0.0 ? 1.0 : unit_0,
       axis_0_lo = half_of_n == 0.0 ? 0.0 : unit_0_lo;
-  const double angle_error = ksl_product_error(2.0, half, angle),
-      angle_lo = angle_error + angle_cross2, angle_rounded = angle + angle_lo,
+  const double angle_rounded = angle + angle_cross2,
       angle_final = angle_rounded == angle_rounded ? angle_rounded : angle;
   const double axis_0_rounded = axis_0 + axis_0_lo,
       axis_0_final = axis_0_rounded == axis_0_rounded ? axis_0_rounded : axis_0;
@@ -1146,7 +1164,7 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (w; x, y, z), the scalar first; vo: vector.
-   25 mul, 59 add, 6 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8 less,
+   25 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8 less,
      7 equal, 20 select. */
 static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
   const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
@@ -1204,11 +1222,10 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
   const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
       divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
   const double theta = 2.0 * half, theta_cross2 = 2.0 * half_lo;
-  const double theta_error = ksl_product_error(2.0, half, theta),
-      theta_lo = theta_error + theta_cross2, k_of_theta = theta + theta_lo,
-      k_of_theta_right = k_of_theta - theta, k_of_theta_left = k_of_theta - k_of_theta_right,
+  const double k_of_theta = theta + theta_cross2, k_of_theta_right = k_of_theta - theta,
+      k_of_theta_left = k_of_theta - k_of_theta_right,
       k_of_theta_left_rest = theta - k_of_theta_left,
-      k_of_theta_right_rest = theta_lo - k_of_theta_right,
+      k_of_theta_right_rest = theta_cross2 - k_of_theta_right,
       k_of_theta_lo = k_of_theta_left_rest + k_of_theta_right_rest,
       k_of_divisor = divisor + divisor_lo, k_of_divisor_right = k_of_divisor - divisor,
       k_of_divisor_left = k_of_divisor - k_of_divisor_right,
@@ -1437,7 +1454,7 @@ static inline void ksl_product_qqconjf_accurate(const ksl_quaternionf_t *q1,
 /* vo = R(q) v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
    18 mul, 12 add.
-   Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   Error <= u |result| + 3/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
@@ -1467,7 +1484,7 @@ static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *q, const ks
 /* vo = R(q)^T v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
    18 mul, 12 add.
-   Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   Error <= u |result| + 3/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
@@ -1546,7 +1563,7 @@ static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t 
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-   4 mul, 21 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select. */
+   4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select. */
 static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
     ksl_quaternionf_t *qo) {
   const double p_0 = (double)R->m21 - (double)R->m12;
@@ -1555,14 +1572,16 @@ static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
   const double s_0 = (double)R->m12 + (double)R->m21;
   const double s_1 = (double)R->m02 + (double)R->m20;
   const double s_2 = (double)R->m01 + (double)R->m10;
-  const double d_0a = (double)R->m00 + (double)R->m11, d_0b = d_0a + (double)R->m22,
-      d_0 = d_0b + 1.0;
-  const double d_1a = (double)R->m00 - (double)R->m11, d_1b = d_1a - (double)R->m22,
-      d_1 = d_1b + 1.0;
-  const double d_2a = (double)R->m11 - (double)R->m00, d_2b = d_2a - (double)R->m22,
-      d_2 = d_2b + 1.0;
-  const double d_3a = (double)R->m22 - (double)R->m00, d_3b = d_3a - (double)R->m11,
-      d_3 = d_3b + 1.0;
+  const double less_0 = 1.0 - (double)R->m00;
+  const double less_1 = 1.0 - (double)R->m11;
+  const double less_2 = 1.0 - (double)R->m22;
+  const double more_0 = (double)R->m00 + 1.0;
+  const double more_1 = (double)R->m11 + 1.0;
+  const double more_2 = (double)R->m22 + 1.0;
+  const double d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0 - d_0b;
+  const double d_1a = 4.0 - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
+  const double d_2a = 4.0 - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
+  const double d_3a = 4.0 - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
   const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
   const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
   const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;

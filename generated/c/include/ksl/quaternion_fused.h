@@ -87,7 +87,7 @@ static inline void ksl_product_qqconj_fused(const ksl_quaternion_t *q1,
 /* vo = R(q) v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
    9 mul, 3 add, 9 fma.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qv_fused(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
@@ -114,7 +114,7 @@ static inline void ksl_product_qv_fused(const ksl_quaternion_t *q, const ksl_vec
 /* vo = R(q)^T v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
    9 mul, 3 add, 9 fma.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qconjv_fused(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
@@ -219,7 +219,7 @@ static inline void ksl_product_qqconjf_fused(const ksl_quaternionf_t *q1,
 /* vo = R(q) v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
    9 mul, 3 add, 9 fma.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qvf_fused(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
@@ -246,7 +246,7 @@ static inline void ksl_product_qvf_fused(const ksl_quaternionf_t *q, const ksl_v
 /* vo = R(q)^T v, |q| = 1.
    q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
    9 mul, 3 add, 9 fma.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qconjvf_fused(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {

@@ -1175,30 +1175,30 @@ def product_qv(q: ArrayLike, v: ArrayLike, out: NDArray[np.float64] | None = ...
     """vo = R(q) v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-    30 mul, 78 add, 3 product error, 15 product rest.  Error <= u |result| + 49 u^2 S, S the sum
-    of the |terms| of the expanded formula; barring over- and underflow.
+    30 mul, 75 add, 15 product rest.  Error <= u |result| + 38 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def product_qconjv(q: ArrayLike, v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = R(q)^T v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-    30 mul, 78 add, 3 product error, 15 product rest.  Error <= u |result| + 49 u^2 S, S the sum
-    of the |terms| of the expanded formula; barring over- and underflow.
+    30 mul, 75 add, 15 product rest.  Error <= u |result| + 38 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-    41 mul, 117 add, 11 product error, 24 product rest, 2 div, 9 equal, 9 select.
+    41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.
     """
 
 def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-    21 mul, 200 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
+    21 mul, 248 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
     select.
     """
 
@@ -1207,7 +1207,7 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float64] | No
     angle = 0; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.
-    23 mul, 56 add, 5 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
+    23 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
     less, 8 equal, 23 select.
     """
 
@@ -1216,7 +1216,7 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArr
     it.
 
     (4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.
-    25 mul, 59 add, 6 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
+    25 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
     less, 7 equal, 20 select.
     """
 
@@ -1224,7 +1224,7 @@ def SO3_log(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.f
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    40 mul, 214 add, 6 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+    40 mul, 261 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
     less, 10 equal, 51 select.
     """
 
@@ -1232,7 +1232,7 @@ def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float64] | None, 
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    35 mul, 211 add, 5 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+    35 mul, 258 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
     less, 11 equal, 54 select.
     """
 
@@ -1240,16 +1240,16 @@ def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.float64] | None = ...
     """self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
-    84 mul, 276 add, 6 product error, 45 product rest, 6 neg.  Error <= u |result| + 68 u^2 S, S
-    the sum of the |terms| of the expanded formula; barring over- and underflow.
+    84 mul, 270 add, 45 product rest, 6 neg.  Error <= u |result| + 54 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def mat3x3_orthonormalized(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
-    84 mul, 276 add, 6 product error, 45 product rest, 6 neg.  Error <= u |result| + 68 u^2 S, S
-    the sum of the |terms| of the expanded formula; barring over- and underflow.
+    84 mul, 270 add, 45 product rest, 6 neg.  Error <= u |result| + 54 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def mat3x3_ldl(A: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -1364,8 +1364,8 @@ def inertia_energy(B: ArrayLike, s: ArrayLike, out: NDArray[np.float64] | None =
 
     (10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
     xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy: number.
-    38 mul, 132 add, 1 product error, 30 product rest.  Error <= u |result| + 81 u^2 S, S the
-    sum of the |terms| of the expanded formula; barring over- and underflow.
+    38 mul, 131 add, 30 product rest.  Error <= u |result| + 64 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def inertia_shifted(t: ArrayLike, B: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1392,6 +1392,6 @@ def inertia_consistency(B: ArrayLike, out: NDArray[np.float64] | None = ...) -> 
 
     (10)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
     xz, yz in kg m^2); pivot: number.
-    43 mul, 201 add, 10 product error, 13 product rest, 20 div, 6 neg, 9 less, 1 equal, 26
+    43 mul, 204 add, 10 product error, 10 product rest, 20 div, 6 neg, 9 less, 1 equal, 26
     select.
     """

@@ -439,8 +439,8 @@ def inertia_energy(B, s):
 
     (10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
     xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy: number.
-    38 mul, 132 add, 1 product error, 30 product rest.  Error <= u |result| + 81 u^2 S, S the
-    sum of the |terms| of the expanded formula; barring over- and underflow.
+    38 mul, 131 add, 30 product rest.  Error <= u |result| + 64 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
     B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
     s_0, s_1, s_2, s_3, s_4, s_5 = s
@@ -583,8 +583,7 @@ def inertia_energy(B, s):
     twice_lo = twice_lo2 + twice_e_lo
     energy = 0.5 * twice
     energy_cross2 = 0.5 * twice_lo
-    energy_lo = product_error(0.5, twice, energy) + energy_cross2
-    energy_rounded = energy + energy_lo
+    energy_rounded = energy + energy_cross2
     return energy_rounded
 
 
@@ -1046,7 +1045,7 @@ def inertia_consistency(B):
 
     (10)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
     xz, yz in kg m^2); pivot: number.
-    43 mul, 201 add, 10 product error, 13 product rest, 20 div, 6 neg, 9 less, 1 equal, 26
+    43 mul, 204 add, 10 product error, 10 product rest, 20 div, 6 neg, 9 less, 1 equal, 26
     select.
     """
     B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
@@ -1054,13 +1053,11 @@ def inertia_consistency(B):
     trace_b = 0.5 * B_5
     trace_c = trace_a + trace_b
     trace_c_right = trace_c - trace_a
-    trace_c_left_rest = product_rest(0.5, B_4, trace_a, trace_c - trace_c_right)
-    trace_c_lo = trace_c_left_rest + product_rest(0.5, B_5, trace_b, trace_c_right)
     trace_d = 0.5 * B_6
     trace = trace_c + trace_d
     trace_right = trace - trace_c
-    trace_lo1 = trace_c - (trace - trace_right) + product_rest(0.5, B_6, trace_d, trace_right)
-    trace_lo = trace_lo1 + trace_c_lo
+    trace_lo1 = trace_c - (trace - trace_right) + (trace_d - trace_right)
+    trace_lo = trace_lo1 + (trace_a - (trace_c - trace_c_right) + (trace_b - trace_c_right))
     sigma_0 = trace - B_4
     sigma_0_right = trace - sigma_0
     sigma_0_lo = trace - (sigma_0 + sigma_0_right) - (B_4 - sigma_0_right) + trace_lo

@@ -609,8 +609,8 @@ def product_qv(q, v):
     """vo = R(q) v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-    30 mul, 78 add, 3 product error, 15 product rest.  Error <= u |result| + 49 u^2 S, S the sum
-    of the |terms| of the expanded formula; barring over- and underflow.
+    30 mul, 75 add, 15 product rest.  Error <= u |result| + 38 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
     q_0, q_1, q_2, q_3 = q
     v_0, v_1, v_2 = v
@@ -635,22 +635,19 @@ def product_qv(q, v):
     t_1_cross2 = 2 * c_1_lo
     t_2 = 2 * c_2
     t_2_cross2 = 2 * c_2_lo
-    t_0_lo = product_error(2, c_0, t_0) + t_0_cross2
     turn_0a = q_0 * t_0
-    t_2_lo = product_error(2, c_2, t_2) + t_2_cross2
     turn_0b = q_2 * t_2
-    t_1_lo = product_error(2, c_1, t_1) + t_1_cross2
     turn_0c = q_3 * t_1
     turn_0d = turn_0b - turn_0c
     turn_0d_right = turn_0b - turn_0d
     turn_0d_left_rest = product_rest(q_2, t_2, turn_0b, turn_0d + turn_0d_right)
     turn_0d_lo1 = turn_0d_left_rest - product_rest(q_3, t_1, turn_0c, turn_0d_right)
-    turn_0d_lo = turn_0d_lo1 + (q_2 * t_2_lo - q_3 * t_1_lo)
+    turn_0d_lo = turn_0d_lo1 + (q_2 * t_2_cross2 - q_3 * t_1_cross2)
     turn_0 = turn_0a + turn_0d
     turn_0_right = turn_0 - turn_0a
     turn_0_lo1 = product_rest(q_0, t_0, turn_0a, turn_0 - turn_0_right) + (turn_0d - turn_0_right)
     turn_0_lo2 = turn_0_lo1 + turn_0d_lo
-    turn_0_lo = turn_0_lo2 + q_0 * t_0_lo
+    turn_0_lo = turn_0_lo2 + q_0 * t_0_cross2
     turn_1a = q_0 * t_1
     turn_1b = q_3 * t_0
     turn_1c = q_1 * t_2
@@ -658,12 +655,12 @@ def product_qv(q, v):
     turn_1d_right = turn_1b - turn_1d
     turn_1d_left_rest = product_rest(q_3, t_0, turn_1b, turn_1d + turn_1d_right)
     turn_1d_lo1 = turn_1d_left_rest - product_rest(q_1, t_2, turn_1c, turn_1d_right)
-    turn_1d_lo = turn_1d_lo1 + (q_3 * t_0_lo - q_1 * t_2_lo)
+    turn_1d_lo = turn_1d_lo1 + (q_3 * t_0_cross2 - q_1 * t_2_cross2)
     turn_1 = turn_1a + turn_1d
     turn_1_right = turn_1 - turn_1a
     turn_1_lo1 = product_rest(q_0, t_1, turn_1a, turn_1 - turn_1_right) + (turn_1d - turn_1_right)
     turn_1_lo2 = turn_1_lo1 + turn_1d_lo
-    turn_1_lo = turn_1_lo2 + q_0 * t_1_lo
+    turn_1_lo = turn_1_lo2 + q_0 * t_1_cross2
     turn_2a = q_0 * t_2
     turn_2b = q_1 * t_1
     turn_2c = q_2 * t_0
@@ -671,12 +668,12 @@ def product_qv(q, v):
     turn_2d_right = turn_2b - turn_2d
     turn_2d_left_rest = product_rest(q_1, t_1, turn_2b, turn_2d + turn_2d_right)
     turn_2d_lo1 = turn_2d_left_rest - product_rest(q_2, t_0, turn_2c, turn_2d_right)
-    turn_2d_lo = turn_2d_lo1 + (q_1 * t_1_lo - q_2 * t_0_lo)
+    turn_2d_lo = turn_2d_lo1 + (q_1 * t_1_cross2 - q_2 * t_0_cross2)
     turn_2 = turn_2a + turn_2d
     turn_2_right = turn_2 - turn_2a
     turn_2_lo1 = product_rest(q_0, t_2, turn_2a, turn_2 - turn_2_right) + (turn_2d - turn_2_right)
     turn_2_lo2 = turn_2_lo1 + turn_2d_lo
-    turn_2_lo = turn_2_lo2 + q_0 * t_2_lo
+    turn_2_lo = turn_2_lo2 + q_0 * t_2_cross2
     vo_0 = v_0 + turn_0
     vo_0_right = vo_0 - v_0
     vo_0_lo = v_0 - (vo_0 - vo_0_right) + (turn_0 - vo_0_right) + turn_0_lo
@@ -697,8 +694,8 @@ def product_qconjv(q, v):
     """vo = R(q)^T v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-    30 mul, 78 add, 3 product error, 15 product rest.  Error <= u |result| + 49 u^2 S, S the sum
-    of the |terms| of the expanded formula; barring over- and underflow.
+    30 mul, 75 add, 15 product rest.  Error <= u |result| + 38 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
     q_0, q_1, q_2, q_3 = q
     v_0, v_1, v_2 = v
@@ -723,22 +720,19 @@ def product_qconjv(q, v):
     t_1_cross2 = 2 * c_1_lo
     t_2 = 2 * c_2
     t_2_cross2 = 2 * c_2_lo
-    t_0_lo = product_error(2, c_0, t_0) + t_0_cross2
     turn_0a = q_0 * t_0
-    t_1_lo = product_error(2, c_1, t_1) + t_1_cross2
     turn_0b = q_3 * t_1
-    t_2_lo = product_error(2, c_2, t_2) + t_2_cross2
     turn_0c = q_2 * t_2
     turn_0d = turn_0b - turn_0c
     turn_0d_right = turn_0b - turn_0d
     turn_0d_left_rest = product_rest(q_3, t_1, turn_0b, turn_0d + turn_0d_right)
     turn_0d_lo1 = turn_0d_left_rest - product_rest(q_2, t_2, turn_0c, turn_0d_right)
-    turn_0d_lo = turn_0d_lo1 + (q_3 * t_1_lo - q_2 * t_2_lo)
+    turn_0d_lo = turn_0d_lo1 + (q_3 * t_1_cross2 - q_2 * t_2_cross2)
     turn_0 = turn_0a + turn_0d
     turn_0_right = turn_0 - turn_0a
     turn_0_lo1 = product_rest(q_0, t_0, turn_0a, turn_0 - turn_0_right) + (turn_0d - turn_0_right)
     turn_0_lo2 = turn_0_lo1 + turn_0d_lo
-    turn_0_lo = turn_0_lo2 + q_0 * t_0_lo
+    turn_0_lo = turn_0_lo2 + q_0 * t_0_cross2
     turn_1a = q_0 * t_1
     turn_1b = q_1 * t_2
     turn_1c = q_3 * t_0
@@ -746,12 +740,12 @@ def product_qconjv(q, v):
     turn_1d_right = turn_1b - turn_1d
     turn_1d_left_rest = product_rest(q_1, t_2, turn_1b, turn_1d + turn_1d_right)
     turn_1d_lo1 = turn_1d_left_rest - product_rest(q_3, t_0, turn_1c, turn_1d_right)
-    turn_1d_lo = turn_1d_lo1 + (q_1 * t_2_lo - q_3 * t_0_lo)
+    turn_1d_lo = turn_1d_lo1 + (q_1 * t_2_cross2 - q_3 * t_0_cross2)
     turn_1 = turn_1a + turn_1d
     turn_1_right = turn_1 - turn_1a
     turn_1_lo1 = product_rest(q_0, t_1, turn_1a, turn_1 - turn_1_right) + (turn_1d - turn_1_right)
     turn_1_lo2 = turn_1_lo1 + turn_1d_lo
-    turn_1_lo = turn_1_lo2 + q_0 * t_1_lo
+    turn_1_lo = turn_1_lo2 + q_0 * t_1_cross2
     turn_2a = q_0 * t_2
     turn_2b = q_2 * t_0
     turn_2c = q_1 * t_1
@@ -759,12 +753,12 @@ def product_qconjv(q, v):
     turn_2d_right = turn_2b - turn_2d
     turn_2d_left_rest = product_rest(q_2, t_0, turn_2b, turn_2d + turn_2d_right)
     turn_2d_lo1 = turn_2d_left_rest - product_rest(q_1, t_1, turn_2c, turn_2d_right)
-    turn_2d_lo = turn_2d_lo1 + (q_2 * t_0_lo - q_1 * t_1_lo)
+    turn_2d_lo = turn_2d_lo1 + (q_2 * t_0_cross2 - q_1 * t_1_cross2)
     turn_2 = turn_2a + turn_2d
     turn_2_right = turn_2 - turn_2a
     turn_2_lo1 = product_rest(q_0, t_2, turn_2a, turn_2 - turn_2_right) + (turn_2d - turn_2_right)
     turn_2_lo2 = turn_2_lo1 + turn_2d_lo
-    turn_2_lo = turn_2_lo2 + q_0 * t_2_lo
+    turn_2_lo = turn_2_lo2 + q_0 * t_2_cross2
     vo_0 = v_0 + turn_0
     vo_0_right = vo_0 - v_0
     vo_0_lo = v_0 - (vo_0 - vo_0_right) + (turn_0 - vo_0_right) + turn_0_lo
@@ -785,7 +779,7 @@ def mat3x3_from_quaternion(q):
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-    41 mul, 117 add, 11 product error, 24 product rest, 2 div, 9 equal, 9 select.
+    41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.
     """
     q_0, q_1, q_2, q_3 = q
     squares_0 = q_0 * q_0
@@ -842,6 +836,7 @@ def mat3x3_from_quaternion(q):
     d2_lo2 = pairs_4 - (d2 + d2_right) - (pairs_5 - d2_right) - pairs_5_lo
     d2_lo = d2_lo2 + pairs_4_lo
     twice = 2 * factor
+    twice_cross2 = 2 * factor_lo
     m_0a = q_1 * q_2
     m_0b = q_0 * q_3
     m_0 = m_0a - m_0b
@@ -869,28 +864,27 @@ def mat3x3_from_quaternion(q):
     R_00 = factor * d0
     R_00_cross2 = factor * d0_lo
     R_00_cross = factor_lo * d0 + R_00_cross2
-    twice_lo = product_error(2, factor, twice) + 2 * factor_lo
     R_01 = twice * m_0
     R_01_cross2 = twice * m_0_lo
-    R_01_cross = twice_lo * m_0 + R_01_cross2
+    R_01_cross = twice_cross2 * m_0 + R_01_cross2
     R_02 = twice * m_1
     R_02_cross2 = twice * m_1_lo
-    R_02_cross = twice_lo * m_1 + R_02_cross2
+    R_02_cross = twice_cross2 * m_1 + R_02_cross2
     R_10 = twice * m_3
     R_10_cross2 = twice * m_3_lo
-    R_10_cross = twice_lo * m_3 + R_10_cross2
+    R_10_cross = twice_cross2 * m_3 + R_10_cross2
     R_11 = factor * d1
     R_11_cross2 = factor * d1_lo
     R_11_cross = factor_lo * d1 + R_11_cross2
     R_12 = twice * m_2
     R_12_cross2 = twice * m_2_lo
-    R_12_cross = twice_lo * m_2 + R_12_cross2
+    R_12_cross = twice_cross2 * m_2 + R_12_cross2
     R_20 = twice * m_4
     R_20_cross2 = twice * m_4_lo
-    R_20_cross = twice_lo * m_4 + R_20_cross2
+    R_20_cross = twice_cross2 * m_4 + R_20_cross2
     R_21 = twice * m_5
     R_21_cross2 = twice * m_5_lo
-    R_21_cross = twice_lo * m_5 + R_21_cross2
+    R_21_cross = twice_cross2 * m_5 + R_21_cross2
     R_22 = factor * d2
     R_22_cross2 = factor * d2_lo
     R_22_cross = factor_lo * d2 + R_22_cross2
@@ -928,7 +922,7 @@ def quaternion_from_mat3x3(R):
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-    21 mul, 200 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
+    21 mul, 248 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
     select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
@@ -950,42 +944,61 @@ def quaternion_from_mat3x3(R):
     s_2 = R_01 + R_10
     s_2_right = s_2 - R_01
     s_2_lo = R_01 - (s_2 - s_2_right) + (R_10 - s_2_right)
-    d_0a = R_00 + R_11
-    d_0a_right = d_0a - R_00
-    d_0b = d_0a + R_22
+    less_0 = 1 - R_00
+    less_0_right = 1 - less_0
+    less_0_lo = 1 - (less_0 + less_0_right) - (R_00 - less_0_right)
+    less_1 = 1 - R_11
+    less_1_right = 1 - less_1
+    less_1_lo = 1 - (less_1 + less_1_right) - (R_11 - less_1_right)
+    less_2 = 1 - R_22
+    less_2_right = 1 - less_2
+    less_2_lo = 1 - (less_2 + less_2_right) - (R_22 - less_2_right)
+    more_0 = R_00 + 1
+    more_0_right = more_0 - R_00
+    more_0_lo = R_00 - (more_0 - more_0_right) + (1 - more_0_right)
+    more_1 = R_11 + 1
+    more_1_right = more_1 - R_11
+    more_1_lo = R_11 - (more_1 - more_1_right) + (1 - more_1_right)
+    more_2 = R_22 + 1
+    more_2_right = more_2 - R_22
+    more_2_lo = R_22 - (more_2 - more_2_right) + (1 - more_2_right)
+    d_0a = less_0 + less_1
+    d_0a_right = d_0a - less_0
+    d_0a_lo = less_0 - (d_0a - d_0a_right) + (less_1 - d_0a_right) + less_1_lo + less_0_lo
+    d_0b = d_0a + less_2
     d_0b_right = d_0b - d_0a
-    d_0b_lo1 = d_0a - (d_0b - d_0b_right) + (R_22 - d_0b_right)
-    d_0b_lo = d_0b_lo1 + (R_00 - (d_0a - d_0a_right) + (R_11 - d_0a_right))
-    d_0 = d_0b + 1
-    d_0_right = d_0 - d_0b
-    d_0_lo = d_0b - (d_0 - d_0_right) + (1 - d_0_right) + d_0b_lo
-    d_1a = R_00 - R_11
-    d_1a_right = R_00 - d_1a
-    d_1b = d_1a - R_22
-    d_1b_right = d_1a - d_1b
-    d_1b_lo1 = d_1a - (d_1b + d_1b_right) - (R_22 - d_1b_right)
-    d_1b_lo = d_1b_lo1 + (R_00 - (d_1a + d_1a_right) - (R_11 - d_1a_right))
-    d_1 = d_1b + 1
-    d_1_right = d_1 - d_1b
-    d_1_lo = d_1b - (d_1 - d_1_right) + (1 - d_1_right) + d_1b_lo
-    d_2a = R_11 - R_00
-    d_2a_right = R_11 - d_2a
-    d_2b = d_2a - R_22
-    d_2b_right = d_2a - d_2b
-    d_2b_lo1 = d_2a - (d_2b + d_2b_right) - (R_22 - d_2b_right)
-    d_2b_lo = d_2b_lo1 + (R_11 - (d_2a + d_2a_right) - (R_00 - d_2a_right))
-    d_2 = d_2b + 1
-    d_2_right = d_2 - d_2b
-    d_2_lo = d_2b - (d_2 - d_2_right) + (1 - d_2_right) + d_2b_lo
-    d_3a = R_22 - R_00
-    d_3a_right = R_22 - d_3a
-    d_3b = d_3a - R_11
-    d_3b_right = d_3a - d_3b
-    d_3b_lo1 = d_3a - (d_3b + d_3b_right) - (R_11 - d_3b_right)
-    d_3b_lo = d_3b_lo1 + (R_22 - (d_3a + d_3a_right) - (R_00 - d_3a_right))
-    d_3 = d_3b + 1
-    d_3_right = d_3 - d_3b
-    d_3_lo = d_3b - (d_3 - d_3_right) + (1 - d_3_right) + d_3b_lo
+    d_0b_lo2 = d_0a - (d_0b - d_0b_right) + (less_2 - d_0b_right) + less_2_lo
+    d_0b_lo = d_0b_lo2 + d_0a_lo
+    d_0 = 4 - d_0b
+    d_0_right = 4 - d_0
+    d_0_lo = 4 - (d_0 + d_0_right) - (d_0b - d_0_right) - d_0b_lo
+    d_1a = 4 - less_0
+    d_1a_right = 4 - d_1a
+    d_1b = more_1 + more_2
+    d_1b_right = d_1b - more_1
+    d_1b_lo = more_1 - (d_1b - d_1b_right) + (more_2 - d_1b_right) + more_2_lo + more_1_lo
+    d_1 = d_1a - d_1b
+    d_1_right = d_1a - d_1
+    d_1_lo2 = d_1a - (d_1 + d_1_right) - (d_1b - d_1_right) - d_1b_lo
+    d_1_lo = d_1_lo2 + (4 - (d_1a + d_1a_right) - (less_0 - d_1a_right) - less_0_lo)
+    d_2a = 4 - less_1
+    d_2a_right = 4 - d_2a
+    d_2b = more_0 + more_2
+    d_2b_right = d_2b - more_0
+    d_2b_lo = more_0 - (d_2b - d_2b_right) + (more_2 - d_2b_right) + more_2_lo + more_0_lo
+    d_2 = d_2a - d_2b
+    d_2_right = d_2a - d_2
+    d_2_lo2 = d_2a - (d_2 + d_2_right) - (d_2b - d_2_right) - d_2b_lo
+    d_2_lo = d_2_lo2 + (4 - (d_2a + d_2a_right) - (less_1 - d_2a_right) - less_1_lo)
+    d_3a = 4 - less_2
+    d_3a_right = 4 - d_3a
+    d_3b = more_0 + more_1
+    d_3b_right = d_3b - more_0
+    d_3b_lo = more_0 - (d_3b - d_3b_right) + (more_1 - d_3b_right) + more_1_lo + more_0_lo
+    d_3 = d_3a - d_3b
+    d_3_right = d_3a - d_3
+    d_3_lo2 = d_3a - (d_3 + d_3_right) - (d_3b - d_3_right) - d_3b_lo
+    d_3_lo = d_3_lo2 + (4 - (d_3a + d_3a_right) - (less_2 - d_3a_right) - less_2_lo)
     low_0 = where(R_11 < R_00, p_0, p_1)
     low_1 = where(R_11 < R_00, d_1, s_2)
     low_1_lo = where(R_11 < R_00, d_1_lo, s_2_lo)
@@ -1107,7 +1120,7 @@ def axis_angle_from_quaternion(q):
     angle = 0; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.
-    23 mul, 56 add, 5 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
+    23 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
     less, 8 equal, 23 select.
     """
     q_0, q_1, q_2, q_3 = q
@@ -1193,8 +1206,7 @@ def axis_angle_from_quaternion(q):
     angle_cross2 = 2 * half_lo
     axis_0 = where(half_of_n == 0, 1, unit_0)
     axis_0_lo = where(half_of_n == 0, 0, unit_0_lo)
-    angle_lo = product_error(2, half, angle) + angle_cross2
-    angle_rounded = angle + angle_lo
+    angle_rounded = angle + angle_cross2
     axis_0_rounded = axis_0 + axis_0_lo
     unit_1_rounded = unit_1 + unit_1_lo
     unit_2_rounded = unit_2 + unit_2_lo
@@ -1210,7 +1222,7 @@ def quaternion_log(q):
     it.
 
     (4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.
-    25 mul, 59 add, 6 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
+    25 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
     less, 7 equal, 20 select.
     """
     q_0, q_1, q_2, q_3 = q
@@ -1272,10 +1284,9 @@ def quaternion_log(q):
     divisor_lo = where(half_of_n == 0, 0, half_of_n_lo)
     theta = 2 * half
     theta_cross2 = 2 * half_lo
-    theta_lo = product_error(2, half, theta) + theta_cross2
-    k_of_theta = theta + theta_lo
+    k_of_theta = theta + theta_cross2
     k_of_theta_right = k_of_theta - theta
-    k_of_theta_lo = theta - (k_of_theta - k_of_theta_right) + (theta_lo - k_of_theta_right)
+    k_of_theta_lo = theta - (k_of_theta - k_of_theta_right) + (theta_cross2 - k_of_theta_right)
     k_of_divisor = divisor + divisor_lo
     k_of_divisor_right = k_of_divisor - divisor
     k_of_divisor_left_rest = divisor - (k_of_divisor - k_of_divisor_right)

@@ -1200,7 +1200,7 @@ def product_qv(q: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = ...
     """vo = R(q) v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-    18 mul, 12 add.  Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded
+    18 mul, 12 add.  Error <= u |result| + 3/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -1208,7 +1208,7 @@ def product_qconjv(q: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None =
     """vo = R(q)^T v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-    18 mul, 12 add.  Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded
+    18 mul, 12 add.  Error <= u |result| + 3/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 
@@ -1223,7 +1223,7 @@ def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) 
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-    4 mul, 21 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
+    4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
     """
 
 def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -1246,21 +1246,21 @@ def SO3_log(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.f
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    11 mul, 20 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
+    11 mul, 26 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    8 mul, 20 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
+    8 mul, 26 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
     """
 
 def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
-    51 mul, 42 add, 3 neg.  Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the
+    51 mul, 42 add, 3 neg.  Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -1268,7 +1268,7 @@ def mat3x3_orthonormalized(R: ArrayLike, out: NDArray[np.float32] | None = ...) 
     """Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
-    51 mul, 42 add, 3 neg.  Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the
+    51 mul, 42 add, 3 neg.  Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
@@ -1387,7 +1387,7 @@ def inertia_energy(B: ArrayLike, s: ArrayLike, out: NDArray[np.float32] | None =
 
     (10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
     xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy: number.
-    31 mul, 23 add.  Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the expanded
+    31 mul, 23 add.  Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
 

@@ -172,7 +172,7 @@ def inertia_energy(B, s):
 
     (10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
     xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy: number.
-    31 mul, 23 add.  Error <= u |result| + 9/32 u^2 S, S the sum of the |terms| of the expanded
+    31 mul, 23 add.  Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
     B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
