@@ -74,7 +74,13 @@ def exact_functions(operation: Operation) -> tuple[tuple[Callable, Callable], ..
         expanded = sp.expand(expression)
         terms = [term.as_coeff_Mul() for term in sp.Add.make_args(expanded)]
         absolute = sp.Add(*(abs(coefficient) * rest for coefficient, rest in terms))
-        return (sp.lambdify(symbols, expanded, "math"), sp.lambdify(symbols, absolute, "math"))
+        return over_one_denominator(expanded), over_one_denominator(absolute)
+
+    def over_one_denominator(polynomial: sp.Expr) -> Callable:
+        """Printed as it is, 1/2 would be a float, and what it multiplies would be rounded."""
+        numerator, denominator = sp.fraction(sp.together(polynomial))
+        function = sp.lambdify(symbols, sp.expand(numerator), "math")
+        return lambda *values: function(*values) / int(denominator)
 
     return tuple(map(pair, formula(operation)))
 
@@ -153,10 +159,9 @@ def _rational(x: mpmath.mpf) -> mpq:
 def _units(operation: Operation,
            precision: Precision) -> Callable[[Sequence[mpq]], list[mpq]]:
     """What errors are counted in: ulp; in normwise operations u times the part's largest |x|."""
-    if not measured_normwise(operation):
+    if not operation.normwise:
         return lambda values: [ulp(x, precision) for x in values]
-    parts = [(number, a.quantity.place(*at)[0]) for number, a in enumerate(operation.outputs)
-             for at in a.quantity.indices]
+    parts = _parts(operation)
 
     def relative(values: Sequence[mpq]) -> list[mpq]:
         largest = {part: max(abs(x) for x, of in zip(values, parts, strict=True) if of == part)
@@ -167,6 +172,8 @@ def _units(operation: Operation,
     return relative
 
 
-def measured_normwise(operation: Operation) -> bool:
-    """Whether the operation's errors are relative to the largest component of a part."""
-    return bool(getattr(operation, "normwise", ()))
+def _parts(operation: Operation) -> list[tuple[str, str]]:
+    """What each component is measured with: the whole output where that is named, else the part."""
+    named = {name for name, _ in operation.normwise}
+    return [(a.name, "" if a.name in named else a.quantity.parts[a.quantity.place(*at)[0]].name)
+            for a in operation.outputs for at in a.quantity.indices]

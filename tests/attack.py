@@ -9,6 +9,7 @@ certified tier returns as bounds is attacked with numbers of any size, too.
 """
 
 import functools
+import math
 import random
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass

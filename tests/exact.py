@@ -15,6 +15,7 @@ import mpmath
 import numpy as np
 
 from coscrew_codegen.operations import OPERATIONS
+from tests.bodies import BODIES
 from tests.motions import TRUTHS
 
 Matrix = np.ndarray  # of objects
@@ -225,7 +226,7 @@ FORMULAS: dict[str, Callable[..., Matrix | Fraction | tuple[Matrix, ...]]] = {
 IRRATIONAL = (
     "vec3_l2norm", "vec3_normalize", "vec3_normalized", "screw_norm", "screw_normalize",
     "screw_normalized", "coscrew_norm", "coscrew_normalize", "coscrew_normalized", "dc",
-    "product_ainvv", "quaternion_norm", "quaternion_normalize", "quaternion_normalized",
+    "product_ainvv", "angle_vv", "quaternion_norm", "quaternion_normalize", "quaternion_normalized",
     *(name for name in TRUTHS if name not in FORMULAS))
 
 
@@ -277,6 +278,7 @@ for _formulas in (*map(_of_axis, range(3)), *map(_of_joint, range(6)),
                   _of_space("screw", "s", "Ad", Ad, Ad_inverse),
                   _of_space("coscrew", "c", "CoAd", CoAd, CoAd_inverse)):
     FORMULAS |= _formulas
+FORMULAS |= BODIES
 
 
 class Sample:
@@ -314,7 +316,8 @@ class Sample:
         """The quantity of this name; a mat3x3 is a rotation."""
         return {"scalar": self.scalar, "vec3": self.vector, "dc": self.sine_cosine,
                 "mat3x3": self.rotation, "SE3": self.displacement, "quaternion": self.quaternion,
-                "mat6x6": lambda: self.vector(36).reshape(6, 6)
+                "mat6x6": lambda: self.vector(36).reshape(6, 6),
+                "inertia": lambda: self.vector(10)
                 }.get(kind, lambda: self.vector(6))()
 
 

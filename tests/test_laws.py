@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from tests import exact
+from tests.bodies import POSITIVE_DEFINITE
 from tests.exact import (FORMULAS, IRRATIONAL, JOINTS, TABLE, Exact, Matrix, Sample, array,
                          displacement, eye)
 
@@ -54,7 +55,8 @@ def of_group(group: str, sample: Sample) -> tuple[Matrix, Matrix]:
 
 
 def test_every_operation_has_its_law():
-    assert set(TABLE) == {*FORMULAS, *(name + "inv" for name in INVERTED), *IRRATIONAL}
+    assert set(TABLE) == {*FORMULAS, *(name + "inv" for name in INVERTED), *IRRATIONAL,
+                          *POSITIVE_DEFINITE}
 
 
 @pytest.mark.parametrize("name", FORMULAS)

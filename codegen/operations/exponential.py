@@ -71,7 +71,7 @@ def _jacobian_inverse(sign: int, v: sp.Matrix) -> sp.Matrix:
 
 
 def _bound_jacobian_inverse(sign: int, let: Let, v: sp.Matrix) -> sp.Matrix:
-    return rodrigues(let, v, -sign * sp.Rational(1, 2), Angle.of(let, v).b())
+    return rodrigues(let, v, -sign * sp.Rational(1, 2), *Angle.of(let, v).b())
 
 
 def _bound_turn(let: Let, axis: sp.Matrix, angle: sp.Expr) -> sp.Matrix:
@@ -96,22 +96,21 @@ _ROTATIONS = (
         _exp, _bound_exp, (("R", 5),)),
     _op("SO3_log", "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as "
         "much as R", (_R,), (_vo,), _log_of,
-        lambda let, R: _log(let, R)[0],
-        (("vo", 4),)),
+        lambda let, R: _log(let, R)[0], (("vo", 8),)),
     *(_op(f"SO3_{side}Jacobian", f"R = J_{side[0]}(v) = I {'+-'[sign < 0]} (1 - cos θ)/θ^2 v~ + "
           "(θ - sin θ)/θ^3 v~^2, θ = |v|", (_v,), (_R,), partial(_jacobian, sign),
-          partial(_bound_jacobian, sign), (("R", 3),))
+          partial(_bound_jacobian, sign), (("R", 5),))
       for side, sign in (("left", 1), ("right", -1))),
     *(_op(f"SO3_{side}JacobianInverse", f"R = J_{side[0]}(v)^-1 = I {'-+'[sign < 0]} v~/2 + "
           "(1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π but 0", (_v,), (_R,),
-          partial(_jacobian_inverse, sign), partial(_bound_jacobian_inverse, sign), (("R", 4),))
+          partial(_jacobian_inverse, sign), partial(_bound_jacobian_inverse, sign), (("R", 5),))
       for side, sign in (("left", 1), ("right", -1))),
     _op("mat3x3_from_axis_angle", f"R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; {UNIT_AXIS}",
         (_axis, _angle), (_R,), lambda a, t: _matrix(a, sp.sin(t), 1 - sp.cos(t)), _bound_turn,
-        (("R", 5),)),
+        (("R", 8),)),
     _op("axis_angle_from_mat3x3", f"angle and axis of the rotation R; {ANGLE}", (_R,),
         (_angle, _axis), lambda R: axis_and_angle(_log_of(R)),
-        lambda let, R: axis_angle(let, quaternion_of(let, R)), (("angle", 4), ("axis", 4))),
+        lambda let, R: axis_angle(let, quaternion_of(let, R)), (("angle", 8), ("axis", 5))),
     _op("mat3x3_orthonormalize", f"self = {_NEWTON}", (_self,), (_self,),
         lambda R: _newton(unnamed, R), _newton),
     _op("mat3x3_orthonormalized", f"Ro = {_NEWTON}", (_R,), (_Ro,),
@@ -142,9 +141,10 @@ def _screw_of(D: sp.Matrix) -> sp.Matrix:
 def _bound_screw_of(let: Let, D: sp.Matrix) -> sp.Matrix:
     t = translation(D)
     w, angle = _log(let, rotation(D))
-    u = let("u", w.cross(t))
-    small = let("small", angle.b() * let("uu", w.cross(u)) - u / 2)
-    return stack(t + small, w)
+    b, across = angle.b()
+    along = let("along", let("pitch", b * let("wt", w.dot(t))) * w)
+    turned = let("turned", let("u", w.cross(t)) / 2)
+    return stack(across * t + let("across_axis", along - turned), w)
 
 
 def _coupling(let: Let, s: sp.Matrix, orders: tuple[sp.Expr, ...]) -> sp.Matrix:
@@ -183,7 +183,7 @@ def _motion_jacobian_inverse(sign: int, s: sp.Matrix) -> sp.Matrix:
 
 def _bound_motion_jacobian_inverse(sign: int, let: Let, s: sp.Matrix) -> sp.Matrix:
     angle = Angle.of(let, ang(s))
-    J = let("J", rodrigues(let, ang(s), -sign * sp.Rational(1, 2), angle.b()))
+    J = let("J", rodrigues(let, ang(s), -sign * sp.Rational(1, 2), *angle.b()))
     Q = let("Q", _coupling(let, sign * s, angle.g(2, 3, 4, 5)))
     return blocks(J, -J * let("QJ", Q * J), O3, J)
 
@@ -206,15 +206,15 @@ def _bound_interpolated(let: Let, D1: sp.Matrix, D2: sp.Matrix, k: sp.Expr) -> s
 
 _DISPLACEMENTS = (
     _op("SE3_exp", "D = exp s = [exp ω~ | J_l(ω) v]", (_s,), (_D,), _move, _bound_move,
-        (("R", 5), ("t", 6))),
+        (("R", 5), ("t", 8))),
     _op("SE3_log", "so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R", (_D,), (_so,),
-        _screw_of, _bound_screw_of, (("lin", 6), ("ang", 4))),
+        _screw_of, _bound_screw_of, (("lin", 14), ("ang", 8))),
     *(_op(f"SE3_{side}Jacobian", f"M = J_{side[0]}(s) = Σ ({'-' * (sign < 0)}[ad](s))^k / (k+1)!",
           (_s,), (_M,), partial(_motion_jacobian, sign), partial(_bound_motion_jacobian, sign),
-          (("M", 12),)) for side, sign in (("left", 1), ("right", -1))),
+          (("M", 20),)) for side, sign in (("left", 1), ("right", -1))),
     *(_op(f"SE3_{side}JacobianInverse", f"M = J_{side[0]}(s)^-1; singular where |ω| is a multiple "
           "of 2π but 0", (_s,), (_M,), partial(_motion_jacobian_inverse, sign),
-          partial(_bound_motion_jacobian_inverse, sign), (("M", 14),))
+          partial(_bound_motion_jacobian_inverse, sign), (("M", 22),))
       for side, sign in (("left", 1), ("right", -1))),
     _op("SE3_interpolated", "Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 "
         "at k = 1", (_D1, _D2, _k), (_Do,), _interpolated, _bound_interpolated,

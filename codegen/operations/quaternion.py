@@ -138,17 +138,17 @@ _CONVERSIONS = (
         _of_axis_angle, (("qo", 3),)),
     _op("axis_angle_from_quaternion", f"angle = 2 atan2(|v|, |w|), axis = ±v / |v|; {ANGLE}; any "
         "multiple of a quaternion", (_q,), (_angle, _axis),
-        lambda q: axis_and_angle(vector(special.quaternion_log, 3, *q)), axis_angle, (("angle", 4), ("axis", 4))),
+        lambda q: axis_and_angle(vector(special.quaternion_log, 3, *q)), axis_angle, (("angle", 5), ("axis", 4))),
     _op("quaternion_exp", "qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the "
         "rotation vector v", (_v,), (_qo,), _exp,
-        lambda let, v: versor(let, let("h", v / 2)), (("qo", 4),)),
+        lambda let, v: versor(let, let("h", v / 2)), (("qo", 7),)),
     _op("quaternion_log", "vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or "
         "of any multiple of it", (_q,), (_vo,), 
-        lambda q: vector(special.quaternion_log, 3, *q), _log, (("vo", 4),)),
+        lambda q: vector(special.quaternion_log, 3, *q), _log, (("vo", 5),)),
     _op("quaternion_slerp", "qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; "
         "|q1| = |q2| = 1", (_q1, _q2, _k), (_qo,), 
         lambda p, q, k: vector(special.slerp, 4, *p, *q, k),
-        _slerp, (("qo", 8),)),
+        _slerp, (("qo", 10),)),
 )
 
 OPERATIONS = (*(op for op in linear_space(FAMILY, QUATERNION, "q")

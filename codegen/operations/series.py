@@ -3,7 +3,8 @@
     g(k, θ²) = Σ (-θ²)^j / (2j + k)!      b(θ²) = (1 - θ/2 cot θ/2) / θ²
 
 g(1) = sin θ / θ, g(2) = (1 - cos θ) / θ², g(3) = (θ - sin θ) / θ³; g(k + 2) = (1/k! - g(k)) / θ².
-Up to θ = 2 they are their series, beyond it closed forms in sin θ and cos θ, called only there.
+Up to θ = 1 (g(1), g(2)) or 2 they are their series, beyond it closed forms in sin θ and cos θ, which
+are called only there.
 """
 
 from dataclasses import dataclass
@@ -13,13 +14,14 @@ import sympy as sp
 from coscrew_codegen.operations.norm import Let
 from coscrew_codegen.operations.operation import GRID
 
-_NEAR = sp.Integer(4)  # θ² where the series end
+_NEAR = sp.Integer(1)  # θ² where the series of g(1), g(2) end, which the closed forms lose no digit of
+_MIDDLE = sp.Integer(4)  # θ² where the others end
 _TAYLOR_TERMS, _BERNOULLI_TERMS = 13, 17  # what is left out is below u / 4 there, in double
 
 
 @dataclass(frozen=True)
 class Angle:
-    """θ, θ², and where θ > 2 what the closed forms need of it; smaller, they are any numbers."""
+    """θ, θ², and where θ > 1 what the closed forms need of it; smaller, they are any numbers."""
 
     let: Let
     square: sp.Expr
@@ -38,7 +40,7 @@ class Angle:
         low, sum_ = let("low", vector - high), let("sum", vector + high)
         squares, cross = let("squares", high.dot(high)), let("cross", low.dot(sum_))
         x = let("x", squares + cross)
-        theta = let("theta", far(x, sp.sqrt(x), sp.Integer(2)))
+        theta = let("theta", far(x, sp.sqrt(x), sp.Integer(1)))
         top = let("theta_high", let("theta_shifted", theta + GRID) - GRID)
         bottom = let("theta_low", theta - top)
         rest = let("cross_rest", cross - bottom * let("theta_sum", theta + top))
@@ -58,23 +60,25 @@ class Angle:
     def g(self, *orders: int) -> tuple[sp.Expr, ...]:
         """g(k, θ²) for these k, in rising order; g(0) = cos θ needs g(2) besides."""
         let, x = self.let, self.square
-        far_x = let("far_x", far(x, x, _NEAR))
+        far_x, middle_x = let("far_x", far(x, x, _NEAR)), let("middle_x", beyond(x, x, _MIDDLE))
         closed = {1: let("closed1", self.sine / self.angle),
                   2: let("closed2", let("versine", 1 - self.cosine) / far_x)}
         for k in range(3, max(orders) + 1):
             rest = let(f"rest{k}", sp.Rational(1, sp.factorial(k - 2)) - closed[k - 2])
-            closed[k] = let(f"closed{k}", rest / far_x)
-        found = {k: let(f"g{k}", far(x, closed[k], taylor(k, x))) for k in orders if k}
+            closed[k] = let(f"closed{k}", rest / middle_x)
+        found = {k: let(f"g{k}", (far if k <= 2 else beyond)(x, closed[k], taylor(k, x)))
+                 for k in orders if k}
         if 0 in orders:
             found[0] = let("g0", far(x, self.cosine, 1 - x * found[2]))
         return tuple(found[k] for k in orders)
 
-    def b(self) -> sp.Expr:
-        """b(θ²)."""
+    def b(self) -> tuple[sp.Expr, sp.Expr]:
+        """b(θ²), and 1 - θ² b = θ/2 cot θ/2."""
         let, x = self.let, self.square
-        rest = let("b_rest", 1 - self.angle * self.cotangent / 2)
-        closed = let("closed_b", rest / let("b_divisor", far(x, x, _NEAR)))
-        return let("b", far(x, closed, _bernoulli(x)))
+        half = let("half_cotangent", self.angle * self.cotangent / 2)
+        closed = let("closed_b", let("b_rest", 1 - half) / let("b_divisor", beyond(x, x, _MIDDLE)))
+        b = let("b", beyond(x, closed, _bernoulli(x)))
+        return b, let("b_across", beyond(x, half, 1 - x * b))
 
 
 def _half_cotangent(let: Let, sine: sp.Expr, cosine: sp.Expr) -> sp.Expr:
@@ -86,8 +90,13 @@ def _half_cotangent(let: Let, sine: sp.Expr, cosine: sp.Expr) -> sp.Expr:
 
 
 def far(x: sp.Expr, value: sp.Expr, near: sp.Expr) -> sp.Piecewise:
-    """`near` where the series serve, `value` beyond."""
+    """`near` where the series of g(1) and g(2) serve, `value` beyond."""
     return sp.Piecewise((near, x < _NEAR), (value, True))
+
+
+def beyond(x: sp.Expr, value: sp.Expr, near: sp.Expr) -> sp.Piecewise:
+    """`near` where the other series serve, `value` beyond."""
+    return sp.Piecewise((near, x < _MIDDLE), (value, True))
 
 
 def taylor(k: int, x: sp.Expr) -> sp.Expr:

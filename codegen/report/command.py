@@ -6,7 +6,6 @@ import argparse
 import math
 import tempfile
 from dataclasses import replace
-from importlib.util import find_spec
 from pathlib import Path
 
 from coscrew_codegen.emit import EmitError, write
@@ -36,7 +35,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 def run(options: argparse.Namespace) -> int:
     """Measure and write the report; returns the exit status."""
     try:
-        from coscrew_codegen.report import inputs, measure, ranking, summary
+        from coscrew_codegen.report import inputs, measure, page, ranking, summary
     except ModuleNotFoundError as error:
         raise ReportError(f"the report needs {error.name}; run `pip install \"coscrew[report]\"`"
                           ) from None
@@ -57,11 +56,7 @@ def run(options: argparse.Namespace) -> int:
         report = replace(report, compare=ranking.compared(before, report,
                                                           Path(options.compare).name))
     write({"report.json": report.to_json()}, folder)
-    made = [folder / "report.json"]
-    if find_spec("coscrew_codegen.report.page"):
-        from coscrew_codegen.report import page
-
-        made += page.write(report, folder)
+    made = [folder / "report.json", *page.write(report, folder, tuple(options.op))]
     print(summary.table(report, measure.TELLING))
     print("\n".join(map(str, made)))
     return 0

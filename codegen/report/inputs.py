@@ -4,6 +4,7 @@ Rows hold all input components of one call.  Seeded by the operation's name: the
 every machine.
 """
 
+import math
 import random
 from collections.abc import Callable
 from pathlib import Path
@@ -46,7 +47,7 @@ def hard(operation: Operation, precision: Precision, count: int, seed: int) -> n
     angles = np.where(numbers.random(count) < 0.5, small, np.pi - small)
     rows = _drawn(operation, precision, numbers, angles)
     scales = np.exp2(numbers.uniform(-_SPREAD[precision.name], 2, (count, len(operation.inputs))))
-    free = [a.quantity.name not in _DRAWN for a in operation.inputs]
+    free = [_drawing(a) is None for a in operation.inputs]
     sizes = [a.quantity.size for a in operation.inputs]
     factors = np.repeat(np.where(free, scales, 1.0), sizes, axis=1)
     return (rows * factors).astype(precision.numpy_type)
@@ -75,21 +76,21 @@ def split(operation: Operation, rows: np.ndarray) -> tuple[np.ndarray, ...]:
 
 
 def corpus(folder: Path) -> Corpus:
-    """The hard cases in the folder's *.txt: a line is an operation, a precision and the input
-    components, row by row, in hex; # starts a remark.  Raises ReportError."""
+    """The hard cases in the folder's *.txt, lines `operation precision : components : origin`, the
+    components of all inputs, row by row, in hex; # starts a remark.  Raises ReportError."""
     sizes = {operation.name: _size(operation) for operation in OPERATIONS}
     found: dict[tuple[str, str], list[tuple[float, ...]]] = {}
     for path in sorted(folder.glob("*.txt")):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            words = line.partition("#")[0].split()
-            if not words:
+            if not line.partition("#")[0].strip():
                 continue
             try:
-                name, precision, *components = words
-                values = tuple(map(float.fromhex, components))
-            except ValueError:
-                raise ReportError(f"{path.name}:{number}: wanted an operation, a precision and "
-                                  f"numbers in hex; got {line!r}") from None
+                names, components, _ = line.split(":", 2)
+                name, precision = names.split()
+                values = tuple(map(float.fromhex, components.split()))
+            except (ValueError, OverflowError):
+                raise ReportError(f"{path.name}:{number}: wanted 'operation precision : numbers in "
+                                  f"hex : origin'; got {line!r}") from None
             if precision not in (p.name for p in PRECISIONS) or len(values) != sizes.get(name):
                 raise ReportError(f"{path.name}:{number}: {name!r} {precision!r} with "
                                   f"{len(values)} components is no operation's input")
@@ -109,33 +110,64 @@ def _drawn(operation: Operation, precision: Precision, numbers: Generator,
            angles: np.ndarray) -> np.ndarray:
     def draw(argument: Argument) -> np.ndarray:
         quantity = argument.quantity
-        drawn = _DRAWN.get(quantity.name)
-        return drawn(numbers, angles) if drawn else numbers.normal(
+        drawn = _drawing(argument)
+        return drawn(numbers, angles, quantity.size) if drawn else numbers.normal(
             size=(len(angles), quantity.size))
 
     return np.concatenate([draw(a) for a in operation.inputs], axis=1).astype(precision.numpy_type)
 
 
-def _rotations(numbers: Generator, angles: np.ndarray) -> np.ndarray:
+def _axes(numbers: Generator, angles: np.ndarray, size: int) -> np.ndarray:
+    """Of length 1."""
+    axes = numbers.normal(size=(len(angles), size))
+    return axes / np.linalg.norm(axes, axis=1, keepdims=True)
+
+
+def _rotations(numbers: Generator, angles: np.ndarray, _: int) -> np.ndarray:
     """R = I + sin θ k~ + (1 - cos θ) k~², about random axes; row by row."""
-    axes = numbers.normal(size=(len(angles), 3))
-    x, y, z = (axes / np.linalg.norm(axes, axis=1, keepdims=True)).T
+    x, y, z = _axes(numbers, angles, 3).T
     zero = np.zeros_like(x)
     k = np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=1).reshape(-1, 3, 3)
     sine, versine = np.sin(angles)[:, None, None], 2 * np.sin(angles / 2)[:, None, None]**2
     return (np.eye(3) + sine * k + versine * (k @ k)).reshape(-1, 9)
 
 
-def _displacements(numbers: Generator, angles: np.ndarray) -> np.ndarray:
-    R = _rotations(numbers, angles).reshape(-1, 3, 3)
+def _displacements(numbers: Generator, angles: np.ndarray, _: int) -> np.ndarray:
+    R = _rotations(numbers, angles, 9).reshape(-1, 3, 3)
     t = numbers.normal(size=(len(angles), 3, 1))
     return np.concatenate([R, t], axis=2).reshape(-1, 12)
 
 
-def _sines_and_cosines(numbers: Generator, angles: np.ndarray) -> np.ndarray:
+def _quaternions(numbers: Generator, angles: np.ndarray, _: int) -> np.ndarray:
+    """(cos θ/2; k sin θ/2), about random axes."""
+    half = angles[:, None] / 2
+    return np.hstack([np.cos(half), np.sin(half) * _axes(numbers, angles, 3)])
+
+
+def _sines_and_cosines(numbers: Generator, angles: np.ndarray, _: int) -> np.ndarray:
     return np.stack([np.sin(angles), np.cos(angles)], axis=1)
 
 
-# Quantities that are more than so many numbers.
-_DRAWN: dict[str, Callable[[Generator, np.ndarray], np.ndarray]] = {
-    "mat3x3": _rotations, "SE3": _displacements, "dc": _sines_and_cosines}
+def _positive_definite(numbers: Generator, angles: np.ndarray, size: int) -> np.ndarray:
+    """I + X X^T, row by row."""
+    n = math.isqrt(size)
+    X = numbers.normal(size=(len(angles), n, n))
+    return (np.eye(n) + X @ X.swapaxes(1, 2)).reshape(-1, size)
+
+
+def _inertias(numbers: Generator, angles: np.ndarray, _: int) -> np.ndarray:
+    """Σ m (1, r, r·r 1 - r r^T) of a few points: of bodies that can be."""
+    shape = (len(angles), 6)
+    m, (x, y, z) = 0.1 + numbers.random(shape), numbers.normal(size=(3, *shape))
+    return np.stack([np.sum(m * part, axis=1) for part in (
+        1, x, y, z, y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z)], axis=1)
+
+
+# Quantities that are more than so many numbers, and arguments that are more than their quantity.
+_DRAWN: dict[str, Callable[[Generator, np.ndarray, int], np.ndarray]] = {
+    "mat3x3": _rotations, "SE3": _displacements, "dc": _sines_and_cosines,
+    "quaternion": _quaternions, "inertia": _inertias, "axis": _axes, "A": _positive_definite, "Ic": _positive_definite}
+
+
+def _drawing(argument: Argument) -> Callable[[Generator, np.ndarray, int], np.ndarray] | None:
+    return _DRAWN.get(argument.name, _DRAWN.get(argument.quantity.name))

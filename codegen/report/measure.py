@@ -15,7 +15,7 @@ import numpy as np
 import sympy as sp
 from tqdm import tqdm
 
-from coscrew_codegen.exact import formula, is_polynomial, measured_normwise
+from coscrew_codegen.exact import formula, is_polynomial
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program import counts_in_words
 from coscrew_codegen.report import errors, timing
@@ -29,6 +29,7 @@ from coscrew_codegen.report.ranking import Key, times
 from coscrew_codegen.report.schema import SCHEMA, Drift, Entry, Report, Time
 from coscrew_codegen.report.timing import COUNTS, Timed
 from coscrew_codegen.report.variants import flops, variants_of
+from coscrew_codegen.special import SPECIAL
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
 
 # The operations most telling of the library: first where time is short, and printed.
@@ -44,7 +45,7 @@ _PYTHON_SHARES = (0.1, 0.15, 0.25)
 # Rows for errors are counted, not timed, so that every machine draws the same: this many a minute,
 # were `_row_cost` 1.
 _ROW_BUDGET = 600_000.0
-_MOST_ROWS = 20_000
+_FEWEST_ROWS, _MOST_ROWS = 24, 20_000
 
 Item = TypeVar("Item")
 
@@ -111,7 +112,7 @@ def tasks(plan: Plan, library: Library | None) -> list[Task]:
     """One for each operation and precision; each gets the same share of the rows' budget."""
     share = _ROW_BUDGET * plan.minutes / len(plan.operations) / len(PRECISIONS)
     return [Task(operation.name, precision,
-                 int(min(max(share / _row_cost(operation), 8), _MOST_ROWS)), plan.seed,
+                 int(min(max(share / _row_cost(operation), _FEWEST_ROWS), _MOST_ROWS)), plan.seed,
                  plan.corpus.get((operation.name, precision.name), ()), library)
             for operation in plan.operations for precision in PRECISIONS]
 
@@ -122,7 +123,9 @@ def _row_cost(operation: Operation) -> float:
     if is_polynomial(operation):
         return max(len(components), 3)
     bindings, values = sp.cse(components)
-    return len(components) + 0.1 * sum(map(sp.count_ops, (*(x for _, x in bindings), *values)))
+    expressions = (*(x for _, x in bindings), *values)
+    special = sum(f.func.__name__ in SPECIAL for x in expressions for f in x.atoms(sp.Function))
+    return len(components) + 0.1 * sum(map(sp.count_ops, expressions)) + 100 * special
 
 
 def _accuracies(plan: Plan, library: Library | None) -> dict[Key, Accuracy]:
@@ -164,7 +167,7 @@ def _called_in_python(variant: Variant, arguments: Arrays) -> Arrays:
 def _entry(variant: Variant, accuracy: Accuracy, its_times: tuple[Time, ...]) -> Entry:
     operation = variant.operation
     return Entry(operation.name, operation.family, operation.statement, variant.precision.name,
-                 variant.tier, "u" if measured_normwise(operation) else "ulp", accuracy.benign,
+                 variant.tier, "u" if operation.normwise else "ulp", accuracy.benign,
                  accuracy.hard, accuracy.bound, accuracy.condition, flops(variant.program),
                  counts_in_words(variant.program), its_times)
 

@@ -1,6 +1,7 @@
 """Figures beside each other: ratios to plain, dominated variants, changes since a report."""
 
 import math
+import operator
 from collections.abc import Iterable, Iterator, Mapping
 
 from coscrew_codegen.report.schema import Change, Comparison, Report, Time
@@ -16,18 +17,20 @@ def key(timed: Timed) -> Key:
 
 def times(timed: Iterable[Timed], worst: Mapping[Key, float]) -> dict[Key, tuple[Time, ...]]:
     """The times of each variant, with their ratio to plain's, and whether another tier is no slower
-    and has no larger a worst error on hard inputs, and is better in one of both."""
+    and has no larger a worst error on hard inputs, and is better in one of both; one that returns
+    less, as plain does beside certified, does not count."""
     found: dict[Key, list[Time]] = {}
     contests: dict[tuple[str | None, ...], list[Timed]] = {}
     for t in timed:
         contest = (*key(t)[:2], t.language, t.compiler, t.layout)
         contests.setdefault(contest, []).append(t)
     for rivals in contests.values():
-        cost = {key(t): (t.minimum, worst.get(key(t), 0.0)) for t in rivals}
+        cost = {key(t): (t.minimum, worst.get(key(t), 0.0), -len(t.variant.operation.outputs))
+                for t in rivals}
         plain = next((t.minimum for t in rivals if t.variant.tier == "plain"), None)
         for t in rivals:
             mine = cost[key(t)]
-            dominated = any(other != mine and other[0] <= mine[0] and other[1] <= mine[1]
+            dominated = any(other[:2] != mine[:2] and all(map(operator.le, other, mine))
                             for other in cost.values())
             found.setdefault(key(t), []).append(
                 t.time(t.minimum / plain if plain else None, dominated))

@@ -106,17 +106,25 @@ class _Accurate(Compensator):
         return self.issue(step, Op.SUB, (rest, error), "exact")
 
     def _arctangent(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
-        """(x y_lo - y x_lo) / (x² + y²)."""
-        y, x = step.operands
-        y_lo, x_lo = (_ZERO if lo is None else lo for lo in low)
+        """(x y_lo - y x_lo) / (x² + y²), with x / m and y / m, m the larger of |x| and |y|."""
         if low == [None, None]:
             return None
+        sizes = [self.issue(step, Op.ABS, (z,), f"size{n}") for n, z in enumerate(step.operands)]
+        larger = self.issue(step, Op.LESS, (sizes[0], sizes[1]), "larger")
+        m = self.issue(step, Op.SELECT, (larger, sizes[1], sizes[0]), "most")
+        zero = self.issue(step, Op.EQUAL, (m, _ZERO), "zero")
+        m = self.issue(step, Op.SELECT, (zero, _ONE, m), "divisor")
+        y, x = (self.issue(step, Op.DIV, (z, m), f"part{n}") for n, z in enumerate(step.operands))
+        y_lo, x_lo = (_ZERO if lo is None else lo for lo in low)
         terms = (self.issue(step, Op.MUL, (x, y_lo), "cross1"),
                  self.issue(step, Op.MUL, (y, x_lo), "cross2"))
         squares = (self.issue(step, Op.MUL, (x, x), "square1"),
                    self.issue(step, Op.MUL, (y, y), "square2"))
         total = self.issue(step, Op.SUB, terms, "cross")
-        return self.issue(step, Op.DIV, (total, self.issue(step, Op.ADD, squares, "square")), "lo")
+        square = self.issue(step, Op.ADD, squares, "square")
+        divisor = self.issue(step, Op.MUL, (m, square), "divisor2")
+        safe = self.issue(step, Op.SELECT, (zero, _ONE, divisor), "safe")
+        return self.issue(step, Op.DIV, (total, safe), "lo")
 
     def _scaled(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
         """What a product p too small for all its digits lost, (a - p / s + a_lo) s; else 0, for p

@@ -74,7 +74,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "9302364d539cc744") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "9a5453f2119adf01") < 0) {
     Py_DECREF(module);
     return NULL;
   }

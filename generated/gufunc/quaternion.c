@@ -1614,7 +1614,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.\n"
     "\n"
     "(3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.\n"
-    "4 mul, 21 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.\n",
+    "4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.\n",
    1, 1, quaternion_from_mat3x3_loops},
   {"quaternion_from_axis_angle", "(3),()->(4)",
     "qo = (cos angle/2; axis sin angle/2); axis of length 1.\n"

@@ -12,7 +12,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "9302364d539cc744")
+COMPILED: bool = is_compiled("coscrew._gufunc", "9a5453f2119adf01")
 
 if COMPILED:
     from coscrew._gufunc import (

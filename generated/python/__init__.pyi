@@ -1530,7 +1530,7 @@ def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...)
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-    4 mul, 21 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
+    4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
     """
 
 def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1582,21 +1582,21 @@ def SO3_log(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    11 mul, 20 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
+    11 mul, 26 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
     """
 
 def SO3_leftJacobian(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select.
+    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 11 select.
     """
 
 def SO3_rightJacobian(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 less, 10 select.
+    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 5 less, 11 select.
     """
 
 def SO3_leftJacobianInverse(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1604,7 +1604,7 @@ def SO3_leftJacobianInverse(v: ArrayLike, out: NDArray[np.floating] | None = ...
     but 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    41 mul, 57 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 2 less, 7 select.
+    42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 6 less, 11 select.
     """
 
 def SO3_rightJacobianInverse(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1612,7 +1612,7 @@ def SO3_rightJacobianInverse(v: ArrayLike, out: NDArray[np.floating] | None = ..
     but 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    41 mul, 57 add, 3 div, 1 sqrt, 1 sin, 1 cos, 2 less, 7 select.
+    42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 6 less, 11 select.
     """
 
 def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1626,7 +1626,7 @@ def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.floating] | None,
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    8 mul, 20 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
+    8 mul, 26 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
     """
 
 def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1649,49 +1649,49 @@ def SE3_exp(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     """D = exp s = [exp ω~ | J_l(ω) v].
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-    79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 less, 11 select.
+    79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 12 select.
     """
 
 def SE3_log(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    48 mul, 49 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 11 less, 1 equal, 26 select.
+    50 mul, 55 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select.
     """
 
 def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 4 less, 12 select.
+    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 5 less, 13 select.
     """
 
 def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 4 less, 12 select.
+    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 5 less, 13 select.
     """
 
 def SE3_leftJacobianInverse(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    180 mul, 172 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 2 less, 11 select.
+    181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 6 less, 16 select.
     """
 
 def SE3_rightJacobianInverse(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    180 mul, 172 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 2 less, 11 select.
+    181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 6 less, 16 select.
     """
 
 def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    205 mul, 194 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 15 less, 1 equal, 37
+    207 mul, 200 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 17 less, 1 equal, 39
     select.
     """
 

@@ -314,15 +314,15 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.\n"
-    "39 mul, 214 add, 6 product error, 3 product rest, 6 div, 1 sqrt, 1 atan2, 9 neg, 3 abs, 10\n"
-    "less, 9 equal, 48 select.\n",
+    "40 mul, 262 add, 6 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11\n"
+    "less, 10 equal, 51 select.\n",
    1, 1, SO3_log_loops},
   {"axis_angle_from_mat3x3", "(3,3)->(),(3)",
     "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.\n"
     "\n"
     "(3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.\n"
-    "34 mul, 211 add, 5 product error, 3 product rest, 10 div, 1 sqrt, 1 atan2, 9 neg, 3 abs, 10\n"
-    "less, 10 equal, 51 select.\n",
+    "35 mul, 259 add, 5 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11\n"
+    "less, 11 equal, 54 select.\n",
    1, 2, axis_angle_from_mat3x3_loops},
   {"mat3x3_orthonormalize", "(3,3)->(3,3)",
     "self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.\n"

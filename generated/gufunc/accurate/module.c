@@ -73,7 +73,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "4799be494f014c61") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "2f9b81f462f8e2f5") < 0) {
     Py_DECREF(module);
     return NULL;
   }

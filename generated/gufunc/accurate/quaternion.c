@@ -1121,7 +1121,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.\n"
     "\n"
     "(3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.\n"
-    "21 mul, 200 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37\n"
+    "21 mul, 248 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37\n"
     "select.\n",
    1, 1, quaternion_from_mat3x3_loops},
   {"axis_angle_from_quaternion", "(4)->(),(3)",
@@ -1129,16 +1129,16 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "angle = 0; any multiple of a quaternion.\n"
     "\n"
     "(4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.\n"
-    "22 mul, 56 add, 5 product error, 3 product rest, 9 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7\n"
-    "less, 7 equal, 20 select.\n",
+    "23 mul, 56 add, 5 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8\n"
+    "less, 8 equal, 23 select.\n",
    1, 2, axis_angle_from_quaternion_loops},
   {"quaternion_log", "(4)->(3)",
     "vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of\n"
     "it.\n"
     "\n"
     "(4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.\n"
-    "24 mul, 59 add, 6 product error, 3 product rest, 5 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7\n"
-    "less, 6 equal, 17 select.\n",
+    "25 mul, 59 add, 6 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8\n"
+    "less, 7 equal, 20 select.\n",
    1, 1, quaternion_log_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

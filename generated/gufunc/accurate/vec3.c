@@ -2011,8 +2011,8 @@ const coscrew_gufunc TABLE(vec3)[] = {
     "angle = atan2(|v1 × v2|, v1·v2), in [0, π].\n"
     "\n"
     "(3),(3)->().  v1, v2: vector; angle: number.\n"
-    "41 mul, 95 add, 1 product error, 12 product rest, 4 div, 1 sqrt, 1 atan2, 9 abs, 14 less, 6\n"
-    "equal, 20 select.\n",
+    "42 mul, 95 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 11 abs, 15 less, 7\n"
+    "equal, 23 select.\n",
    2, 1, angle_vv_loops},
   {"dot_vv", "(3),(3)->()",
     "v1·v2.\n"

@@ -10,7 +10,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "4799be494f014c61")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "2f9b81f462f8e2f5")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

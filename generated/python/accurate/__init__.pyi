@@ -91,8 +91,8 @@ def angle_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ..
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
 
     (3),(3)->().  v1, v2: vector; angle: number.
-    41 mul, 95 add, 1 product error, 12 product rest, 4 div, 1 sqrt, 1 atan2, 9 abs, 14 less, 6
-    equal, 20 select.
+    42 mul, 95 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 11 abs, 15 less, 7
+    equal, 23 select.
     """
 
 def dot_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1202,7 +1202,7 @@ def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...)
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-    21 mul, 200 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
+    21 mul, 248 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
     select.
     """
 
@@ -1211,8 +1211,8 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.floating] | N
     angle = 0; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.
-    22 mul, 56 add, 5 product error, 3 product rest, 9 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7
-    less, 7 equal, 20 select.
+    23 mul, 56 add, 5 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
+    less, 8 equal, 23 select.
     """
 
 def quaternion_log(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1220,24 +1220,24 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDAr
     it.
 
     (4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.
-    24 mul, 59 add, 6 product error, 3 product rest, 5 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7
-    less, 6 equal, 17 select.
+    25 mul, 59 add, 6 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
+    less, 7 equal, 20 select.
     """
 
 def SO3_log(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    39 mul, 214 add, 6 product error, 3 product rest, 6 div, 1 sqrt, 1 atan2, 9 neg, 3 abs, 10
-    less, 9 equal, 48 select.
+    40 mul, 262 add, 6 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+    less, 10 equal, 51 select.
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    34 mul, 211 add, 5 product error, 3 product rest, 10 div, 1 sqrt, 1 atan2, 9 neg, 3 abs, 10
-    less, 10 equal, 51 select.
+    35 mul, 259 add, 5 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+    less, 11 equal, 54 select.
     """
 
 def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:

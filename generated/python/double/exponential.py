@@ -31,7 +31,7 @@ def SO3_exp(v):
     squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
-    theta = where(x < 4, 2, sqrt(x))
+    theta = where(x < 1, 1, sqrt(x))
     theta_shifted = theta + 1610612736
     theta_high = theta_shifted - 1610612736
     theta_low = theta - theta_high
@@ -40,11 +40,11 @@ def SO3_exp(v):
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
     delta = 0.5 * residual / theta
-    far_sine = where(x < 4, 1, sin(theta))
-    far_cosine = where(x < 4, 0, cos(theta))
+    far_sine = where(x < 1, 1, sin(theta))
+    far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
-    far_x = where(x < 4, 4, x)
+    far_x = where(x < 1, 1, x)
     closed1 = sine / theta
     versine = 1 - cosine
     closed2 = versine / far_x
@@ -68,7 +68,7 @@ def SO3_exp(v):
     g1v = g1u - 0.16666666666666666
     g1w = x * g1v
     g1x = g1w + 1
-    g1 = where(x < 4, g1x, closed1)
+    g1 = where(x < 1, g1x, closed1)
     g2e = x * (x * (2.4795962632247976e-27 * x - 1.6117375710961184e-24) + 8.896791392450574e-22)
     g2f = g2e - 4.110317623312165e-19
     g2g = x * g2f
@@ -89,8 +89,8 @@ def SO3_exp(v):
     g2v = g2u - 0.041666666666666664
     g2w = x * g2v
     g2x = g2w + 0.5
-    g2 = where(x < 4, g2x, closed2)
-    g0 = where(x < 4, 1 - x * g2, cosine)
+    g2 = where(x < 1, g2x, closed2)
+    g0 = where(x < 1, 1 - x * g2, cosine)
     beta_v_0 = v_0 * g2
     beta_v_1 = v_1 * g2
     beta_v_2 = v_2 * g2
@@ -123,7 +123,7 @@ def SO3_log(R):
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    11 mul, 20 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
+    11 mul, 26 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -132,10 +132,16 @@ def SO3_log(R):
     s_0 = R_12 + R_21
     s_1 = R_02 + R_20
     s_2 = R_01 + R_10
-    d_0 = R_00 + R_11 + R_22 + 1
-    d_1 = R_00 - R_11 - R_22 + 1
-    d_2 = R_11 - R_00 - R_22 + 1
-    d_3 = R_22 - R_00 - R_11 + 1
+    less_0 = 1 - R_00
+    less_1 = 1 - R_11
+    less_2 = 1 - R_22
+    more_0 = R_00 + 1
+    more_1 = R_11 + 1
+    more_2 = R_22 + 1
+    d_0 = 4 - (less_0 + less_1 + less_2)
+    d_1 = 4 - less_0 - (more_1 + more_2)
+    d_2 = 4 - less_1 - (more_0 + more_2)
+    d_3 = 4 - less_2 - (more_0 + more_1)
     low_0 = where(R_11 < R_00, p_0, p_1)
     low_1 = where(R_11 < R_00, d_1, s_2)
     low_2 = where(R_11 < R_00, s_2, d_2)
@@ -181,7 +187,7 @@ def SO3_leftJacobian(v):
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select.
+    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 11 select.
     """
     v_0, v_1, v_2 = v
     shifted_0 = v_0 + 1610612736
@@ -199,7 +205,7 @@ def SO3_leftJacobian(v):
     squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
-    theta = where(x < 4, 2, sqrt(x))
+    theta = where(x < 1, 1, sqrt(x))
     theta_shifted = theta + 1610612736
     theta_high = theta_shifted - 1610612736
     theta_low = theta - theta_high
@@ -208,16 +214,17 @@ def SO3_leftJacobian(v):
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
     delta = 0.5 * residual / theta
-    far_sine = where(x < 4, 1, sin(theta))
-    far_cosine = where(x < 4, 0, cos(theta))
+    far_sine = where(x < 1, 1, sin(theta))
+    far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
-    far_x = where(x < 4, 4, x)
+    far_x = where(x < 1, 1, x)
+    middle_x = where(x < 4, 4, x)
     closed1 = sine / theta
     versine = 1 - cosine
     closed2 = versine / far_x
     rest3 = 1 - closed1
-    closed3 = rest3 / far_x
+    closed3 = rest3 / middle_x
     g1e = x * (x * (6.446950284384474e-26 * x - 3.868170170630684e-23) + 1.9572941063391263e-20)
     g1f = g1e - 8.22063524662433e-18
     g1g = x * g1f
@@ -238,7 +245,7 @@ def SO3_leftJacobian(v):
     g1v = g1u - 0.16666666666666666
     g1w = x * g1v
     g1x = g1w + 1
-    g1 = where(x < 4, g1x, closed1)
+    g1 = where(x < 1, g1x, closed1)
     g2e = x * (x * (2.4795962632247976e-27 * x - 1.6117375710961184e-24) + 8.896791392450574e-22)
     g2f = g2e - 4.110317623312165e-19
     g2g = x * g2f
@@ -259,7 +266,7 @@ def SO3_leftJacobian(v):
     g2v = g2u - 0.041666666666666664
     g2w = x * g2v
     g2x = g2w + 0.5
-    g2 = where(x < 4, g2x, closed2)
+    g2 = where(x < 1, g2x, closed2)
     g3e = x * (x * (9.183689863795546e-29 * x - 6.446950284384474e-26) + 3.868170170630684e-23)
     g3f = g3e - 1.9572941063391263e-20
     g3g = x * g3f
@@ -313,7 +320,7 @@ def SO3_rightJacobian(v):
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 less, 10 select.
+    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 5 less, 11 select.
     """
     v_0, v_1, v_2 = v
     shifted_0 = v_0 + 1610612736
@@ -331,7 +338,7 @@ def SO3_rightJacobian(v):
     squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
-    theta = where(x < 4, 2, sqrt(x))
+    theta = where(x < 1, 1, sqrt(x))
     theta_shifted = theta + 1610612736
     theta_high = theta_shifted - 1610612736
     theta_low = theta - theta_high
@@ -340,16 +347,17 @@ def SO3_rightJacobian(v):
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
     delta = 0.5 * residual / theta
-    far_sine = where(x < 4, 1, sin(theta))
-    far_cosine = where(x < 4, 0, cos(theta))
+    far_sine = where(x < 1, 1, sin(theta))
+    far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
-    far_x = where(x < 4, 4, x)
+    far_x = where(x < 1, 1, x)
+    middle_x = where(x < 4, 4, x)
     closed1 = sine / theta
     versine = 1 - cosine
     closed2 = versine / far_x
     rest3 = 1 - closed1
-    closed3 = rest3 / far_x
+    closed3 = rest3 / middle_x
     g1e = x * (x * (6.446950284384474e-26 * x - 3.868170170630684e-23) + 1.9572941063391263e-20)
     g1f = g1e - 8.22063524662433e-18
     g1g = x * g1f
@@ -370,7 +378,7 @@ def SO3_rightJacobian(v):
     g1v = g1u - 0.16666666666666666
     g1w = x * g1v
     g1x = g1w + 1
-    g1 = where(x < 4, g1x, closed1)
+    g1 = where(x < 1, g1x, closed1)
     g2e = x * (x * (2.4795962632247976e-27 * x - 1.6117375710961184e-24) + 8.896791392450574e-22)
     g2f = g2e - 4.110317623312165e-19
     g2g = x * g2f
@@ -391,7 +399,7 @@ def SO3_rightJacobian(v):
     g2v = g2u - 0.041666666666666664
     g2w = x * g2v
     g2x = g2w + 0.5
-    g2 = where(x < 4, g2x, closed2)
+    g2 = where(x < 1, g2x, closed2)
     g3e = x * (x * (9.183689863795546e-29 * x - 6.446950284384474e-26) + 3.868170170630684e-23)
     g3f = g3e - 1.9572941063391263e-20
     g3g = x * g3f
@@ -446,7 +454,7 @@ def SO3_leftJacobianInverse(v):
     but 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    41 mul, 57 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 2 less, 7 select.
+    42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 6 less, 11 select.
     """
     v_0, v_1, v_2 = v
     shifted_0 = v_0 + 1610612736
@@ -464,7 +472,7 @@ def SO3_leftJacobianInverse(v):
     squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
-    theta = where(x < 4, 2, sqrt(x))
+    theta = where(x < 1, 1, sqrt(x))
     theta_shifted = theta + 1610612736
     theta_high = theta_shifted - 1610612736
     theta_low = theta - theta_high
@@ -473,14 +481,15 @@ def SO3_leftJacobianInverse(v):
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
     delta = 0.5 * residual / theta
-    far_sine = where(x < 4, 1, sin(theta))
-    far_cosine = where(x < 4, 0, cos(theta))
+    far_sine = where(x < 1, 1, sin(theta))
+    far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     above = where(cosine < 0, sine, cosine + 1)
     below = where(cosine < 0, 1 - cosine, sine)
     cotangent = above / below
-    b_rest = 1 - 0.5 * theta * cotangent
+    half_cotangent = 0.5 * theta * cotangent
+    b_rest = 1 - half_cotangent
     b_divisor = where(x < 4, 4, x)
     closed_b = b_rest / b_divisor
     b_e = x * (x * (1.455172475614865e-27 * x + 5.744790668872202e-26) + 2.267952452337683e-24)
@@ -512,6 +521,7 @@ def SO3_leftJacobianInverse(v):
     b_ae = x * b_ad
     b_af = b_ae + 0.08333333333333333
     b = where(x < 4, b_af, closed_b)
+    b_across = where(x < 4, 1 - x * b, half_cotangent)
     beta_v_0 = v_0 * b
     beta_v_1 = v_1 * b
     beta_v_2 = v_2 * b
@@ -524,19 +534,19 @@ def SO3_leftJacobianInverse(v):
     others_0 = m_1 + m_2
     others_1 = m_0 + m_2
     others_2 = m_0 + m_1
+    diagonal0 = where(m_0 < others_0, b_across + m_0, 1 - others_0)
+    diagonal1 = where(m_1 < others_1, b_across + m_1, 1 - others_1)
+    diagonal2 = where(m_2 < others_2, b_across + m_2, 1 - others_2)
     alpha_v_0 = -(0.5 * v_0)
     alpha_v_1 = -(0.5 * v_1)
     alpha_v_2 = -(0.5 * v_2)
-    R_00 = 1 - others_0
     R_01 = m_3 - alpha_v_2
     R_02 = m_4 + alpha_v_1
     R_10 = m_3 + alpha_v_2
-    R_11 = 1 - others_1
     R_12 = m_5 - alpha_v_0
     R_20 = m_4 - alpha_v_1
     R_21 = m_5 + alpha_v_0
-    R_22 = 1 - others_2
-    return (R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22)
+    return (diagonal0, R_01, R_02, R_10, diagonal1, R_12, R_20, R_21, diagonal2)
 
 
 @kernel("(3)->(3,3)")
@@ -545,7 +555,7 @@ def SO3_rightJacobianInverse(v):
     but 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    41 mul, 57 add, 3 div, 1 sqrt, 1 sin, 1 cos, 2 less, 7 select.
+    42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 6 less, 11 select.
     """
     v_0, v_1, v_2 = v
     shifted_0 = v_0 + 1610612736
@@ -563,7 +573,7 @@ def SO3_rightJacobianInverse(v):
     squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
-    theta = where(x < 4, 2, sqrt(x))
+    theta = where(x < 1, 1, sqrt(x))
     theta_shifted = theta + 1610612736
     theta_high = theta_shifted - 1610612736
     theta_low = theta - theta_high
@@ -572,14 +582,15 @@ def SO3_rightJacobianInverse(v):
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
     delta = 0.5 * residual / theta
-    far_sine = where(x < 4, 1, sin(theta))
-    far_cosine = where(x < 4, 0, cos(theta))
+    far_sine = where(x < 1, 1, sin(theta))
+    far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     above = where(cosine < 0, sine, cosine + 1)
     below = where(cosine < 0, 1 - cosine, sine)
     cotangent = above / below
-    b_rest = 1 - 0.5 * theta * cotangent
+    half_cotangent = 0.5 * theta * cotangent
+    b_rest = 1 - half_cotangent
     b_divisor = where(x < 4, 4, x)
     closed_b = b_rest / b_divisor
     b_e = x * (x * (1.455172475614865e-27 * x + 5.744790668872202e-26) + 2.267952452337683e-24)
@@ -611,6 +622,7 @@ def SO3_rightJacobianInverse(v):
     b_ae = x * b_ad
     b_af = b_ae + 0.08333333333333333
     b = where(x < 4, b_af, closed_b)
+    b_across = where(x < 4, 1 - x * b, half_cotangent)
     beta_v_0 = v_0 * b
     beta_v_1 = v_1 * b
     beta_v_2 = v_2 * b
@@ -623,19 +635,19 @@ def SO3_rightJacobianInverse(v):
     others_0 = m_1 + m_2
     others_1 = m_0 + m_2
     others_2 = m_0 + m_1
+    diagonal0 = where(m_0 < others_0, b_across + m_0, 1 - others_0)
+    diagonal1 = where(m_1 < others_1, b_across + m_1, 1 - others_1)
+    diagonal2 = where(m_2 < others_2, b_across + m_2, 1 - others_2)
     alpha_v_0 = 0.5 * v_0
     alpha_v_1 = 0.5 * v_1
     alpha_v_2 = 0.5 * v_2
-    R_00 = 1 - others_0
     R_01 = m_3 - alpha_v_2
     R_02 = m_4 + alpha_v_1
     R_10 = m_3 + alpha_v_2
-    R_11 = 1 - others_1
     R_12 = m_5 - alpha_v_0
     R_20 = m_4 - alpha_v_1
     R_21 = m_5 + alpha_v_0
-    R_22 = 1 - others_2
-    return (R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22)
+    return (diagonal0, R_01, R_02, R_10, diagonal1, R_12, R_20, R_21, diagonal2)
 
 
 @kernel("(3),()->(3,3)")
@@ -683,7 +695,7 @@ def axis_angle_from_mat3x3(R):
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    8 mul, 20 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
+    8 mul, 26 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -692,10 +704,16 @@ def axis_angle_from_mat3x3(R):
     s_0 = R_12 + R_21
     s_1 = R_02 + R_20
     s_2 = R_01 + R_10
-    d_0 = R_00 + R_11 + R_22 + 1
-    d_1 = R_00 - R_11 - R_22 + 1
-    d_2 = R_11 - R_00 - R_22 + 1
-    d_3 = R_22 - R_00 - R_11 + 1
+    less_0 = 1 - R_00
+    less_1 = 1 - R_11
+    less_2 = 1 - R_22
+    more_0 = R_00 + 1
+    more_1 = R_11 + 1
+    more_2 = R_22 + 1
+    d_0 = 4 - (less_0 + less_1 + less_2)
+    d_1 = 4 - less_0 - (more_1 + more_2)
+    d_2 = 4 - less_1 - (more_0 + more_2)
+    d_3 = 4 - less_2 - (more_0 + more_1)
     low_0 = where(R_11 < R_00, p_0, p_1)
     low_1 = where(R_11 < R_00, d_1, s_2)
     low_2 = where(R_11 < R_00, s_2, d_2)
@@ -811,7 +829,7 @@ def SE3_exp(s):
     """D = exp s = [exp ω~ | J_l(ω) v].
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-    79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 less, 11 select.
+    79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 12 select.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     shifted_0 = s_3 + 1610612736
@@ -829,7 +847,7 @@ def SE3_exp(s):
     squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
-    theta = where(x < 4, 2, sqrt(x))
+    theta = where(x < 1, 1, sqrt(x))
     theta_shifted = theta + 1610612736
     theta_high = theta_shifted - 1610612736
     theta_low = theta - theta_high
@@ -838,16 +856,17 @@ def SE3_exp(s):
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
     delta = 0.5 * residual / theta
-    far_sine = where(x < 4, 1, sin(theta))
-    far_cosine = where(x < 4, 0, cos(theta))
+    far_sine = where(x < 1, 1, sin(theta))
+    far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
-    far_x = where(x < 4, 4, x)
+    far_x = where(x < 1, 1, x)
+    middle_x = where(x < 4, 4, x)
     closed1 = sine / theta
     versine = 1 - cosine
     closed2 = versine / far_x
     rest3 = 1 - closed1
-    closed3 = rest3 / far_x
+    closed3 = rest3 / middle_x
     g1e = x * (x * (6.446950284384474e-26 * x - 3.868170170630684e-23) + 1.9572941063391263e-20)
     g1f = g1e - 8.22063524662433e-18
     g1g = x * g1f
@@ -868,7 +887,7 @@ def SE3_exp(s):
     g1v = g1u - 0.16666666666666666
     g1w = x * g1v
     g1x = g1w + 1
-    g1 = where(x < 4, g1x, closed1)
+    g1 = where(x < 1, g1x, closed1)
     g2e = x * (x * (2.4795962632247976e-27 * x - 1.6117375710961184e-24) + 8.896791392450574e-22)
     g2f = g2e - 4.110317623312165e-19
     g2g = x * g2f
@@ -889,7 +908,7 @@ def SE3_exp(s):
     g2v = g2u - 0.041666666666666664
     g2w = x * g2v
     g2x = g2w + 0.5
-    g2 = where(x < 4, g2x, closed2)
+    g2 = where(x < 1, g2x, closed2)
     g3e = x * (x * (9.183689863795546e-29 * x - 6.446950284384474e-26) + 3.868170170630684e-23)
     g3f = g3e - 1.9572941063391263e-20
     g3g = x * g3f
@@ -911,7 +930,7 @@ def SE3_exp(s):
     g3w = x * g3v
     g3x = g3w + 0.16666666666666666
     g3 = where(x < 4, g3x, closed3)
-    g0 = where(x < 4, 1 - x * g2, cosine)
+    g0 = where(x < 1, 1 - x * g2, cosine)
     u_0 = s_2 * s_4 - s_1 * s_5
     u_1 = s_0 * s_5 - s_2 * s_3
     u_2 = s_1 * s_3 - s_0 * s_4
@@ -961,7 +980,7 @@ def SE3_log(D):
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    48 mul, 49 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 11 less, 1 equal, 26 select.
+    50 mul, 55 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     p_0 = D_21 - D_12
@@ -970,10 +989,16 @@ def SE3_log(D):
     s_0 = D_12 + D_21
     s_1 = D_02 + D_20
     s_2 = D_01 + D_10
-    d_0 = D_00 + D_11 + D_22 + 1
-    d_1 = D_00 - D_11 - D_22 + 1
-    d_2 = D_11 - D_00 - D_22 + 1
-    d_3 = D_22 - D_00 - D_11 + 1
+    less_0 = 1 - D_00
+    less_1 = 1 - D_11
+    less_2 = 1 - D_22
+    more_0 = D_00 + 1
+    more_1 = D_11 + 1
+    more_2 = D_22 + 1
+    d_0 = 4 - (less_0 + less_1 + less_2)
+    d_1 = 4 - less_0 - (more_1 + more_2)
+    d_2 = 4 - less_1 - (more_0 + more_2)
+    d_3 = 4 - less_2 - (more_0 + more_1)
     low_0 = where(D_11 < D_00, p_0, p_1)
     low_1 = where(D_11 < D_00, d_1, s_2)
     low_2 = where(D_11 < D_00, s_2, d_2)
@@ -1012,12 +1037,10 @@ def SE3_log(D):
     vector_1 = upper_2 * k
     vector_2 = upper_3 * k
     x = theta * theta
-    far_sine = where(x < 4, 1, n)
+    far_sine = where(x < 1, 1, n)
     cotangent = upper_0 / far_sine
-    u_0 = D_23 * vector_1 - D_13 * vector_2
-    u_1 = D_03 * vector_2 - D_23 * vector_0
-    u_2 = D_13 * vector_0 - D_03 * vector_1
-    b_rest = 1 - 0.5 * theta * cotangent
+    half_cotangent = 0.5 * theta * cotangent
+    b_rest = 1 - half_cotangent
     b_divisor = where(x < 4, 4, x)
     closed_b = b_rest / b_divisor
     b_e = x * (x * (1.455172475614865e-27 * x + 5.744790668872202e-26) + 2.267952452337683e-24)
@@ -1049,15 +1072,24 @@ def SE3_log(D):
     b_ae = x * b_ad
     b_af = b_ae + 0.08333333333333333
     b = where(x < 4, b_af, closed_b)
-    uu_0 = vector_1 * u_2 - vector_2 * u_1
-    uu_1 = vector_2 * u_0 - vector_0 * u_2
-    uu_2 = vector_0 * u_1 - vector_1 * u_0
-    small_0 = b * uu_0 - 0.5 * u_0
-    small_1 = b * uu_1 - 0.5 * u_1
-    small_2 = b * uu_2 - 0.5 * u_2
-    so_0 = D_03 + small_0
-    so_1 = D_13 + small_1
-    so_2 = D_23 + small_2
+    b_across = where(x < 4, 1 - x * b, half_cotangent)
+    wt = D_03 * vector_0 + D_13 * vector_1 + D_23 * vector_2
+    pitch = b * wt
+    along_0 = vector_0 * pitch
+    along_1 = vector_1 * pitch
+    along_2 = vector_2 * pitch
+    u_0 = D_23 * vector_1 - D_13 * vector_2
+    u_1 = D_03 * vector_2 - D_23 * vector_0
+    u_2 = D_13 * vector_0 - D_03 * vector_1
+    turned_0 = 0.5 * u_0
+    turned_1 = 0.5 * u_1
+    turned_2 = 0.5 * u_2
+    across_axis_0 = along_0 - turned_0
+    across_axis_1 = along_1 - turned_1
+    across_axis_2 = along_2 - turned_2
+    so_0 = D_03 * b_across + across_axis_0
+    so_1 = D_13 * b_across + across_axis_1
+    so_2 = D_23 * b_across + across_axis_2
     return (so_0, so_1, so_2, vector_0, vector_1, vector_2)
 
 
@@ -1066,7 +1098,7 @@ def SE3_leftJacobian(s):
     """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 4 less, 12 select.
+    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 5 less, 13 select.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     shifted_0 = s_3 + 1610612736
@@ -1084,7 +1116,7 @@ def SE3_leftJacobian(s):
     squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
-    theta = where(x < 4, 2, sqrt(x))
+    theta = where(x < 1, 1, sqrt(x))
     theta_shifted = theta + 1610612736
     theta_high = theta_shifted - 1610612736
     theta_low = theta - theta_high
@@ -1093,20 +1125,21 @@ def SE3_leftJacobian(s):
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
     delta = 0.5 * residual / theta
-    far_sine = where(x < 4, 1, sin(theta))
-    far_cosine = where(x < 4, 0, cos(theta))
+    far_sine = where(x < 1, 1, sin(theta))
+    far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
-    far_x = where(x < 4, 4, x)
+    far_x = where(x < 1, 1, x)
+    middle_x = where(x < 4, 4, x)
     closed1 = sine / theta
     versine = 1 - cosine
     closed2 = versine / far_x
     rest3 = 1 - closed1
-    closed3 = rest3 / far_x
+    closed3 = rest3 / middle_x
     rest4 = 0.5 - closed2
-    closed4 = rest4 / far_x
+    closed4 = rest4 / middle_x
     rest5 = 0.16666666666666666 - closed3
-    closed5 = rest5 / far_x
+    closed5 = rest5 / middle_x
     g1e = x * (x * (6.446950284384474e-26 * x - 3.868170170630684e-23) + 1.9572941063391263e-20)
     g1f = g1e - 8.22063524662433e-18
     g1g = x * g1f
@@ -1127,7 +1160,7 @@ def SE3_leftJacobian(s):
     g1v = g1u - 0.16666666666666666
     g1w = x * g1v
     g1x = g1w + 1
-    g1 = where(x < 4, g1x, closed1)
+    g1 = where(x < 1, g1x, closed1)
     g2e = x * (x * (2.4795962632247976e-27 * x - 1.6117375710961184e-24) + 8.896791392450574e-22)
     g2f = g2e - 4.110317623312165e-19
     g2g = x * g2f
@@ -1148,7 +1181,7 @@ def SE3_leftJacobian(s):
     g2v = g2u - 0.041666666666666664
     g2w = x * g2v
     g2x = g2w + 0.5
-    g2 = where(x < 4, g2x, closed2)
+    g2 = where(x < 1, g2x, closed2)
     g3e = x * (x * (9.183689863795546e-29 * x - 6.446950284384474e-26) + 3.868170170630684e-23)
     g3f = g3e - 1.9572941063391263e-20
     g3g = x * g3f
@@ -1278,7 +1311,7 @@ def SE3_rightJacobian(s):
     """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 4 less, 12 select.
+    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 5 less, 13 select.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     shifted_0 = s_3 + 1610612736
@@ -1296,7 +1329,7 @@ def SE3_rightJacobian(s):
     squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
-    theta = where(x < 4, 2, sqrt(x))
+    theta = where(x < 1, 1, sqrt(x))
     theta_shifted = theta + 1610612736
     theta_high = theta_shifted - 1610612736
     theta_low = theta - theta_high
@@ -1305,20 +1338,21 @@ def SE3_rightJacobian(s):
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
     delta = 0.5 * residual / theta
-    far_sine = where(x < 4, 1, sin(theta))
-    far_cosine = where(x < 4, 0, cos(theta))
+    far_sine = where(x < 1, 1, sin(theta))
+    far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
-    far_x = where(x < 4, 4, x)
+    far_x = where(x < 1, 1, x)
+    middle_x = where(x < 4, 4, x)
     closed1 = sine / theta
     versine = 1 - cosine
     closed2 = versine / far_x
     rest3 = 1 - closed1
-    closed3 = rest3 / far_x
+    closed3 = rest3 / middle_x
     rest4 = 0.5 - closed2
-    closed4 = rest4 / far_x
+    closed4 = rest4 / middle_x
     rest5 = 0.16666666666666666 - closed3
-    closed5 = rest5 / far_x
+    closed5 = rest5 / middle_x
     g1e = x * (x * (6.446950284384474e-26 * x - 3.868170170630684e-23) + 1.9572941063391263e-20)
     g1f = g1e - 8.22063524662433e-18
     g1g = x * g1f
@@ -1339,7 +1373,7 @@ def SE3_rightJacobian(s):
     g1v = g1u - 0.16666666666666666
     g1w = x * g1v
     g1x = g1w + 1
-    g1 = where(x < 4, g1x, closed1)
+    g1 = where(x < 1, g1x, closed1)
     g2e = x * (x * (2.4795962632247976e-27 * x - 1.6117375710961184e-24) + 8.896791392450574e-22)
     g2f = g2e - 4.110317623312165e-19
     g2g = x * g2f
@@ -1360,7 +1394,7 @@ def SE3_rightJacobian(s):
     g2v = g2u - 0.041666666666666664
     g2w = x * g2v
     g2x = g2w + 0.5
-    g2 = where(x < 4, g2x, closed2)
+    g2 = where(x < 1, g2x, closed2)
     g3e = x * (x * (9.183689863795546e-29 * x - 6.446950284384474e-26) + 3.868170170630684e-23)
     g3f = g3e - 1.9572941063391263e-20
     g3g = x * g3f
@@ -1490,7 +1524,7 @@ def SE3_leftJacobianInverse(s):
     """M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    180 mul, 172 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 2 less, 11 select.
+    181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 6 less, 16 select.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     shifted_0 = s_3 + 1610612736
@@ -1508,7 +1542,7 @@ def SE3_leftJacobianInverse(s):
     squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
-    theta = where(x < 4, 2, sqrt(x))
+    theta = where(x < 1, 1, sqrt(x))
     theta_shifted = theta + 1610612736
     theta_high = theta_shifted - 1610612736
     theta_low = theta - theta_high
@@ -1517,15 +1551,16 @@ def SE3_leftJacobianInverse(s):
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
     delta = 0.5 * residual / theta
-    far_sine = where(x < 4, 1, sin(theta))
-    far_cosine = where(x < 4, 0, cos(theta))
+    far_sine = where(x < 1, 1, sin(theta))
+    far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     above = where(cosine < 0, sine, cosine + 1)
     below_a = 1 - cosine
     below = where(cosine < 0, below_a, sine)
     cotangent = above / below
-    b_rest = 1 - 0.5 * theta * cotangent
+    half_cotangent = 0.5 * theta * cotangent
+    b_rest = 1 - half_cotangent
     b_divisor = where(x < 4, 4, x)
     closed_b = b_rest / b_divisor
     b_e = x * (x * (1.455172475614865e-27 * x + 5.744790668872202e-26) + 2.267952452337683e-24)
@@ -1557,6 +1592,7 @@ def SE3_leftJacobianInverse(s):
     b_ae = x * b_ad
     b_af = b_ae + 0.08333333333333333
     b = where(x < 4, b_af, closed_b)
+    b_across = where(x < 4, 1 - x * b, half_cotangent)
     beta_v_0 = s_3 * b
     beta_v_1 = s_4 * b
     beta_v_2 = s_5 * b
@@ -1569,20 +1605,21 @@ def SE3_leftJacobianInverse(s):
     others_0 = m_1 + m_2
     others_1 = m_0 + m_2
     others_2 = m_0 + m_1
+    diagonal0 = where(m_0 < others_0, b_across + m_0, 1 - others_0)
+    diagonal1 = where(m_1 < others_1, b_across + m_1, 1 - others_1)
+    diagonal2 = where(m_2 < others_2, b_across + m_2, 1 - others_2)
     alpha_v_0 = -(0.5 * s_3)
     alpha_v_1 = -(0.5 * s_4)
     alpha_v_2 = -(0.5 * s_5)
-    J_0 = 1 - others_0
     J_1 = m_3 - alpha_v_2
     J_2 = m_4 + alpha_v_1
     J_3 = m_3 + alpha_v_2
-    J_4 = 1 - others_1
     J_5 = m_5 - alpha_v_0
     J_6 = m_4 - alpha_v_1
     J_7 = m_5 + alpha_v_0
-    J_8 = 1 - others_2
+    far_x = where(x < 1, 1, x)
     closed1 = sine / theta
-    closed2 = below_a / b_divisor
+    closed2 = below_a / far_x
     rest3 = 1 - closed1
     closed3 = rest3 / b_divisor
     rest4 = 0.5 - closed2
@@ -1609,7 +1646,7 @@ def SE3_leftJacobianInverse(s):
     g2v = g2u - 0.041666666666666664
     g2w = x * g2v
     g2x = g2w + 0.5
-    g2 = where(x < 4, g2x, closed2)
+    g2 = where(x < 1, g2x, closed2)
     g3e = x * (x * (9.183689863795546e-29 * x - 6.446950284384474e-26) + 3.868170170630684e-23)
     g3f = g3e - 1.9572941063391263e-20
     g3g = x * g3f
@@ -1705,26 +1742,27 @@ def SE3_leftJacobianInverse(s):
     Q_5 = symmetric_2 - q_0
     Q_6 = symmetric_1 - q_1
     Q_7 = q_0 + symmetric_2
-    QJ_0 = J_0 * diagonal_0 + (J_3 * Q_1 + J_6 * Q_2)
-    QJ_1 = J_1 * diagonal_0 + (J_4 * Q_1 + J_7 * Q_2)
-    QJ_2 = J_2 * diagonal_0 + (J_5 * Q_1 + J_8 * Q_2)
-    QJ_3 = J_0 * Q_3 + J_6 * Q_5 + J_3 * diagonal_1
-    QJ_4 = J_1 * Q_3 + J_7 * Q_5 + J_4 * diagonal_1
-    QJ_5 = J_2 * Q_3 + J_8 * Q_5 + J_5 * diagonal_1
-    QJ_6 = J_0 * Q_6 + J_3 * Q_7 + J_6 * diagonal_2
-    QJ_7 = J_1 * Q_6 + J_4 * Q_7 + J_7 * diagonal_2
-    QJ_8 = J_2 * Q_6 + J_5 * Q_7 + J_8 * diagonal_2
-    M_03 = -(J_0 * QJ_0 + J_1 * QJ_3 + J_2 * QJ_6)
-    M_04 = -(J_0 * QJ_1 + J_1 * QJ_4 + J_2 * QJ_7)
-    M_05 = -(J_0 * QJ_2 + J_1 * QJ_5 + J_2 * QJ_8)
-    M_13 = -(J_3 * QJ_0 + J_4 * QJ_3 + J_5 * QJ_6)
-    M_14 = -(J_3 * QJ_1 + J_4 * QJ_4 + J_5 * QJ_7)
-    M_15 = -(J_3 * QJ_2 + J_4 * QJ_5 + J_5 * QJ_8)
-    M_23 = -(J_6 * QJ_0 + J_7 * QJ_3 + J_8 * QJ_6)
-    M_24 = -(J_6 * QJ_1 + J_7 * QJ_4 + J_8 * QJ_7)
-    M_25 = -(J_6 * QJ_2 + J_7 * QJ_5 + J_8 * QJ_8)
-    return (J_0, J_1, J_2, M_03, M_04, M_05, J_3, J_4, J_5, M_13, M_14, M_15, J_6, J_7, J_8, M_23,
-        M_24, M_25, 0, 0, 0, J_0, J_1, J_2, 0, 0, 0, J_3, J_4, J_5, 0, 0, 0, J_6, J_7, J_8)
+    QJ_0 = diagonal0 * diagonal_0 + (J_3 * Q_1 + J_6 * Q_2)
+    QJ_1 = diagonal1 * Q_1 + J_1 * diagonal_0 + J_7 * Q_2
+    QJ_2 = diagonal2 * Q_2 + J_2 * diagonal_0 + J_5 * Q_1
+    QJ_3 = diagonal0 * Q_3 + J_3 * diagonal_1 + J_6 * Q_5
+    QJ_4 = diagonal1 * diagonal_1 + (J_1 * Q_3 + J_7 * Q_5)
+    QJ_5 = diagonal2 * Q_5 + J_2 * Q_3 + J_5 * diagonal_1
+    QJ_6 = diagonal0 * Q_6 + J_3 * Q_7 + J_6 * diagonal_2
+    QJ_7 = diagonal1 * Q_7 + J_1 * Q_6 + J_7 * diagonal_2
+    QJ_8 = diagonal2 * diagonal_2 + (J_2 * Q_6 + J_5 * Q_7)
+    M_03 = -(diagonal0 * QJ_0 + (J_1 * QJ_3 + J_2 * QJ_6))
+    M_04 = -(diagonal0 * QJ_1 + (J_1 * QJ_4 + J_2 * QJ_7))
+    M_05 = -(diagonal0 * QJ_2 + (J_1 * QJ_5 + J_2 * QJ_8))
+    M_13 = -(diagonal1 * QJ_3 + (J_3 * QJ_0 + J_5 * QJ_6))
+    M_14 = -(diagonal1 * QJ_4 + (J_3 * QJ_1 + J_5 * QJ_7))
+    M_15 = -(diagonal1 * QJ_5 + (J_3 * QJ_2 + J_5 * QJ_8))
+    M_23 = -(diagonal2 * QJ_6 + (J_6 * QJ_0 + J_7 * QJ_3))
+    M_24 = -(diagonal2 * QJ_7 + (J_6 * QJ_1 + J_7 * QJ_4))
+    M_25 = -(diagonal2 * QJ_8 + (J_6 * QJ_2 + J_7 * QJ_5))
+    return (diagonal0, J_1, J_2, M_03, M_04, M_05, J_3, diagonal1, J_5, M_13, M_14, M_15, J_6, J_7,
+        diagonal2, M_23, M_24, M_25, 0, 0, 0, diagonal0, J_1, J_2, 0, 0, 0, J_3, diagonal1, J_5, 0,
+        0, 0, J_6, J_7, diagonal2)
 
 
 @kernel("(6)->(6,6)")
@@ -1732,7 +1770,7 @@ def SE3_rightJacobianInverse(s):
     """M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    180 mul, 172 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 2 less, 11 select.
+    181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 6 less, 16 select.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     shifted_0 = s_3 + 1610612736
@@ -1750,7 +1788,7 @@ def SE3_rightJacobianInverse(s):
     squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
-    theta = where(x < 4, 2, sqrt(x))
+    theta = where(x < 1, 1, sqrt(x))
     theta_shifted = theta + 1610612736
     theta_high = theta_shifted - 1610612736
     theta_low = theta - theta_high
@@ -1759,15 +1797,16 @@ def SE3_rightJacobianInverse(s):
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
     delta = 0.5 * residual / theta
-    far_sine = where(x < 4, 1, sin(theta))
-    far_cosine = where(x < 4, 0, cos(theta))
+    far_sine = where(x < 1, 1, sin(theta))
+    far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     above = where(cosine < 0, sine, cosine + 1)
     below_a = 1 - cosine
     below = where(cosine < 0, below_a, sine)
     cotangent = above / below
-    b_rest = 1 - 0.5 * theta * cotangent
+    half_cotangent = 0.5 * theta * cotangent
+    b_rest = 1 - half_cotangent
     b_divisor = where(x < 4, 4, x)
     closed_b = b_rest / b_divisor
     b_e = x * (x * (1.455172475614865e-27 * x + 5.744790668872202e-26) + 2.267952452337683e-24)
@@ -1799,6 +1838,7 @@ def SE3_rightJacobianInverse(s):
     b_ae = x * b_ad
     b_af = b_ae + 0.08333333333333333
     b = where(x < 4, b_af, closed_b)
+    b_across = where(x < 4, 1 - x * b, half_cotangent)
     beta_v_0 = s_3 * b
     beta_v_1 = s_4 * b
     beta_v_2 = s_5 * b
@@ -1811,20 +1851,21 @@ def SE3_rightJacobianInverse(s):
     others_0 = m_1 + m_2
     others_1 = m_0 + m_2
     others_2 = m_0 + m_1
+    diagonal0 = where(m_0 < others_0, b_across + m_0, 1 - others_0)
+    diagonal1 = where(m_1 < others_1, b_across + m_1, 1 - others_1)
+    diagonal2 = where(m_2 < others_2, b_across + m_2, 1 - others_2)
     alpha_v_0 = 0.5 * s_3
     alpha_v_1 = 0.5 * s_4
     alpha_v_2 = 0.5 * s_5
-    J_0 = 1 - others_0
     J_1 = m_3 - alpha_v_2
     J_2 = m_4 + alpha_v_1
     J_3 = m_3 + alpha_v_2
-    J_4 = 1 - others_1
     J_5 = m_5 - alpha_v_0
     J_6 = m_4 - alpha_v_1
     J_7 = m_5 + alpha_v_0
-    J_8 = 1 - others_2
+    far_x = where(x < 1, 1, x)
     closed1 = sine / theta
-    closed2 = below_a / b_divisor
+    closed2 = below_a / far_x
     rest3 = 1 - closed1
     closed3 = rest3 / b_divisor
     rest4 = 0.5 - closed2
@@ -1851,7 +1892,7 @@ def SE3_rightJacobianInverse(s):
     g2v = g2u - 0.041666666666666664
     g2w = x * g2v
     g2x = g2w + 0.5
-    g2 = where(x < 4, g2x, closed2)
+    g2 = where(x < 1, g2x, closed2)
     g3e = x * (x * (9.183689863795546e-29 * x - 6.446950284384474e-26) + 3.868170170630684e-23)
     g3f = g3e - 1.9572941063391263e-20
     g3g = x * g3f
@@ -1947,26 +1988,27 @@ def SE3_rightJacobianInverse(s):
     Q_5 = symmetric_2 - q_0
     Q_6 = symmetric_1 - q_1
     Q_7 = q_0 + symmetric_2
-    QJ_0 = J_0 * diagonal_0 + (J_3 * Q_1 + J_6 * Q_2)
-    QJ_1 = J_1 * diagonal_0 + (J_4 * Q_1 + J_7 * Q_2)
-    QJ_2 = J_2 * diagonal_0 + (J_5 * Q_1 + J_8 * Q_2)
-    QJ_3 = J_0 * Q_3 + J_6 * Q_5 + J_3 * diagonal_1
-    QJ_4 = J_1 * Q_3 + J_7 * Q_5 + J_4 * diagonal_1
-    QJ_5 = J_2 * Q_3 + J_8 * Q_5 + J_5 * diagonal_1
-    QJ_6 = J_0 * Q_6 + J_3 * Q_7 + J_6 * diagonal_2
-    QJ_7 = J_1 * Q_6 + J_4 * Q_7 + J_7 * diagonal_2
-    QJ_8 = J_2 * Q_6 + J_5 * Q_7 + J_8 * diagonal_2
-    M_03 = -(J_0 * QJ_0 + J_1 * QJ_3 + J_2 * QJ_6)
-    M_04 = -(J_0 * QJ_1 + J_1 * QJ_4 + J_2 * QJ_7)
-    M_05 = -(J_0 * QJ_2 + J_1 * QJ_5 + J_2 * QJ_8)
-    M_13 = -(J_3 * QJ_0 + J_4 * QJ_3 + J_5 * QJ_6)
-    M_14 = -(J_3 * QJ_1 + J_4 * QJ_4 + J_5 * QJ_7)
-    M_15 = -(J_3 * QJ_2 + J_4 * QJ_5 + J_5 * QJ_8)
-    M_23 = -(J_6 * QJ_0 + J_7 * QJ_3 + J_8 * QJ_6)
-    M_24 = -(J_6 * QJ_1 + J_7 * QJ_4 + J_8 * QJ_7)
-    M_25 = -(J_6 * QJ_2 + J_7 * QJ_5 + J_8 * QJ_8)
-    return (J_0, J_1, J_2, M_03, M_04, M_05, J_3, J_4, J_5, M_13, M_14, M_15, J_6, J_7, J_8, M_23,
-        M_24, M_25, 0, 0, 0, J_0, J_1, J_2, 0, 0, 0, J_3, J_4, J_5, 0, 0, 0, J_6, J_7, J_8)
+    QJ_0 = diagonal0 * diagonal_0 + (J_3 * Q_1 + J_6 * Q_2)
+    QJ_1 = diagonal1 * Q_1 + J_1 * diagonal_0 + J_7 * Q_2
+    QJ_2 = diagonal2 * Q_2 + J_2 * diagonal_0 + J_5 * Q_1
+    QJ_3 = diagonal0 * Q_3 + J_3 * diagonal_1 + J_6 * Q_5
+    QJ_4 = diagonal1 * diagonal_1 + (J_1 * Q_3 + J_7 * Q_5)
+    QJ_5 = diagonal2 * Q_5 + J_2 * Q_3 + J_5 * diagonal_1
+    QJ_6 = diagonal0 * Q_6 + J_3 * Q_7 + J_6 * diagonal_2
+    QJ_7 = diagonal1 * Q_7 + J_1 * Q_6 + J_7 * diagonal_2
+    QJ_8 = diagonal2 * diagonal_2 + (J_2 * Q_6 + J_5 * Q_7)
+    M_03 = -(diagonal0 * QJ_0 + (J_1 * QJ_3 + J_2 * QJ_6))
+    M_04 = -(diagonal0 * QJ_1 + (J_1 * QJ_4 + J_2 * QJ_7))
+    M_05 = -(diagonal0 * QJ_2 + (J_1 * QJ_5 + J_2 * QJ_8))
+    M_13 = -(diagonal1 * QJ_3 + (J_3 * QJ_0 + J_5 * QJ_6))
+    M_14 = -(diagonal1 * QJ_4 + (J_3 * QJ_1 + J_5 * QJ_7))
+    M_15 = -(diagonal1 * QJ_5 + (J_3 * QJ_2 + J_5 * QJ_8))
+    M_23 = -(diagonal2 * QJ_6 + (J_6 * QJ_0 + J_7 * QJ_3))
+    M_24 = -(diagonal2 * QJ_7 + (J_6 * QJ_1 + J_7 * QJ_4))
+    M_25 = -(diagonal2 * QJ_8 + (J_6 * QJ_2 + J_7 * QJ_5))
+    return (diagonal0, J_1, J_2, M_03, M_04, M_05, J_3, diagonal1, J_5, M_13, M_14, M_15, J_6, J_7,
+        diagonal2, M_23, M_24, M_25, 0, 0, 0, diagonal0, J_1, J_2, 0, 0, 0, J_3, diagonal1, J_5, 0,
+        0, 0, J_6, J_7, diagonal2)
 
 
 @kernel("(3,4),(3,4),()->(3,4)")
@@ -1974,7 +2016,7 @@ def SE3_interpolated(D1, D2, k):
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    205 mul, 194 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 15 less, 1 equal, 37
+    207 mul, 200 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 17 less, 1 equal, 39
     select.
     """
     D1_00, D1_01, D1_02, D1_03, D1_10, D1_11, D1_12, D1_13, D1_20, D1_21, D1_22, D1_23 = D1
@@ -2000,10 +2042,16 @@ def SE3_interpolated(D1, D2, k):
     log_s_0 = between_6 + between_9
     log_s_1 = between_2 + between_8
     log_s_2 = between_1 + between_4
-    log_d_0 = between_0 + between_5 + between_10 + 1
-    log_d_1 = between_0 - between_5 - between_10 + 1
-    log_d_2 = between_5 - between_0 - between_10 + 1
-    log_d_3 = between_10 - between_0 - between_5 + 1
+    log_less_0 = 1 - between_0
+    log_less_1 = 1 - between_5
+    log_less_2 = 1 - between_10
+    log_more_0 = between_0 + 1
+    log_more_1 = between_5 + 1
+    log_more_2 = between_10 + 1
+    log_d_0 = 4 - (log_less_0 + log_less_1 + log_less_2)
+    log_d_1 = 4 - log_less_0 - (log_more_1 + log_more_2)
+    log_d_2 = 4 - log_less_1 - (log_more_0 + log_more_2)
+    log_d_3 = 4 - log_less_2 - (log_more_0 + log_more_1)
     log_low_0 = where(between_5 < between_0, log_p_0, log_p_1)
     log_low_1 = where(between_5 < between_0, log_d_1, log_s_2)
     log_low_2 = where(between_5 < between_0, log_s_2, log_d_2)
@@ -2042,12 +2090,10 @@ def SE3_interpolated(D1, D2, k):
     log_vector_1 = log_upper_2 * log_k
     log_vector_2 = log_upper_3 * log_k
     log_x = log_theta * log_theta
-    log_far_sine = where(log_x < 4, 1, log_n)
+    log_far_sine = where(log_x < 1, 1, log_n)
     log_cotangent = log_upper_0 / log_far_sine
-    log_u_0 = between_11 * log_vector_1 - between_7 * log_vector_2
-    log_u_1 = between_3 * log_vector_2 - between_11 * log_vector_0
-    log_u_2 = between_7 * log_vector_0 - between_3 * log_vector_1
-    log_b_rest = 1 - 0.5 * log_theta * log_cotangent
+    log_half_cotangent = 0.5 * log_theta * log_cotangent
+    log_b_rest = 1 - log_half_cotangent
     log_b_divisor = where(log_x < 4, 4, log_x)
     log_closed_b = log_b_rest / log_b_divisor
     log_b_c = log_x * (1.455172475614865e-27 * log_x + 5.744790668872202e-26)
@@ -2081,15 +2127,24 @@ def SE3_interpolated(D1, D2, k):
     log_b_ae = log_x * log_b_ad
     log_b_af = log_b_ae + 0.08333333333333333
     log_b = where(log_x < 4, log_b_af, log_closed_b)
-    log_uu_0 = log_vector_1 * log_u_2 - log_vector_2 * log_u_1
-    log_uu_1 = log_vector_2 * log_u_0 - log_vector_0 * log_u_2
-    log_uu_2 = log_vector_0 * log_u_1 - log_vector_1 * log_u_0
-    log_small_0 = log_b * log_uu_0 - 0.5 * log_u_0
-    log_small_1 = log_b * log_uu_1 - 0.5 * log_u_1
-    log_small_2 = log_b * log_uu_2 - 0.5 * log_u_2
-    whole_0 = between_3 + log_small_0
-    whole_1 = between_7 + log_small_1
-    whole_2 = between_11 + log_small_2
+    log_b_across = where(log_x < 4, 1 - log_x * log_b, log_half_cotangent)
+    log_wt = between_3 * log_vector_0 + between_7 * log_vector_1 + between_11 * log_vector_2
+    log_pitch = log_b * log_wt
+    log_along_0 = log_vector_0 * log_pitch
+    log_along_1 = log_vector_1 * log_pitch
+    log_along_2 = log_vector_2 * log_pitch
+    log_u_0 = between_11 * log_vector_1 - between_7 * log_vector_2
+    log_u_1 = between_3 * log_vector_2 - between_11 * log_vector_0
+    log_u_2 = between_7 * log_vector_0 - between_3 * log_vector_1
+    log_turned_0 = 0.5 * log_u_0
+    log_turned_1 = 0.5 * log_u_1
+    log_turned_2 = 0.5 * log_u_2
+    log_across_axis_0 = log_along_0 - log_turned_0
+    log_across_axis_1 = log_along_1 - log_turned_1
+    log_across_axis_2 = log_along_2 - log_turned_2
+    whole_0 = between_3 * log_b_across + log_across_axis_0
+    whole_1 = between_7 * log_b_across + log_across_axis_1
+    whole_2 = between_11 * log_b_across + log_across_axis_2
     screw_0 = k * whole_0
     screw_1 = k * whole_1
     screw_2 = k * whole_2
@@ -2111,7 +2166,7 @@ def SE3_interpolated(D1, D2, k):
     exp_squares = exp_high_0 * exp_high_0 + exp_high_1 * exp_high_1 + exp_high_2 * exp_high_2
     exp_cross = exp_low_0 * exp_sum_0 + exp_low_1 * exp_sum_1 + exp_low_2 * exp_sum_2
     exp_x = exp_squares + exp_cross
-    exp_theta = where(exp_x < 4, 2, sqrt(exp_x))
+    exp_theta = where(exp_x < 1, 1, sqrt(exp_x))
     exp_theta_shifted = exp_theta + 1610612736
     exp_theta_high = exp_theta_shifted - 1610612736
     exp_theta_low = exp_theta - exp_theta_high
@@ -2120,16 +2175,17 @@ def SE3_interpolated(D1, D2, k):
     exp_exact = exp_squares - exp_theta_high * exp_theta_high
     exp_residual = exp_cross_rest + exp_exact
     exp_delta = 0.5 * exp_residual / exp_theta
-    exp_far_sine = where(exp_x < 4, 1, sin(exp_theta))
-    exp_far_cosine = where(exp_x < 4, 0, cos(exp_theta))
+    exp_far_sine = where(exp_x < 1, 1, sin(exp_theta))
+    exp_far_cosine = where(exp_x < 1, 0, cos(exp_theta))
     exp_sine = exp_delta * exp_far_cosine + exp_far_sine
     exp_cosine = exp_far_cosine - exp_delta * exp_far_sine
-    exp_far_x = where(exp_x < 4, 4, exp_x)
+    exp_far_x = where(exp_x < 1, 1, exp_x)
+    exp_middle_x = where(exp_x < 4, 4, exp_x)
     exp_closed1 = exp_sine / exp_theta
     exp_versine = 1 - exp_cosine
     exp_closed2 = exp_versine / exp_far_x
     exp_rest3 = 1 - exp_closed1
-    exp_closed3 = exp_rest3 / exp_far_x
+    exp_closed3 = exp_rest3 / exp_middle_x
     exp_g1c = exp_x * (6.446950284384474e-26 * exp_x - 3.868170170630684e-23)
     exp_g1d = exp_g1c + 1.9572941063391263e-20
     exp_g1e = exp_x * exp_g1d
@@ -2152,7 +2208,7 @@ def SE3_interpolated(D1, D2, k):
     exp_g1v = exp_g1u - 0.16666666666666666
     exp_g1w = exp_x * exp_g1v
     exp_g1x = exp_g1w + 1
-    exp_g1 = where(exp_x < 4, exp_g1x, exp_closed1)
+    exp_g1 = where(exp_x < 1, exp_g1x, exp_closed1)
     exp_g2c = exp_x * (2.4795962632247976e-27 * exp_x - 1.6117375710961184e-24)
     exp_g2d = exp_g2c + 8.896791392450574e-22
     exp_g2e = exp_x * exp_g2d
@@ -2175,7 +2231,7 @@ def SE3_interpolated(D1, D2, k):
     exp_g2v = exp_g2u - 0.041666666666666664
     exp_g2w = exp_x * exp_g2v
     exp_g2x = exp_g2w + 0.5
-    exp_g2 = where(exp_x < 4, exp_g2x, exp_closed2)
+    exp_g2 = where(exp_x < 1, exp_g2x, exp_closed2)
     exp_g3c = exp_x * (9.183689863795546e-29 * exp_x - 6.446950284384474e-26)
     exp_g3d = exp_g3c + 3.868170170630684e-23
     exp_g3e = exp_x * exp_g3d
@@ -2199,7 +2255,7 @@ def SE3_interpolated(D1, D2, k):
     exp_g3w = exp_x * exp_g3v
     exp_g3x = exp_g3w + 0.16666666666666666
     exp_g3 = where(exp_x < 4, exp_g3x, exp_closed3)
-    exp_g0 = where(exp_x < 4, 1 - exp_x * exp_g2, exp_cosine)
+    exp_g0 = where(exp_x < 1, 1 - exp_x * exp_g2, exp_cosine)
     exp_u_0 = screw_2 * screw_4 - screw_1 * screw_5
     exp_u_1 = screw_0 * screw_5 - screw_2 * screw_3
     exp_u_2 = screw_1 * screw_3 - screw_0 * screw_4

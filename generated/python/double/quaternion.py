@@ -320,7 +320,7 @@ def quaternion_from_mat3x3(R):
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-    4 mul, 21 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
+    4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -329,10 +329,16 @@ def quaternion_from_mat3x3(R):
     s_0 = R_12 + R_21
     s_1 = R_02 + R_20
     s_2 = R_01 + R_10
-    d_0 = R_00 + R_11 + R_22 + 1
-    d_1 = R_00 - R_11 - R_22 + 1
-    d_2 = R_11 - R_00 - R_22 + 1
-    d_3 = R_22 - R_00 - R_11 + 1
+    less_0 = 1 - R_00
+    less_1 = 1 - R_11
+    less_2 = 1 - R_22
+    more_0 = R_00 + 1
+    more_1 = R_11 + 1
+    more_2 = R_22 + 1
+    d_0 = 4 - (less_0 + less_1 + less_2)
+    d_1 = 4 - less_0 - (more_1 + more_2)
+    d_2 = 4 - less_1 - (more_0 + more_2)
+    d_3 = 4 - less_2 - (more_0 + more_1)
     low_0 = where(R_11 < R_00, p_0, p_1)
     low_1 = where(R_11 < R_00, d_1, s_2)
     low_2 = where(R_11 < R_00, s_2, d_2)
@@ -424,9 +430,9 @@ def quaternion_exp(v):
     h_2 = 0.5 * v_2
     x = h_0 * h_0 + h_1 * h_1 + h_2 * h_2
     size = sqrt(x)
-    cosine = where(x < 4, 1, cos(size))
-    sine = where(x < 4, 1, sin(size))
-    divisor = where(x < 4, 2, size)
+    cosine = where(x < 1, 1, cos(size))
+    sine = where(x < 1, 1, sin(size))
+    divisor = where(x < 1, 2, size)
     far_k = sine / divisor
     k_e = x * (x * (6.446950284384474e-26 * x - 3.868170170630684e-23) + 1.9572941063391263e-20)
     k_f = k_e - 8.22063524662433e-18
@@ -448,7 +454,7 @@ def quaternion_exp(v):
     k_v = k_u - 0.16666666666666666
     k_w = x * k_v
     k_x = k_w + 1
-    k = where(x < 4, k_x, far_k)
+    k = where(x < 1, k_x, far_k)
     g2e = x * (x * (2.4795962632247976e-27 * x - 1.6117375710961184e-24) + 8.896791392450574e-22)
     g2f = g2e - 4.110317623312165e-19
     g2g = x * g2f
@@ -470,7 +476,7 @@ def quaternion_exp(v):
     g2w = x * g2v
     g2 = g2w + 0.5
     near = 1 - x * g2
-    qo_0 = where(x < 4, near, cosine)
+    qo_0 = where(x < 1, near, cosine)
     qo_1 = h_0 * k
     qo_2 = h_1 * k
     qo_3 = h_2 * k
@@ -557,9 +563,9 @@ def quaternion_slerp(q1, q2, k):
     step_2 = rate * kv_2
     exp_x = step_0 * step_0 + step_1 * step_1 + step_2 * step_2
     exp_size = sqrt(exp_x)
-    exp_cosine = where(exp_x < 4, 1, cos(exp_size))
-    exp_sine = where(exp_x < 4, 1, sin(exp_size))
-    exp_divisor = where(exp_x < 4, 2, exp_size)
+    exp_cosine = where(exp_x < 1, 1, cos(exp_size))
+    exp_sine = where(exp_x < 1, 1, sin(exp_size))
+    exp_divisor = where(exp_x < 1, 2, exp_size)
     exp_far_k = exp_sine / exp_divisor
     exp_k_c = exp_x * (6.446950284384474e-26 * exp_x - 3.868170170630684e-23)
     exp_k_d = exp_k_c + 1.9572941063391263e-20
@@ -583,7 +589,7 @@ def quaternion_slerp(q1, q2, k):
     exp_k_v = exp_k_u - 0.16666666666666666
     exp_k_w = exp_x * exp_k_v
     exp_k_x = exp_k_w + 1
-    exp_k = where(exp_x < 4, exp_k_x, exp_far_k)
+    exp_k = where(exp_x < 1, exp_k_x, exp_far_k)
     exp_g2c = exp_x * (2.4795962632247976e-27 * exp_x - 1.6117375710961184e-24)
     exp_g2d = exp_g2c + 8.896791392450574e-22
     exp_g2e = exp_x * exp_g2d
@@ -607,7 +613,7 @@ def quaternion_slerp(q1, q2, k):
     exp_g2w = exp_x * exp_g2v
     exp_g2 = exp_g2w + 0.5
     exp_near = 1 - exp_x * exp_g2
-    power_0 = where(exp_x < 4, exp_near, exp_cosine)
+    power_0 = where(exp_x < 1, exp_near, exp_cosine)
     power_1 = step_0 * exp_k
     power_2 = step_1 * exp_k
     power_3 = step_2 * exp_k

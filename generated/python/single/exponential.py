@@ -31,7 +31,7 @@ def SO3_exp(v):
     squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
-    theta = where(x < 4, 2, sqrt(x))
+    theta = where(x < 1, 1, sqrt(x))
     theta_shifted = theta + 49152
     theta_high = theta_shifted - 49152
     theta_low = theta - theta_high
@@ -40,11 +40,11 @@ def SO3_exp(v):
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
     delta = 0.5 * residual / theta
-    far_sine = where(x < 4, 1, sin(theta))
-    far_cosine = where(x < 4, 0, cos(theta))
+    far_sine = where(x < 1, 1, sin(theta))
+    far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
-    far_x = where(x < 4, 4, x)
+    far_x = where(x < 1, 1, x)
     closed1 = sine / theta
     versine = 1 - cosine
     closed2 = versine / far_x
@@ -66,7 +66,7 @@ def SO3_exp(v):
     g1v = g1u - 0.16666667
     g1w = x * g1v
     g1x = g1w + 1
-    g1 = where(x < 4, g1x, closed1)
+    g1 = where(x < 1, g1x, closed1)
     g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
     g2h = g2g + 1.5619207e-16
     g2i = x * g2h
@@ -85,8 +85,8 @@ def SO3_exp(v):
     g2v = g2u - 0.041666668
     g2w = x * g2v
     g2x = g2w + 0.5
-    g2 = where(x < 4, g2x, closed2)
-    g0 = where(x < 4, 1 - x * g2, cosine)
+    g2 = where(x < 1, g2x, closed2)
+    g0 = where(x < 1, 1 - x * g2, cosine)
     beta_v_0 = v_0 * g2
     beta_v_1 = v_1 * g2
     beta_v_2 = v_2 * g2
@@ -119,7 +119,7 @@ def SO3_log(R):
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    11 mul, 20 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
+    11 mul, 26 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -128,10 +128,16 @@ def SO3_log(R):
     s_0 = R_12 + R_21
     s_1 = R_02 + R_20
     s_2 = R_01 + R_10
-    d_0 = R_00 + R_11 + R_22 + 1
-    d_1 = R_00 - R_11 - R_22 + 1
-    d_2 = R_11 - R_00 - R_22 + 1
-    d_3 = R_22 - R_00 - R_11 + 1
+    less_0 = 1 - R_00
+    less_1 = 1 - R_11
+    less_2 = 1 - R_22
+    more_0 = R_00 + 1
+    more_1 = R_11 + 1
+    more_2 = R_22 + 1
+    d_0 = 4 - (less_0 + less_1 + less_2)
+    d_1 = 4 - less_0 - (more_1 + more_2)
+    d_2 = 4 - less_1 - (more_0 + more_2)
+    d_3 = 4 - less_2 - (more_0 + more_1)
     low_0 = where(R_11 < R_00, p_0, p_1)
     low_1 = where(R_11 < R_00, d_1, s_2)
     low_2 = where(R_11 < R_00, s_2, d_2)
@@ -176,7 +182,7 @@ def SO3_leftJacobian(v):
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select.
+    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 11 select.
     """
     v_0, v_1, v_2 = v
     shifted_0 = v_0 + 49152
@@ -194,7 +200,7 @@ def SO3_leftJacobian(v):
     squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
-    theta = where(x < 4, 2, sqrt(x))
+    theta = where(x < 1, 1, sqrt(x))
     theta_shifted = theta + 49152
     theta_high = theta_shifted - 49152
     theta_low = theta - theta_high
@@ -203,16 +209,17 @@ def SO3_leftJacobian(v):
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
     delta = 0.5 * residual / theta
-    far_sine = where(x < 4, 1, sin(theta))
-    far_cosine = where(x < 4, 0, cos(theta))
+    far_sine = where(x < 1, 1, sin(theta))
+    far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
-    far_x = where(x < 4, 4, x)
+    far_x = where(x < 1, 1, x)
+    middle_x = where(x < 4, 4, x)
     closed1 = sine / theta
     versine = 1 - cosine
     closed2 = versine / far_x
     rest3 = 1 - closed1
-    closed3 = rest3 / far_x
+    closed3 = rest3 / middle_x
     g1g = x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
     g1h = g1g + 2.8114574e-15
     g1i = x * g1h
@@ -231,7 +238,7 @@ def SO3_leftJacobian(v):
     g1v = g1u - 0.16666667
     g1w = x * g1v
     g1x = g1w + 1
-    g1 = where(x < 4, g1x, closed1)
+    g1 = where(x < 1, g1x, closed1)
     g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
     g2h = g2g + 1.5619207e-16
     g2i = x * g2h
@@ -250,7 +257,7 @@ def SO3_leftJacobian(v):
     g2v = g2u - 0.041666668
     g2w = x * g2v
     g2x = g2w + 0.5
-    g2 = where(x < 4, g2x, closed2)
+    g2 = where(x < 1, g2x, closed2)
     g3g = x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
     g3h = g3g + 8.220635e-18
     g3i = x * g3h
@@ -302,7 +309,7 @@ def SO3_rightJacobian(v):
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 less, 10 select.
+    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 5 less, 11 select.
     """
     v_0, v_1, v_2 = v
     shifted_0 = v_0 + 49152
@@ -320,7 +327,7 @@ def SO3_rightJacobian(v):
     squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
-    theta = where(x < 4, 2, sqrt(x))
+    theta = where(x < 1, 1, sqrt(x))
     theta_shifted = theta + 49152
     theta_high = theta_shifted - 49152
     theta_low = theta - theta_high
@@ -329,16 +336,17 @@ def SO3_rightJacobian(v):
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
     delta = 0.5 * residual / theta
-    far_sine = where(x < 4, 1, sin(theta))
-    far_cosine = where(x < 4, 0, cos(theta))
+    far_sine = where(x < 1, 1, sin(theta))
+    far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
-    far_x = where(x < 4, 4, x)
+    far_x = where(x < 1, 1, x)
+    middle_x = where(x < 4, 4, x)
     closed1 = sine / theta
     versine = 1 - cosine
     closed2 = versine / far_x
     rest3 = 1 - closed1
-    closed3 = rest3 / far_x
+    closed3 = rest3 / middle_x
     g1g = x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
     g1h = g1g + 2.8114574e-15
     g1i = x * g1h
@@ -357,7 +365,7 @@ def SO3_rightJacobian(v):
     g1v = g1u - 0.16666667
     g1w = x * g1v
     g1x = g1w + 1
-    g1 = where(x < 4, g1x, closed1)
+    g1 = where(x < 1, g1x, closed1)
     g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
     g2h = g2g + 1.5619207e-16
     g2i = x * g2h
@@ -376,7 +384,7 @@ def SO3_rightJacobian(v):
     g2v = g2u - 0.041666668
     g2w = x * g2v
     g2x = g2w + 0.5
-    g2 = where(x < 4, g2x, closed2)
+    g2 = where(x < 1, g2x, closed2)
     g3g = x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
     g3h = g3g + 8.220635e-18
     g3i = x * g3h
@@ -429,7 +437,7 @@ def SO3_leftJacobianInverse(v):
     but 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    41 mul, 57 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 2 less, 7 select.
+    42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 6 less, 11 select.
     """
     v_0, v_1, v_2 = v
     shifted_0 = v_0 + 49152
@@ -447,7 +455,7 @@ def SO3_leftJacobianInverse(v):
     squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
-    theta = where(x < 4, 2, sqrt(x))
+    theta = where(x < 1, 1, sqrt(x))
     theta_shifted = theta + 49152
     theta_high = theta_shifted - 49152
     theta_low = theta - theta_high
@@ -456,14 +464,15 @@ def SO3_leftJacobianInverse(v):
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
     delta = 0.5 * residual / theta
-    far_sine = where(x < 4, 1, sin(theta))
-    far_cosine = where(x < 4, 0, cos(theta))
+    far_sine = where(x < 1, 1, sin(theta))
+    far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     above = where(cosine < 0, sine, cosine + 1)
     below = where(cosine < 0, 1 - cosine, sine)
     cotangent = above / below
-    b_rest = 1 - 0.5 * theta * cotangent
+    half_cotangent = 0.5 * theta * cotangent
+    b_rest = 1 - half_cotangent
     b_divisor = where(x < 4, 4, x)
     closed_b = b_rest / b_divisor
     b_g = x * (x * (x * (1.4551725e-27 * x + 5.744791e-26) + 2.2679524e-24) + 8.9535176e-23)
@@ -493,6 +502,7 @@ def SO3_leftJacobianInverse(v):
     b_ae = x * b_ad
     b_af = b_ae + 0.083333336
     b = where(x < 4, b_af, closed_b)
+    b_across = where(x < 4, 1 - x * b, half_cotangent)
     beta_v_0 = v_0 * b
     beta_v_1 = v_1 * b
     beta_v_2 = v_2 * b
@@ -505,19 +515,19 @@ def SO3_leftJacobianInverse(v):
     others_0 = m_1 + m_2
     others_1 = m_0 + m_2
     others_2 = m_0 + m_1
+    diagonal0 = where(m_0 < others_0, b_across + m_0, 1 - others_0)
+    diagonal1 = where(m_1 < others_1, b_across + m_1, 1 - others_1)
+    diagonal2 = where(m_2 < others_2, b_across + m_2, 1 - others_2)
     alpha_v_0 = -(0.5 * v_0)
     alpha_v_1 = -(0.5 * v_1)
     alpha_v_2 = -(0.5 * v_2)
-    R_00 = 1 - others_0
     R_01 = m_3 - alpha_v_2
     R_02 = m_4 + alpha_v_1
     R_10 = m_3 + alpha_v_2
-    R_11 = 1 - others_1
     R_12 = m_5 - alpha_v_0
     R_20 = m_4 - alpha_v_1
     R_21 = m_5 + alpha_v_0
-    R_22 = 1 - others_2
-    return (R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22)
+    return (diagonal0, R_01, R_02, R_10, diagonal1, R_12, R_20, R_21, diagonal2)
 
 
 @kernel("(3)->(3,3)")
@@ -526,7 +536,7 @@ def SO3_rightJacobianInverse(v):
     but 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    41 mul, 57 add, 3 div, 1 sqrt, 1 sin, 1 cos, 2 less, 7 select.
+    42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 6 less, 11 select.
     """
     v_0, v_1, v_2 = v
     shifted_0 = v_0 + 49152
@@ -544,7 +554,7 @@ def SO3_rightJacobianInverse(v):
     squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
-    theta = where(x < 4, 2, sqrt(x))
+    theta = where(x < 1, 1, sqrt(x))
     theta_shifted = theta + 49152
     theta_high = theta_shifted - 49152
     theta_low = theta - theta_high
@@ -553,14 +563,15 @@ def SO3_rightJacobianInverse(v):
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
     delta = 0.5 * residual / theta
-    far_sine = where(x < 4, 1, sin(theta))
-    far_cosine = where(x < 4, 0, cos(theta))
+    far_sine = where(x < 1, 1, sin(theta))
+    far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     above = where(cosine < 0, sine, cosine + 1)
     below = where(cosine < 0, 1 - cosine, sine)
     cotangent = above / below
-    b_rest = 1 - 0.5 * theta * cotangent
+    half_cotangent = 0.5 * theta * cotangent
+    b_rest = 1 - half_cotangent
     b_divisor = where(x < 4, 4, x)
     closed_b = b_rest / b_divisor
     b_g = x * (x * (x * (1.4551725e-27 * x + 5.744791e-26) + 2.2679524e-24) + 8.9535176e-23)
@@ -590,6 +601,7 @@ def SO3_rightJacobianInverse(v):
     b_ae = x * b_ad
     b_af = b_ae + 0.083333336
     b = where(x < 4, b_af, closed_b)
+    b_across = where(x < 4, 1 - x * b, half_cotangent)
     beta_v_0 = v_0 * b
     beta_v_1 = v_1 * b
     beta_v_2 = v_2 * b
@@ -602,19 +614,19 @@ def SO3_rightJacobianInverse(v):
     others_0 = m_1 + m_2
     others_1 = m_0 + m_2
     others_2 = m_0 + m_1
+    diagonal0 = where(m_0 < others_0, b_across + m_0, 1 - others_0)
+    diagonal1 = where(m_1 < others_1, b_across + m_1, 1 - others_1)
+    diagonal2 = where(m_2 < others_2, b_across + m_2, 1 - others_2)
     alpha_v_0 = 0.5 * v_0
     alpha_v_1 = 0.5 * v_1
     alpha_v_2 = 0.5 * v_2
-    R_00 = 1 - others_0
     R_01 = m_3 - alpha_v_2
     R_02 = m_4 + alpha_v_1
     R_10 = m_3 + alpha_v_2
-    R_11 = 1 - others_1
     R_12 = m_5 - alpha_v_0
     R_20 = m_4 - alpha_v_1
     R_21 = m_5 + alpha_v_0
-    R_22 = 1 - others_2
-    return (R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22)
+    return (diagonal0, R_01, R_02, R_10, diagonal1, R_12, R_20, R_21, diagonal2)
 
 
 @kernel("(3),()->(3,3)")
@@ -662,7 +674,7 @@ def axis_angle_from_mat3x3(R):
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    8 mul, 20 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
+    8 mul, 26 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -671,10 +683,16 @@ def axis_angle_from_mat3x3(R):
     s_0 = R_12 + R_21
     s_1 = R_02 + R_20
     s_2 = R_01 + R_10
-    d_0 = R_00 + R_11 + R_22 + 1
-    d_1 = R_00 - R_11 - R_22 + 1
-    d_2 = R_11 - R_00 - R_22 + 1
-    d_3 = R_22 - R_00 - R_11 + 1
+    less_0 = 1 - R_00
+    less_1 = 1 - R_11
+    less_2 = 1 - R_22
+    more_0 = R_00 + 1
+    more_1 = R_11 + 1
+    more_2 = R_22 + 1
+    d_0 = 4 - (less_0 + less_1 + less_2)
+    d_1 = 4 - less_0 - (more_1 + more_2)
+    d_2 = 4 - less_1 - (more_0 + more_2)
+    d_3 = 4 - less_2 - (more_0 + more_1)
     low_0 = where(R_11 < R_00, p_0, p_1)
     low_1 = where(R_11 < R_00, d_1, s_2)
     low_2 = where(R_11 < R_00, s_2, d_2)
@@ -789,7 +807,7 @@ def SE3_exp(s):
     """D = exp s = [exp ω~ | J_l(ω) v].
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-    79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 less, 11 select.
+    79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 12 select.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     shifted_0 = s_3 + 49152
@@ -807,7 +825,7 @@ def SE3_exp(s):
     squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
-    theta = where(x < 4, 2, sqrt(x))
+    theta = where(x < 1, 1, sqrt(x))
     theta_shifted = theta + 49152
     theta_high = theta_shifted - 49152
     theta_low = theta - theta_high
@@ -816,16 +834,17 @@ def SE3_exp(s):
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
     delta = 0.5 * residual / theta
-    far_sine = where(x < 4, 1, sin(theta))
-    far_cosine = where(x < 4, 0, cos(theta))
+    far_sine = where(x < 1, 1, sin(theta))
+    far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
-    far_x = where(x < 4, 4, x)
+    far_x = where(x < 1, 1, x)
+    middle_x = where(x < 4, 4, x)
     closed1 = sine / theta
     versine = 1 - cosine
     closed2 = versine / far_x
     rest3 = 1 - closed1
-    closed3 = rest3 / far_x
+    closed3 = rest3 / middle_x
     g1g = x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
     g1h = g1g + 2.8114574e-15
     g1i = x * g1h
@@ -844,7 +863,7 @@ def SE3_exp(s):
     g1v = g1u - 0.16666667
     g1w = x * g1v
     g1x = g1w + 1
-    g1 = where(x < 4, g1x, closed1)
+    g1 = where(x < 1, g1x, closed1)
     g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
     g2h = g2g + 1.5619207e-16
     g2i = x * g2h
@@ -863,7 +882,7 @@ def SE3_exp(s):
     g2v = g2u - 0.041666668
     g2w = x * g2v
     g2x = g2w + 0.5
-    g2 = where(x < 4, g2x, closed2)
+    g2 = where(x < 1, g2x, closed2)
     g3g = x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
     g3h = g3g + 8.220635e-18
     g3i = x * g3h
@@ -883,7 +902,7 @@ def SE3_exp(s):
     g3w = x * g3v
     g3x = g3w + 0.16666667
     g3 = where(x < 4, g3x, closed3)
-    g0 = where(x < 4, 1 - x * g2, cosine)
+    g0 = where(x < 1, 1 - x * g2, cosine)
     u_0 = s_2 * s_4 - s_1 * s_5
     u_1 = s_0 * s_5 - s_2 * s_3
     u_2 = s_1 * s_3 - s_0 * s_4
@@ -933,7 +952,7 @@ def SE3_log(D):
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    48 mul, 49 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 11 less, 1 equal, 26 select.
+    50 mul, 55 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     p_0 = D_21 - D_12
@@ -942,10 +961,16 @@ def SE3_log(D):
     s_0 = D_12 + D_21
     s_1 = D_02 + D_20
     s_2 = D_01 + D_10
-    d_0 = D_00 + D_11 + D_22 + 1
-    d_1 = D_00 - D_11 - D_22 + 1
-    d_2 = D_11 - D_00 - D_22 + 1
-    d_3 = D_22 - D_00 - D_11 + 1
+    less_0 = 1 - D_00
+    less_1 = 1 - D_11
+    less_2 = 1 - D_22
+    more_0 = D_00 + 1
+    more_1 = D_11 + 1
+    more_2 = D_22 + 1
+    d_0 = 4 - (less_0 + less_1 + less_2)
+    d_1 = 4 - less_0 - (more_1 + more_2)
+    d_2 = 4 - less_1 - (more_0 + more_2)
+    d_3 = 4 - less_2 - (more_0 + more_1)
     low_0 = where(D_11 < D_00, p_0, p_1)
     low_1 = where(D_11 < D_00, d_1, s_2)
     low_2 = where(D_11 < D_00, s_2, d_2)
@@ -983,12 +1008,10 @@ def SE3_log(D):
     vector_1 = upper_2 * k
     vector_2 = upper_3 * k
     x = theta * theta
-    far_sine = where(x < 4, 1, n)
+    far_sine = where(x < 1, 1, n)
     cotangent = upper_0 / far_sine
-    u_0 = D_23 * vector_1 - D_13 * vector_2
-    u_1 = D_03 * vector_2 - D_23 * vector_0
-    u_2 = D_13 * vector_0 - D_03 * vector_1
-    b_rest = 1 - 0.5 * theta * cotangent
+    half_cotangent = 0.5 * theta * cotangent
+    b_rest = 1 - half_cotangent
     b_divisor = where(x < 4, 4, x)
     closed_b = b_rest / b_divisor
     b_g = x * (x * (x * (1.4551725e-27 * x + 5.744791e-26) + 2.2679524e-24) + 8.9535176e-23)
@@ -1018,15 +1041,24 @@ def SE3_log(D):
     b_ae = x * b_ad
     b_af = b_ae + 0.083333336
     b = where(x < 4, b_af, closed_b)
-    uu_0 = vector_1 * u_2 - vector_2 * u_1
-    uu_1 = vector_2 * u_0 - vector_0 * u_2
-    uu_2 = vector_0 * u_1 - vector_1 * u_0
-    small_0 = b * uu_0 - 0.5 * u_0
-    small_1 = b * uu_1 - 0.5 * u_1
-    small_2 = b * uu_2 - 0.5 * u_2
-    so_0 = D_03 + small_0
-    so_1 = D_13 + small_1
-    so_2 = D_23 + small_2
+    b_across = where(x < 4, 1 - x * b, half_cotangent)
+    wt = D_03 * vector_0 + D_13 * vector_1 + D_23 * vector_2
+    pitch = b * wt
+    along_0 = vector_0 * pitch
+    along_1 = vector_1 * pitch
+    along_2 = vector_2 * pitch
+    u_0 = D_23 * vector_1 - D_13 * vector_2
+    u_1 = D_03 * vector_2 - D_23 * vector_0
+    u_2 = D_13 * vector_0 - D_03 * vector_1
+    turned_0 = 0.5 * u_0
+    turned_1 = 0.5 * u_1
+    turned_2 = 0.5 * u_2
+    across_axis_0 = along_0 - turned_0
+    across_axis_1 = along_1 - turned_1
+    across_axis_2 = along_2 - turned_2
+    so_0 = D_03 * b_across + across_axis_0
+    so_1 = D_13 * b_across + across_axis_1
+    so_2 = D_23 * b_across + across_axis_2
     return (so_0, so_1, so_2, vector_0, vector_1, vector_2)
 
 
@@ -1035,7 +1067,7 @@ def SE3_leftJacobian(s):
     """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 4 less, 12 select.
+    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 5 less, 13 select.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     shifted_0 = s_3 + 49152
@@ -1053,7 +1085,7 @@ def SE3_leftJacobian(s):
     squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
-    theta = where(x < 4, 2, sqrt(x))
+    theta = where(x < 1, 1, sqrt(x))
     theta_shifted = theta + 49152
     theta_high = theta_shifted - 49152
     theta_low = theta - theta_high
@@ -1062,20 +1094,21 @@ def SE3_leftJacobian(s):
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
     delta = 0.5 * residual / theta
-    far_sine = where(x < 4, 1, sin(theta))
-    far_cosine = where(x < 4, 0, cos(theta))
+    far_sine = where(x < 1, 1, sin(theta))
+    far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
-    far_x = where(x < 4, 4, x)
+    far_x = where(x < 1, 1, x)
+    middle_x = where(x < 4, 4, x)
     closed1 = sine / theta
     versine = 1 - cosine
     closed2 = versine / far_x
     rest3 = 1 - closed1
-    closed3 = rest3 / far_x
+    closed3 = rest3 / middle_x
     rest4 = 0.5 - closed2
-    closed4 = rest4 / far_x
+    closed4 = rest4 / middle_x
     rest5 = 0.16666667 - closed3
-    closed5 = rest5 / far_x
+    closed5 = rest5 / middle_x
     g1g = x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
     g1h = g1g + 2.8114574e-15
     g1i = x * g1h
@@ -1094,7 +1127,7 @@ def SE3_leftJacobian(s):
     g1v = g1u - 0.16666667
     g1w = x * g1v
     g1x = g1w + 1
-    g1 = where(x < 4, g1x, closed1)
+    g1 = where(x < 1, g1x, closed1)
     g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
     g2h = g2g + 1.5619207e-16
     g2i = x * g2h
@@ -1113,7 +1146,7 @@ def SE3_leftJacobian(s):
     g2v = g2u - 0.041666668
     g2w = x * g2v
     g2x = g2w + 0.5
-    g2 = where(x < 4, g2x, closed2)
+    g2 = where(x < 1, g2x, closed2)
     g3g = x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
     g3h = g3g + 8.220635e-18
     g3i = x * g3h
@@ -1237,7 +1270,7 @@ def SE3_rightJacobian(s):
     """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 4 less, 12 select.
+    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 5 less, 13 select.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     shifted_0 = s_3 + 49152
@@ -1255,7 +1288,7 @@ def SE3_rightJacobian(s):
     squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
-    theta = where(x < 4, 2, sqrt(x))
+    theta = where(x < 1, 1, sqrt(x))
     theta_shifted = theta + 49152
     theta_high = theta_shifted - 49152
     theta_low = theta - theta_high
@@ -1264,20 +1297,21 @@ def SE3_rightJacobian(s):
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
     delta = 0.5 * residual / theta
-    far_sine = where(x < 4, 1, sin(theta))
-    far_cosine = where(x < 4, 0, cos(theta))
+    far_sine = where(x < 1, 1, sin(theta))
+    far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
-    far_x = where(x < 4, 4, x)
+    far_x = where(x < 1, 1, x)
+    middle_x = where(x < 4, 4, x)
     closed1 = sine / theta
     versine = 1 - cosine
     closed2 = versine / far_x
     rest3 = 1 - closed1
-    closed3 = rest3 / far_x
+    closed3 = rest3 / middle_x
     rest4 = 0.5 - closed2
-    closed4 = rest4 / far_x
+    closed4 = rest4 / middle_x
     rest5 = 0.16666667 - closed3
-    closed5 = rest5 / far_x
+    closed5 = rest5 / middle_x
     g1g = x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
     g1h = g1g + 2.8114574e-15
     g1i = x * g1h
@@ -1296,7 +1330,7 @@ def SE3_rightJacobian(s):
     g1v = g1u - 0.16666667
     g1w = x * g1v
     g1x = g1w + 1
-    g1 = where(x < 4, g1x, closed1)
+    g1 = where(x < 1, g1x, closed1)
     g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
     g2h = g2g + 1.5619207e-16
     g2i = x * g2h
@@ -1315,7 +1349,7 @@ def SE3_rightJacobian(s):
     g2v = g2u - 0.041666668
     g2w = x * g2v
     g2x = g2w + 0.5
-    g2 = where(x < 4, g2x, closed2)
+    g2 = where(x < 1, g2x, closed2)
     g3g = x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
     g3h = g3g + 8.220635e-18
     g3i = x * g3h
@@ -1439,7 +1473,7 @@ def SE3_leftJacobianInverse(s):
     """M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    180 mul, 172 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 2 less, 11 select.
+    181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 6 less, 16 select.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     shifted_0 = s_3 + 49152
@@ -1457,7 +1491,7 @@ def SE3_leftJacobianInverse(s):
     squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
-    theta = where(x < 4, 2, sqrt(x))
+    theta = where(x < 1, 1, sqrt(x))
     theta_shifted = theta + 49152
     theta_high = theta_shifted - 49152
     theta_low = theta - theta_high
@@ -1466,15 +1500,16 @@ def SE3_leftJacobianInverse(s):
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
     delta = 0.5 * residual / theta
-    far_sine = where(x < 4, 1, sin(theta))
-    far_cosine = where(x < 4, 0, cos(theta))
+    far_sine = where(x < 1, 1, sin(theta))
+    far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     above = where(cosine < 0, sine, cosine + 1)
     below_a = 1 - cosine
     below = where(cosine < 0, below_a, sine)
     cotangent = above / below
-    b_rest = 1 - 0.5 * theta * cotangent
+    half_cotangent = 0.5 * theta * cotangent
+    b_rest = 1 - half_cotangent
     b_divisor = where(x < 4, 4, x)
     closed_b = b_rest / b_divisor
     b_g = x * (x * (x * (1.4551725e-27 * x + 5.744791e-26) + 2.2679524e-24) + 8.9535176e-23)
@@ -1504,6 +1539,7 @@ def SE3_leftJacobianInverse(s):
     b_ae = x * b_ad
     b_af = b_ae + 0.083333336
     b = where(x < 4, b_af, closed_b)
+    b_across = where(x < 4, 1 - x * b, half_cotangent)
     beta_v_0 = s_3 * b
     beta_v_1 = s_4 * b
     beta_v_2 = s_5 * b
@@ -1516,20 +1552,21 @@ def SE3_leftJacobianInverse(s):
     others_0 = m_1 + m_2
     others_1 = m_0 + m_2
     others_2 = m_0 + m_1
+    diagonal0 = where(m_0 < others_0, b_across + m_0, 1 - others_0)
+    diagonal1 = where(m_1 < others_1, b_across + m_1, 1 - others_1)
+    diagonal2 = where(m_2 < others_2, b_across + m_2, 1 - others_2)
     alpha_v_0 = -(0.5 * s_3)
     alpha_v_1 = -(0.5 * s_4)
     alpha_v_2 = -(0.5 * s_5)
-    J_0 = 1 - others_0
     J_1 = m_3 - alpha_v_2
     J_2 = m_4 + alpha_v_1
     J_3 = m_3 + alpha_v_2
-    J_4 = 1 - others_1
     J_5 = m_5 - alpha_v_0
     J_6 = m_4 - alpha_v_1
     J_7 = m_5 + alpha_v_0
-    J_8 = 1 - others_2
+    far_x = where(x < 1, 1, x)
     closed1 = sine / theta
-    closed2 = below_a / b_divisor
+    closed2 = below_a / far_x
     rest3 = 1 - closed1
     closed3 = rest3 / b_divisor
     rest4 = 0.5 - closed2
@@ -1554,7 +1591,7 @@ def SE3_leftJacobianInverse(s):
     g2v = g2u - 0.041666668
     g2w = x * g2v
     g2x = g2w + 0.5
-    g2 = where(x < 4, g2x, closed2)
+    g2 = where(x < 1, g2x, closed2)
     g3g = x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
     g3h = g3g + 8.220635e-18
     g3i = x * g3h
@@ -1644,26 +1681,27 @@ def SE3_leftJacobianInverse(s):
     Q_5 = symmetric_2 - q_0
     Q_6 = symmetric_1 - q_1
     Q_7 = q_0 + symmetric_2
-    QJ_0 = J_0 * diagonal_0 + (J_3 * Q_1 + J_6 * Q_2)
-    QJ_1 = J_1 * diagonal_0 + (J_4 * Q_1 + J_7 * Q_2)
-    QJ_2 = J_2 * diagonal_0 + (J_5 * Q_1 + J_8 * Q_2)
-    QJ_3 = J_0 * Q_3 + J_6 * Q_5 + J_3 * diagonal_1
-    QJ_4 = J_1 * Q_3 + J_7 * Q_5 + J_4 * diagonal_1
-    QJ_5 = J_2 * Q_3 + J_8 * Q_5 + J_5 * diagonal_1
-    QJ_6 = J_0 * Q_6 + J_3 * Q_7 + J_6 * diagonal_2
-    QJ_7 = J_1 * Q_6 + J_4 * Q_7 + J_7 * diagonal_2
-    QJ_8 = J_2 * Q_6 + J_5 * Q_7 + J_8 * diagonal_2
-    M_03 = -(J_0 * QJ_0 + J_1 * QJ_3 + J_2 * QJ_6)
-    M_04 = -(J_0 * QJ_1 + J_1 * QJ_4 + J_2 * QJ_7)
-    M_05 = -(J_0 * QJ_2 + J_1 * QJ_5 + J_2 * QJ_8)
-    M_13 = -(J_3 * QJ_0 + J_4 * QJ_3 + J_5 * QJ_6)
-    M_14 = -(J_3 * QJ_1 + J_4 * QJ_4 + J_5 * QJ_7)
-    M_15 = -(J_3 * QJ_2 + J_4 * QJ_5 + J_5 * QJ_8)
-    M_23 = -(J_6 * QJ_0 + J_7 * QJ_3 + J_8 * QJ_6)
-    M_24 = -(J_6 * QJ_1 + J_7 * QJ_4 + J_8 * QJ_7)
-    M_25 = -(J_6 * QJ_2 + J_7 * QJ_5 + J_8 * QJ_8)
-    return (J_0, J_1, J_2, M_03, M_04, M_05, J_3, J_4, J_5, M_13, M_14, M_15, J_6, J_7, J_8, M_23,
-        M_24, M_25, 0, 0, 0, J_0, J_1, J_2, 0, 0, 0, J_3, J_4, J_5, 0, 0, 0, J_6, J_7, J_8)
+    QJ_0 = diagonal0 * diagonal_0 + (J_3 * Q_1 + J_6 * Q_2)
+    QJ_1 = diagonal1 * Q_1 + J_1 * diagonal_0 + J_7 * Q_2
+    QJ_2 = diagonal2 * Q_2 + J_2 * diagonal_0 + J_5 * Q_1
+    QJ_3 = diagonal0 * Q_3 + J_3 * diagonal_1 + J_6 * Q_5
+    QJ_4 = diagonal1 * diagonal_1 + (J_1 * Q_3 + J_7 * Q_5)
+    QJ_5 = diagonal2 * Q_5 + J_2 * Q_3 + J_5 * diagonal_1
+    QJ_6 = diagonal0 * Q_6 + J_3 * Q_7 + J_6 * diagonal_2
+    QJ_7 = diagonal1 * Q_7 + J_1 * Q_6 + J_7 * diagonal_2
+    QJ_8 = diagonal2 * diagonal_2 + (J_2 * Q_6 + J_5 * Q_7)
+    M_03 = -(diagonal0 * QJ_0 + (J_1 * QJ_3 + J_2 * QJ_6))
+    M_04 = -(diagonal0 * QJ_1 + (J_1 * QJ_4 + J_2 * QJ_7))
+    M_05 = -(diagonal0 * QJ_2 + (J_1 * QJ_5 + J_2 * QJ_8))
+    M_13 = -(diagonal1 * QJ_3 + (J_3 * QJ_0 + J_5 * QJ_6))
+    M_14 = -(diagonal1 * QJ_4 + (J_3 * QJ_1 + J_5 * QJ_7))
+    M_15 = -(diagonal1 * QJ_5 + (J_3 * QJ_2 + J_5 * QJ_8))
+    M_23 = -(diagonal2 * QJ_6 + (J_6 * QJ_0 + J_7 * QJ_3))
+    M_24 = -(diagonal2 * QJ_7 + (J_6 * QJ_1 + J_7 * QJ_4))
+    M_25 = -(diagonal2 * QJ_8 + (J_6 * QJ_2 + J_7 * QJ_5))
+    return (diagonal0, J_1, J_2, M_03, M_04, M_05, J_3, diagonal1, J_5, M_13, M_14, M_15, J_6, J_7,
+        diagonal2, M_23, M_24, M_25, 0, 0, 0, diagonal0, J_1, J_2, 0, 0, 0, J_3, diagonal1, J_5, 0,
+        0, 0, J_6, J_7, diagonal2)
 
 
 @kernel("(6)->(6,6)")
@@ -1671,7 +1709,7 @@ def SE3_rightJacobianInverse(s):
     """M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    180 mul, 172 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 2 less, 11 select.
+    181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 6 less, 16 select.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     shifted_0 = s_3 + 49152
@@ -1689,7 +1727,7 @@ def SE3_rightJacobianInverse(s):
     squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
-    theta = where(x < 4, 2, sqrt(x))
+    theta = where(x < 1, 1, sqrt(x))
     theta_shifted = theta + 49152
     theta_high = theta_shifted - 49152
     theta_low = theta - theta_high
@@ -1698,15 +1736,16 @@ def SE3_rightJacobianInverse(s):
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
     delta = 0.5 * residual / theta
-    far_sine = where(x < 4, 1, sin(theta))
-    far_cosine = where(x < 4, 0, cos(theta))
+    far_sine = where(x < 1, 1, sin(theta))
+    far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     above = where(cosine < 0, sine, cosine + 1)
     below_a = 1 - cosine
     below = where(cosine < 0, below_a, sine)
     cotangent = above / below
-    b_rest = 1 - 0.5 * theta * cotangent
+    half_cotangent = 0.5 * theta * cotangent
+    b_rest = 1 - half_cotangent
     b_divisor = where(x < 4, 4, x)
     closed_b = b_rest / b_divisor
     b_g = x * (x * (x * (1.4551725e-27 * x + 5.744791e-26) + 2.2679524e-24) + 8.9535176e-23)
@@ -1736,6 +1775,7 @@ def SE3_rightJacobianInverse(s):
     b_ae = x * b_ad
     b_af = b_ae + 0.083333336
     b = where(x < 4, b_af, closed_b)
+    b_across = where(x < 4, 1 - x * b, half_cotangent)
     beta_v_0 = s_3 * b
     beta_v_1 = s_4 * b
     beta_v_2 = s_5 * b
@@ -1748,20 +1788,21 @@ def SE3_rightJacobianInverse(s):
     others_0 = m_1 + m_2
     others_1 = m_0 + m_2
     others_2 = m_0 + m_1
+    diagonal0 = where(m_0 < others_0, b_across + m_0, 1 - others_0)
+    diagonal1 = where(m_1 < others_1, b_across + m_1, 1 - others_1)
+    diagonal2 = where(m_2 < others_2, b_across + m_2, 1 - others_2)
     alpha_v_0 = 0.5 * s_3
     alpha_v_1 = 0.5 * s_4
     alpha_v_2 = 0.5 * s_5
-    J_0 = 1 - others_0
     J_1 = m_3 - alpha_v_2
     J_2 = m_4 + alpha_v_1
     J_3 = m_3 + alpha_v_2
-    J_4 = 1 - others_1
     J_5 = m_5 - alpha_v_0
     J_6 = m_4 - alpha_v_1
     J_7 = m_5 + alpha_v_0
-    J_8 = 1 - others_2
+    far_x = where(x < 1, 1, x)
     closed1 = sine / theta
-    closed2 = below_a / b_divisor
+    closed2 = below_a / far_x
     rest3 = 1 - closed1
     closed3 = rest3 / b_divisor
     rest4 = 0.5 - closed2
@@ -1786,7 +1827,7 @@ def SE3_rightJacobianInverse(s):
     g2v = g2u - 0.041666668
     g2w = x * g2v
     g2x = g2w + 0.5
-    g2 = where(x < 4, g2x, closed2)
+    g2 = where(x < 1, g2x, closed2)
     g3g = x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
     g3h = g3g + 8.220635e-18
     g3i = x * g3h
@@ -1876,26 +1917,27 @@ def SE3_rightJacobianInverse(s):
     Q_5 = symmetric_2 - q_0
     Q_6 = symmetric_1 - q_1
     Q_7 = q_0 + symmetric_2
-    QJ_0 = J_0 * diagonal_0 + (J_3 * Q_1 + J_6 * Q_2)
-    QJ_1 = J_1 * diagonal_0 + (J_4 * Q_1 + J_7 * Q_2)
-    QJ_2 = J_2 * diagonal_0 + (J_5 * Q_1 + J_8 * Q_2)
-    QJ_3 = J_0 * Q_3 + J_6 * Q_5 + J_3 * diagonal_1
-    QJ_4 = J_1 * Q_3 + J_7 * Q_5 + J_4 * diagonal_1
-    QJ_5 = J_2 * Q_3 + J_8 * Q_5 + J_5 * diagonal_1
-    QJ_6 = J_0 * Q_6 + J_3 * Q_7 + J_6 * diagonal_2
-    QJ_7 = J_1 * Q_6 + J_4 * Q_7 + J_7 * diagonal_2
-    QJ_8 = J_2 * Q_6 + J_5 * Q_7 + J_8 * diagonal_2
-    M_03 = -(J_0 * QJ_0 + J_1 * QJ_3 + J_2 * QJ_6)
-    M_04 = -(J_0 * QJ_1 + J_1 * QJ_4 + J_2 * QJ_7)
-    M_05 = -(J_0 * QJ_2 + J_1 * QJ_5 + J_2 * QJ_8)
-    M_13 = -(J_3 * QJ_0 + J_4 * QJ_3 + J_5 * QJ_6)
-    M_14 = -(J_3 * QJ_1 + J_4 * QJ_4 + J_5 * QJ_7)
-    M_15 = -(J_3 * QJ_2 + J_4 * QJ_5 + J_5 * QJ_8)
-    M_23 = -(J_6 * QJ_0 + J_7 * QJ_3 + J_8 * QJ_6)
-    M_24 = -(J_6 * QJ_1 + J_7 * QJ_4 + J_8 * QJ_7)
-    M_25 = -(J_6 * QJ_2 + J_7 * QJ_5 + J_8 * QJ_8)
-    return (J_0, J_1, J_2, M_03, M_04, M_05, J_3, J_4, J_5, M_13, M_14, M_15, J_6, J_7, J_8, M_23,
-        M_24, M_25, 0, 0, 0, J_0, J_1, J_2, 0, 0, 0, J_3, J_4, J_5, 0, 0, 0, J_6, J_7, J_8)
+    QJ_0 = diagonal0 * diagonal_0 + (J_3 * Q_1 + J_6 * Q_2)
+    QJ_1 = diagonal1 * Q_1 + J_1 * diagonal_0 + J_7 * Q_2
+    QJ_2 = diagonal2 * Q_2 + J_2 * diagonal_0 + J_5 * Q_1
+    QJ_3 = diagonal0 * Q_3 + J_3 * diagonal_1 + J_6 * Q_5
+    QJ_4 = diagonal1 * diagonal_1 + (J_1 * Q_3 + J_7 * Q_5)
+    QJ_5 = diagonal2 * Q_5 + J_2 * Q_3 + J_5 * diagonal_1
+    QJ_6 = diagonal0 * Q_6 + J_3 * Q_7 + J_6 * diagonal_2
+    QJ_7 = diagonal1 * Q_7 + J_1 * Q_6 + J_7 * diagonal_2
+    QJ_8 = diagonal2 * diagonal_2 + (J_2 * Q_6 + J_5 * Q_7)
+    M_03 = -(diagonal0 * QJ_0 + (J_1 * QJ_3 + J_2 * QJ_6))
+    M_04 = -(diagonal0 * QJ_1 + (J_1 * QJ_4 + J_2 * QJ_7))
+    M_05 = -(diagonal0 * QJ_2 + (J_1 * QJ_5 + J_2 * QJ_8))
+    M_13 = -(diagonal1 * QJ_3 + (J_3 * QJ_0 + J_5 * QJ_6))
+    M_14 = -(diagonal1 * QJ_4 + (J_3 * QJ_1 + J_5 * QJ_7))
+    M_15 = -(diagonal1 * QJ_5 + (J_3 * QJ_2 + J_5 * QJ_8))
+    M_23 = -(diagonal2 * QJ_6 + (J_6 * QJ_0 + J_7 * QJ_3))
+    M_24 = -(diagonal2 * QJ_7 + (J_6 * QJ_1 + J_7 * QJ_4))
+    M_25 = -(diagonal2 * QJ_8 + (J_6 * QJ_2 + J_7 * QJ_5))
+    return (diagonal0, J_1, J_2, M_03, M_04, M_05, J_3, diagonal1, J_5, M_13, M_14, M_15, J_6, J_7,
+        diagonal2, M_23, M_24, M_25, 0, 0, 0, diagonal0, J_1, J_2, 0, 0, 0, J_3, diagonal1, J_5, 0,
+        0, 0, J_6, J_7, diagonal2)
 
 
 @kernel("(3,4),(3,4),()->(3,4)")
@@ -1903,7 +1945,7 @@ def SE3_interpolated(D1, D2, k):
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    205 mul, 194 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 15 less, 1 equal, 37
+    207 mul, 200 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 17 less, 1 equal, 39
     select.
     """
     D1_00, D1_01, D1_02, D1_03, D1_10, D1_11, D1_12, D1_13, D1_20, D1_21, D1_22, D1_23 = D1
@@ -1929,10 +1971,16 @@ def SE3_interpolated(D1, D2, k):
     log_s_0 = between_6 + between_9
     log_s_1 = between_2 + between_8
     log_s_2 = between_1 + between_4
-    log_d_0 = between_0 + between_5 + between_10 + 1
-    log_d_1 = between_0 - between_5 - between_10 + 1
-    log_d_2 = between_5 - between_0 - between_10 + 1
-    log_d_3 = between_10 - between_0 - between_5 + 1
+    log_less_0 = 1 - between_0
+    log_less_1 = 1 - between_5
+    log_less_2 = 1 - between_10
+    log_more_0 = between_0 + 1
+    log_more_1 = between_5 + 1
+    log_more_2 = between_10 + 1
+    log_d_0 = 4 - (log_less_0 + log_less_1 + log_less_2)
+    log_d_1 = 4 - log_less_0 - (log_more_1 + log_more_2)
+    log_d_2 = 4 - log_less_1 - (log_more_0 + log_more_2)
+    log_d_3 = 4 - log_less_2 - (log_more_0 + log_more_1)
     log_low_0 = where(between_5 < between_0, log_p_0, log_p_1)
     log_low_1 = where(between_5 < between_0, log_d_1, log_s_2)
     log_low_2 = where(between_5 < between_0, log_s_2, log_d_2)
@@ -1971,12 +2019,10 @@ def SE3_interpolated(D1, D2, k):
     log_vector_1 = log_upper_2 * log_k
     log_vector_2 = log_upper_3 * log_k
     log_x = log_theta * log_theta
-    log_far_sine = where(log_x < 4, 1, log_n)
+    log_far_sine = where(log_x < 1, 1, log_n)
     log_cotangent = log_upper_0 / log_far_sine
-    log_u_0 = between_11 * log_vector_1 - between_7 * log_vector_2
-    log_u_1 = between_3 * log_vector_2 - between_11 * log_vector_0
-    log_u_2 = between_7 * log_vector_0 - between_3 * log_vector_1
-    log_b_rest = 1 - 0.5 * log_theta * log_cotangent
+    log_half_cotangent = 0.5 * log_theta * log_cotangent
+    log_b_rest = 1 - log_half_cotangent
     log_b_divisor = where(log_x < 4, 4, log_x)
     log_closed_b = log_b_rest / log_b_divisor
     log_b_e = log_x * (log_x * (1.4551725e-27 * log_x + 5.744791e-26) + 2.2679524e-24)
@@ -2008,15 +2054,24 @@ def SE3_interpolated(D1, D2, k):
     log_b_ae = log_x * log_b_ad
     log_b_af = log_b_ae + 0.083333336
     log_b = where(log_x < 4, log_b_af, log_closed_b)
-    log_uu_0 = log_vector_1 * log_u_2 - log_vector_2 * log_u_1
-    log_uu_1 = log_vector_2 * log_u_0 - log_vector_0 * log_u_2
-    log_uu_2 = log_vector_0 * log_u_1 - log_vector_1 * log_u_0
-    log_small_0 = log_b * log_uu_0 - 0.5 * log_u_0
-    log_small_1 = log_b * log_uu_1 - 0.5 * log_u_1
-    log_small_2 = log_b * log_uu_2 - 0.5 * log_u_2
-    whole_0 = between_3 + log_small_0
-    whole_1 = between_7 + log_small_1
-    whole_2 = between_11 + log_small_2
+    log_b_across = where(log_x < 4, 1 - log_x * log_b, log_half_cotangent)
+    log_wt = between_3 * log_vector_0 + between_7 * log_vector_1 + between_11 * log_vector_2
+    log_pitch = log_b * log_wt
+    log_along_0 = log_vector_0 * log_pitch
+    log_along_1 = log_vector_1 * log_pitch
+    log_along_2 = log_vector_2 * log_pitch
+    log_u_0 = between_11 * log_vector_1 - between_7 * log_vector_2
+    log_u_1 = between_3 * log_vector_2 - between_11 * log_vector_0
+    log_u_2 = between_7 * log_vector_0 - between_3 * log_vector_1
+    log_turned_0 = 0.5 * log_u_0
+    log_turned_1 = 0.5 * log_u_1
+    log_turned_2 = 0.5 * log_u_2
+    log_across_axis_0 = log_along_0 - log_turned_0
+    log_across_axis_1 = log_along_1 - log_turned_1
+    log_across_axis_2 = log_along_2 - log_turned_2
+    whole_0 = between_3 * log_b_across + log_across_axis_0
+    whole_1 = between_7 * log_b_across + log_across_axis_1
+    whole_2 = between_11 * log_b_across + log_across_axis_2
     screw_0 = k * whole_0
     screw_1 = k * whole_1
     screw_2 = k * whole_2
@@ -2038,7 +2093,7 @@ def SE3_interpolated(D1, D2, k):
     exp_squares = exp_high_0 * exp_high_0 + exp_high_1 * exp_high_1 + exp_high_2 * exp_high_2
     exp_cross = exp_low_0 * exp_sum_0 + exp_low_1 * exp_sum_1 + exp_low_2 * exp_sum_2
     exp_x = exp_squares + exp_cross
-    exp_theta = where(exp_x < 4, 2, sqrt(exp_x))
+    exp_theta = where(exp_x < 1, 1, sqrt(exp_x))
     exp_theta_shifted = exp_theta + 49152
     exp_theta_high = exp_theta_shifted - 49152
     exp_theta_low = exp_theta - exp_theta_high
@@ -2047,16 +2102,17 @@ def SE3_interpolated(D1, D2, k):
     exp_exact = exp_squares - exp_theta_high * exp_theta_high
     exp_residual = exp_cross_rest + exp_exact
     exp_delta = 0.5 * exp_residual / exp_theta
-    exp_far_sine = where(exp_x < 4, 1, sin(exp_theta))
-    exp_far_cosine = where(exp_x < 4, 0, cos(exp_theta))
+    exp_far_sine = where(exp_x < 1, 1, sin(exp_theta))
+    exp_far_cosine = where(exp_x < 1, 0, cos(exp_theta))
     exp_sine = exp_delta * exp_far_cosine + exp_far_sine
     exp_cosine = exp_far_cosine - exp_delta * exp_far_sine
-    exp_far_x = where(exp_x < 4, 4, exp_x)
+    exp_far_x = where(exp_x < 1, 1, exp_x)
+    exp_middle_x = where(exp_x < 4, 4, exp_x)
     exp_closed1 = exp_sine / exp_theta
     exp_versine = 1 - exp_cosine
     exp_closed2 = exp_versine / exp_far_x
     exp_rest3 = 1 - exp_closed1
-    exp_closed3 = exp_rest3 / exp_far_x
+    exp_closed3 = exp_rest3 / exp_middle_x
     exp_g1e = exp_x * (exp_x * (6.4469503e-26 * exp_x - 3.8681703e-23) + 1.9572942e-20)
     exp_g1f = exp_g1e - 8.220635e-18
     exp_g1g = exp_x * exp_g1f
@@ -2077,7 +2133,7 @@ def SE3_interpolated(D1, D2, k):
     exp_g1v = exp_g1u - 0.16666667
     exp_g1w = exp_x * exp_g1v
     exp_g1x = exp_g1w + 1
-    exp_g1 = where(exp_x < 4, exp_g1x, exp_closed1)
+    exp_g1 = where(exp_x < 1, exp_g1x, exp_closed1)
     exp_g2e = exp_x * (exp_x * (2.4795963e-27 * exp_x - 1.6117376e-24) + 8.896791e-22)
     exp_g2f = exp_g2e - 4.1103176e-19
     exp_g2g = exp_x * exp_g2f
@@ -2098,7 +2154,7 @@ def SE3_interpolated(D1, D2, k):
     exp_g2v = exp_g2u - 0.041666668
     exp_g2w = exp_x * exp_g2v
     exp_g2x = exp_g2w + 0.5
-    exp_g2 = where(exp_x < 4, exp_g2x, exp_closed2)
+    exp_g2 = where(exp_x < 1, exp_g2x, exp_closed2)
     exp_g3e = exp_x * (exp_x * (9.18369e-29 * exp_x - 6.4469503e-26) + 3.8681703e-23)
     exp_g3f = exp_g3e - 1.9572942e-20
     exp_g3g = exp_x * exp_g3f
@@ -2120,7 +2176,7 @@ def SE3_interpolated(D1, D2, k):
     exp_g3w = exp_x * exp_g3v
     exp_g3x = exp_g3w + 0.16666667
     exp_g3 = where(exp_x < 4, exp_g3x, exp_closed3)
-    exp_g0 = where(exp_x < 4, 1 - exp_x * exp_g2, exp_cosine)
+    exp_g0 = where(exp_x < 1, 1 - exp_x * exp_g2, exp_cosine)
     exp_u_0 = screw_2 * screw_4 - screw_1 * screw_5
     exp_u_1 = screw_0 * screw_5 - screw_2 * screw_3
     exp_u_2 = screw_1 * screw_3 - screw_0 * screw_4

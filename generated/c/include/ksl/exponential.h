@@ -30,7 +30,7 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 4.0 ? 2.0 : theta_a;
+  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = theta + 1610612736.0;
   const double theta_high = theta_shifted - 1610612736.0;
   const double theta_low = theta - theta_high;
@@ -39,11 +39,11 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
   const double delta_a = 0.5 * residual, delta = delta_a / theta;
-  const double far_sine_a = sin(theta), far_sine = x < 4.0 ? 1.0 : far_sine_a;
-  const double far_cosine_a = cos(theta), far_cosine = x < 4.0 ? 0.0 : far_cosine_a;
+  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
   const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
-  const double far_x = x < 4.0 ? 4.0 : x;
+  const double far_x = x < 1.0 ? 1.0 : x;
   const double closed1 = sine / theta;
   const double versine = 1.0 - cosine;
   const double closed2 = versine / far_x;
@@ -54,7 +54,7 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
       g1m = x * g1l, g1n = g1m - 2.505210838544172e-08, g1o = x * g1n,
       g1p = g1o + 2.7557319223985893e-06, g1q = x * g1p, g1r = g1q - 0.0001984126984126984,
       g1s = x * g1r, g1t = g1s + 0.008333333333333333, g1u = x * g1t,
-      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 4.0 ? g1x : closed1;
+      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
   const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
       g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
       g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
@@ -63,8 +63,8 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
       g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
       g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
       g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
-      g2 = x < 4.0 ? g2x : closed2;
-  const double g0a = x * g2, g0b = 1.0 - g0a, g0 = x < 4.0 ? g0b : cosine;
+      g2 = x < 1.0 ? g2x : closed2;
+  const double g0a = x * g2, g0b = 1.0 - g0a, g0 = x < 1.0 ? g0b : cosine;
   const double beta_v_0 = v->x * g2;
   const double beta_v_1 = v->y * g2;
   const double beta_v_2 = v->z * g2;
@@ -105,7 +105,7 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   11 mul, 20 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select. */
+   11 mul, 26 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select. */
 static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double p_0 = R->m21 - R->m12;
   const double p_1 = R->m02 - R->m20;
@@ -113,10 +113,16 @@ static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double s_0 = R->m12 + R->m21;
   const double s_1 = R->m02 + R->m20;
   const double s_2 = R->m01 + R->m10;
-  const double d_0a = R->m00 + R->m11, d_0b = d_0a + R->m22, d_0 = d_0b + 1.0;
-  const double d_1a = R->m00 - R->m11, d_1b = d_1a - R->m22, d_1 = d_1b + 1.0;
-  const double d_2a = R->m11 - R->m00, d_2b = d_2a - R->m22, d_2 = d_2b + 1.0;
-  const double d_3a = R->m22 - R->m00, d_3b = d_3a - R->m11, d_3 = d_3b + 1.0;
+  const double less_0 = 1.0 - R->m00;
+  const double less_1 = 1.0 - R->m11;
+  const double less_2 = 1.0 - R->m22;
+  const double more_0 = R->m00 + 1.0;
+  const double more_1 = R->m11 + 1.0;
+  const double more_2 = R->m22 + 1.0;
+  const double d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0 - d_0b;
+  const double d_1a = 4.0 - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
+  const double d_2a = 4.0 - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
+  const double d_3a = 4.0 - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
   const double low_0 = R->m11 < R->m00 ? p_0 : p_1;
   const double low_1 = R->m11 < R->m00 ? d_1 : s_2;
   const double low_2 = R->m11 < R->m00 ? s_2 : d_2;
@@ -162,7 +168,7 @@ static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
 
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select. */
+   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 11 select. */
 static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double shifted_0 = v->x + 1610612736.0;
   const double shifted_1 = v->y + 1610612736.0;
@@ -182,7 +188,7 @@ static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 4.0 ? 2.0 : theta_a;
+  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = theta + 1610612736.0;
   const double theta_high = theta_shifted - 1610612736.0;
   const double theta_low = theta - theta_high;
@@ -191,16 +197,17 @@ static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
   const double delta_a = 0.5 * residual, delta = delta_a / theta;
-  const double far_sine_a = sin(theta), far_sine = x < 4.0 ? 1.0 : far_sine_a;
-  const double far_cosine_a = cos(theta), far_cosine = x < 4.0 ? 0.0 : far_cosine_a;
+  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
   const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
-  const double far_x = x < 4.0 ? 4.0 : x;
+  const double far_x = x < 1.0 ? 1.0 : x;
+  const double middle_x = x < 4.0 ? 4.0 : x;
   const double closed1 = sine / theta;
   const double versine = 1.0 - cosine;
   const double closed2 = versine / far_x;
   const double rest3 = 1.0 - closed1;
-  const double closed3 = rest3 / far_x;
+  const double closed3 = rest3 / middle_x;
   const double g1a = 6.446950284384474e-26 * x, g1b = g1a - 3.868170170630684e-23, g1c = x * g1b,
       g1d = g1c + 1.9572941063391263e-20, g1e = x * g1d, g1f = g1e - 8.22063524662433e-18,
       g1g = x * g1f, g1h = g1g + 2.8114572543455206e-15, g1i = x * g1h,
@@ -208,7 +215,7 @@ static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
       g1m = x * g1l, g1n = g1m - 2.505210838544172e-08, g1o = x * g1n,
       g1p = g1o + 2.7557319223985893e-06, g1q = x * g1p, g1r = g1q - 0.0001984126984126984,
       g1s = x * g1r, g1t = g1s + 0.008333333333333333, g1u = x * g1t,
-      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 4.0 ? g1x : closed1;
+      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
   const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
       g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
       g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
@@ -217,7 +224,7 @@ static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
       g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
       g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
       g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
-      g2 = x < 4.0 ? g2x : closed2;
+      g2 = x < 1.0 ? g2x : closed2;
   const double g3a = 9.183689863795546e-29 * x, g3b = g3a - 6.446950284384474e-26, g3c = x * g3b,
       g3d = g3c + 3.868170170630684e-23, g3e = x * g3d, g3f = g3e - 1.9572941063391263e-20,
       g3g = x * g3f, g3h = g3g + 8.22063524662433e-18, g3i = x * g3h,
@@ -267,7 +274,7 @@ static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 less, 10 select. */
+   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 5 less, 11 select. */
 static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double shifted_0 = v->x + 1610612736.0;
   const double shifted_1 = v->y + 1610612736.0;
@@ -287,7 +294,7 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 4.0 ? 2.0 : theta_a;
+  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = theta + 1610612736.0;
   const double theta_high = theta_shifted - 1610612736.0;
   const double theta_low = theta - theta_high;
@@ -296,16 +303,17 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
   const double delta_a = 0.5 * residual, delta = delta_a / theta;
-  const double far_sine_a = sin(theta), far_sine = x < 4.0 ? 1.0 : far_sine_a;
-  const double far_cosine_a = cos(theta), far_cosine = x < 4.0 ? 0.0 : far_cosine_a;
+  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
   const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
-  const double far_x = x < 4.0 ? 4.0 : x;
+  const double far_x = x < 1.0 ? 1.0 : x;
+  const double middle_x = x < 4.0 ? 4.0 : x;
   const double closed1 = sine / theta;
   const double versine = 1.0 - cosine;
   const double closed2 = versine / far_x;
   const double rest3 = 1.0 - closed1;
-  const double closed3 = rest3 / far_x;
+  const double closed3 = rest3 / middle_x;
   const double g1a = 6.446950284384474e-26 * x, g1b = g1a - 3.868170170630684e-23, g1c = x * g1b,
       g1d = g1c + 1.9572941063391263e-20, g1e = x * g1d, g1f = g1e - 8.22063524662433e-18,
       g1g = x * g1f, g1h = g1g + 2.8114572543455206e-15, g1i = x * g1h,
@@ -313,7 +321,7 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
       g1m = x * g1l, g1n = g1m - 2.505210838544172e-08, g1o = x * g1n,
       g1p = g1o + 2.7557319223985893e-06, g1q = x * g1p, g1r = g1q - 0.0001984126984126984,
       g1s = x * g1r, g1t = g1s + 0.008333333333333333, g1u = x * g1t,
-      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 4.0 ? g1x : closed1;
+      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
   const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
       g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
       g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
@@ -322,7 +330,7 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
       g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
       g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
       g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
-      g2 = x < 4.0 ? g2x : closed2;
+      g2 = x < 1.0 ? g2x : closed2;
   const double g3a = 9.183689863795546e-29 * x, g3b = g3a - 6.446950284384474e-26, g3c = x * g3b,
       g3d = g3c + 3.868170170630684e-23, g3e = x * g3d, g3f = g3e - 1.9572941063391263e-20,
       g3g = x * g3f, g3h = g3g + 8.22063524662433e-18, g3i = x * g3h,
@@ -373,7 +381,7 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
-   41 mul, 57 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 2 less, 7 select. */
+   42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 6 less, 11 select. */
 static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double shifted_0 = v->x + 1610612736.0;
   const double shifted_1 = v->y + 1610612736.0;
@@ -393,7 +401,7 @@ static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t
   const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 4.0 ? 2.0 : theta_a;
+  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = theta + 1610612736.0;
   const double theta_high = theta_shifted - 1610612736.0;
   const double theta_low = theta - theta_high;
@@ -402,14 +410,15 @@ static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
   const double delta_a = 0.5 * residual, delta = delta_a / theta;
-  const double far_sine_a = sin(theta), far_sine = x < 4.0 ? 1.0 : far_sine_a;
-  const double far_cosine_a = cos(theta), far_cosine = x < 4.0 ? 0.0 : far_cosine_a;
+  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
   const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
   const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
   const double below_a = 1.0 - cosine, below = cosine < 0.0 ? below_a : sine;
   const double cotangent = above / below;
-  const double b_rest_a = 0.5 * theta, b_rest_b = b_rest_a * cotangent, b_rest = 1.0 - b_rest_b;
+  const double half_cotangent_a = 0.5 * theta, half_cotangent = half_cotangent_a * cotangent;
+  const double b_rest = 1.0 - half_cotangent;
   const double b_divisor = x < 4.0 ? 4.0 : x;
   const double closed_b = b_rest / b_divisor;
   const double b_a = 1.455172475614865e-27 * x, b_b = b_a + 5.744790668872202e-26, b_c = x * b_b,
@@ -423,6 +432,8 @@ static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t
       b_y = x * b_x, b_z = b_y + 8.267195767195768e-07, b_aa = x * b_z,
       b_ab = b_aa + 3.306878306878307e-05, b_ac = x * b_ab, b_ad = b_ac + 0.001388888888888889,
       b_ae = x * b_ad, b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
+  const double b_across_a = x * b, b_across_b = 1.0 - b_across_a,
+      b_across = x < 4.0 ? b_across_b : half_cotangent;
   const double beta_v_0 = v->x * b;
   const double beta_v_1 = v->y * b;
   const double beta_v_2 = v->z * b;
@@ -435,33 +446,36 @@ static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t
   const double others_0 = m_1 + m_2;
   const double others_1 = m_0 + m_2;
   const double others_2 = m_0 + m_1;
+  const double diagonal0a = 1.0 - others_0, diagonal0b = b_across + m_0,
+      diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
+  const double diagonal1a = 1.0 - others_1, diagonal1b = b_across + m_1,
+      diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
+  const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
+      diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
   const double alpha_v_0a = 0.5 * v->x, alpha_v_0 = -alpha_v_0a;
   const double alpha_v_1a = 0.5 * v->y, alpha_v_1 = -alpha_v_1a;
   const double alpha_v_2a = 0.5 * v->z, alpha_v_2 = -alpha_v_2a;
-  const double R_00 = 1.0 - others_0;
   const double R_01 = m_3 - alpha_v_2;
   const double R_02 = m_4 + alpha_v_1;
   const double R_10 = m_3 + alpha_v_2;
-  const double R_11 = 1.0 - others_1;
   const double R_12 = m_5 - alpha_v_0;
   const double R_20 = m_4 - alpha_v_1;
   const double R_21 = m_5 + alpha_v_0;
-  const double R_22 = 1.0 - others_2;
-  R->m00 = R_00;
+  R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
   R->m10 = R_10;
-  R->m11 = R_11;
+  R->m11 = diagonal1;
   R->m12 = R_12;
   R->m20 = R_20;
   R->m21 = R_21;
-  R->m22 = R_22;
+  R->m22 = diagonal2;
 }
 
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
-   41 mul, 57 add, 3 div, 1 sqrt, 1 sin, 1 cos, 2 less, 7 select. */
+   42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 6 less, 11 select. */
 static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double shifted_0 = v->x + 1610612736.0;
   const double shifted_1 = v->y + 1610612736.0;
@@ -481,7 +495,7 @@ static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_
   const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 4.0 ? 2.0 : theta_a;
+  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = theta + 1610612736.0;
   const double theta_high = theta_shifted - 1610612736.0;
   const double theta_low = theta - theta_high;
@@ -490,14 +504,15 @@ static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
   const double delta_a = 0.5 * residual, delta = delta_a / theta;
-  const double far_sine_a = sin(theta), far_sine = x < 4.0 ? 1.0 : far_sine_a;
-  const double far_cosine_a = cos(theta), far_cosine = x < 4.0 ? 0.0 : far_cosine_a;
+  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
   const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
   const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
   const double below_a = 1.0 - cosine, below = cosine < 0.0 ? below_a : sine;
   const double cotangent = above / below;
-  const double b_rest_a = 0.5 * theta, b_rest_b = b_rest_a * cotangent, b_rest = 1.0 - b_rest_b;
+  const double half_cotangent_a = 0.5 * theta, half_cotangent = half_cotangent_a * cotangent;
+  const double b_rest = 1.0 - half_cotangent;
   const double b_divisor = x < 4.0 ? 4.0 : x;
   const double closed_b = b_rest / b_divisor;
   const double b_a = 1.455172475614865e-27 * x, b_b = b_a + 5.744790668872202e-26, b_c = x * b_b,
@@ -511,6 +526,8 @@ static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_
       b_y = x * b_x, b_z = b_y + 8.267195767195768e-07, b_aa = x * b_z,
       b_ab = b_aa + 3.306878306878307e-05, b_ac = x * b_ab, b_ad = b_ac + 0.001388888888888889,
       b_ae = x * b_ad, b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
+  const double b_across_a = x * b, b_across_b = 1.0 - b_across_a,
+      b_across = x < 4.0 ? b_across_b : half_cotangent;
   const double beta_v_0 = v->x * b;
   const double beta_v_1 = v->y * b;
   const double beta_v_2 = v->z * b;
@@ -523,27 +540,30 @@ static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_
   const double others_0 = m_1 + m_2;
   const double others_1 = m_0 + m_2;
   const double others_2 = m_0 + m_1;
+  const double diagonal0a = 1.0 - others_0, diagonal0b = b_across + m_0,
+      diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
+  const double diagonal1a = 1.0 - others_1, diagonal1b = b_across + m_1,
+      diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
+  const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
+      diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
   const double alpha_v_0 = 0.5 * v->x;
   const double alpha_v_1 = 0.5 * v->y;
   const double alpha_v_2 = 0.5 * v->z;
-  const double R_00 = 1.0 - others_0;
   const double R_01 = m_3 - alpha_v_2;
   const double R_02 = m_4 + alpha_v_1;
   const double R_10 = m_3 + alpha_v_2;
-  const double R_11 = 1.0 - others_1;
   const double R_12 = m_5 - alpha_v_0;
   const double R_20 = m_4 - alpha_v_1;
   const double R_21 = m_5 + alpha_v_0;
-  const double R_22 = 1.0 - others_2;
-  R->m00 = R_00;
+  R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
   R->m10 = R_10;
-  R->m11 = R_11;
+  R->m11 = diagonal1;
   R->m12 = R_12;
   R->m20 = R_20;
   R->m21 = R_21;
-  R->m22 = R_22;
+  R->m22 = diagonal2;
 }
 
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
@@ -594,7 +614,7 @@ static inline void ksl_mat3x3_from_axis_angle(const ksl_vec3_t *axis, const doub
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
    R: rotation or other 3×3 matrix; axis: vector.
-   8 mul, 20 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select. */
+   8 mul, 26 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select. */
 static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
   const double p_0 = R->m21 - R->m12;
   const double p_1 = R->m02 - R->m20;
@@ -602,10 +622,16 @@ static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_
   const double s_0 = R->m12 + R->m21;
   const double s_1 = R->m02 + R->m20;
   const double s_2 = R->m01 + R->m10;
-  const double d_0a = R->m00 + R->m11, d_0b = d_0a + R->m22, d_0 = d_0b + 1.0;
-  const double d_1a = R->m00 - R->m11, d_1b = d_1a - R->m22, d_1 = d_1b + 1.0;
-  const double d_2a = R->m11 - R->m00, d_2b = d_2a - R->m22, d_2 = d_2b + 1.0;
-  const double d_3a = R->m22 - R->m00, d_3b = d_3a - R->m11, d_3 = d_3b + 1.0;
+  const double less_0 = 1.0 - R->m00;
+  const double less_1 = 1.0 - R->m11;
+  const double less_2 = 1.0 - R->m22;
+  const double more_0 = R->m00 + 1.0;
+  const double more_1 = R->m11 + 1.0;
+  const double more_2 = R->m22 + 1.0;
+  const double d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0 - d_0b;
+  const double d_1a = 4.0 - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
+  const double d_2a = 4.0 - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
+  const double d_3a = 4.0 - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
   const double low_0 = R->m11 < R->m00 ? p_0 : p_1;
   const double low_1 = R->m11 < R->m00 ? d_1 : s_2;
   const double low_2 = R->m11 < R->m00 ? s_2 : d_2;
@@ -788,7 +814,7 @@ static inline void ksl_mat3x3_orthonormalized(const ksl_mat3x3_t *R, ksl_mat3x3_
 
 /* D = exp s = [exp ω~ | J_l(ω) v].
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-   79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 less, 11 select. */
+   79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 12 select. */
 static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
   const double shifted_0 = s->m3 + 1610612736.0;
   const double shifted_1 = s->m4 + 1610612736.0;
@@ -808,7 +834,7 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
   const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 4.0 ? 2.0 : theta_a;
+  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = theta + 1610612736.0;
   const double theta_high = theta_shifted - 1610612736.0;
   const double theta_low = theta - theta_high;
@@ -817,16 +843,17 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
   const double delta_a = 0.5 * residual, delta = delta_a / theta;
-  const double far_sine_a = sin(theta), far_sine = x < 4.0 ? 1.0 : far_sine_a;
-  const double far_cosine_a = cos(theta), far_cosine = x < 4.0 ? 0.0 : far_cosine_a;
+  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
   const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
-  const double far_x = x < 4.0 ? 4.0 : x;
+  const double far_x = x < 1.0 ? 1.0 : x;
+  const double middle_x = x < 4.0 ? 4.0 : x;
   const double closed1 = sine / theta;
   const double versine = 1.0 - cosine;
   const double closed2 = versine / far_x;
   const double rest3 = 1.0 - closed1;
-  const double closed3 = rest3 / far_x;
+  const double closed3 = rest3 / middle_x;
   const double g1a = 6.446950284384474e-26 * x, g1b = g1a - 3.868170170630684e-23, g1c = x * g1b,
       g1d = g1c + 1.9572941063391263e-20, g1e = x * g1d, g1f = g1e - 8.22063524662433e-18,
       g1g = x * g1f, g1h = g1g + 2.8114572543455206e-15, g1i = x * g1h,
@@ -834,7 +861,7 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
       g1m = x * g1l, g1n = g1m - 2.505210838544172e-08, g1o = x * g1n,
       g1p = g1o + 2.7557319223985893e-06, g1q = x * g1p, g1r = g1q - 0.0001984126984126984,
       g1s = x * g1r, g1t = g1s + 0.008333333333333333, g1u = x * g1t,
-      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 4.0 ? g1x : closed1;
+      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
   const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
       g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
       g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
@@ -843,7 +870,7 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
       g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
       g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
       g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
-      g2 = x < 4.0 ? g2x : closed2;
+      g2 = x < 1.0 ? g2x : closed2;
   const double g3a = 9.183689863795546e-29 * x, g3b = g3a - 6.446950284384474e-26, g3c = x * g3b,
       g3d = g3c + 3.868170170630684e-23, g3e = x * g3d, g3f = g3e - 1.9572941063391263e-20,
       g3g = x * g3f, g3h = g3g + 8.22063524662433e-18, g3i = x * g3h,
@@ -853,7 +880,7 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
       g3s = x * g3r, g3t = g3s + 0.0001984126984126984, g3u = x * g3t,
       g3v = g3u - 0.008333333333333333, g3w = x * g3v, g3x = g3w + 0.16666666666666666,
       g3 = x < 4.0 ? g3x : closed3;
-  const double g0a = x * g2, g0b = 1.0 - g0a, g0 = x < 4.0 ? g0b : cosine;
+  const double g0a = x * g2, g0b = 1.0 - g0a, g0 = x < 1.0 ? g0b : cosine;
   const double u_0a = s->m2 * s->m4, u_0b = s->m1 * s->m5, u_0 = u_0a - u_0b;
   const double u_1a = s->m0 * s->m5, u_1b = s->m2 * s->m3, u_1 = u_1a - u_1b;
   const double u_2a = s->m1 * s->m3, u_2b = s->m0 * s->m4, u_2 = u_2a - u_2b;
@@ -915,7 +942,7 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
 
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   48 mul, 49 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 11 less, 1 equal, 26 select. */
+   50 mul, 55 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select. */
 static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double p_0 = D->m21 - D->m12;
   const double p_1 = D->m02 - D->m20;
@@ -923,10 +950,16 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double s_0 = D->m12 + D->m21;
   const double s_1 = D->m02 + D->m20;
   const double s_2 = D->m01 + D->m10;
-  const double d_0a = D->m00 + D->m11, d_0b = d_0a + D->m22, d_0 = d_0b + 1.0;
-  const double d_1a = D->m00 - D->m11, d_1b = d_1a - D->m22, d_1 = d_1b + 1.0;
-  const double d_2a = D->m11 - D->m00, d_2b = d_2a - D->m22, d_2 = d_2b + 1.0;
-  const double d_3a = D->m22 - D->m00, d_3b = d_3a - D->m11, d_3 = d_3b + 1.0;
+  const double less_0 = 1.0 - D->m00;
+  const double less_1 = 1.0 - D->m11;
+  const double less_2 = 1.0 - D->m22;
+  const double more_0 = D->m00 + 1.0;
+  const double more_1 = D->m11 + 1.0;
+  const double more_2 = D->m22 + 1.0;
+  const double d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0 - d_0b;
+  const double d_1a = 4.0 - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
+  const double d_2a = 4.0 - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
+  const double d_3a = 4.0 - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
   const double low_0 = D->m11 < D->m00 ? p_0 : p_1;
   const double low_1 = D->m11 < D->m00 ? d_1 : s_2;
   const double low_2 = D->m11 < D->m00 ? s_2 : d_2;
@@ -966,12 +999,10 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double vector_1 = upper_2 * k;
   const double vector_2 = upper_3 * k;
   const double x = theta * theta;
-  const double far_sine = x < 4.0 ? 1.0 : n;
+  const double far_sine = x < 1.0 ? 1.0 : n;
   const double cotangent = upper_0 / far_sine;
-  const double u_0a = D->m23 * vector_1, u_0b = D->m13 * vector_2, u_0 = u_0a - u_0b;
-  const double u_1a = D->m03 * vector_2, u_1b = D->m23 * vector_0, u_1 = u_1a - u_1b;
-  const double u_2a = D->m13 * vector_0, u_2b = D->m03 * vector_1, u_2 = u_2a - u_2b;
-  const double b_rest_a = 0.5 * theta, b_rest_b = b_rest_a * cotangent, b_rest = 1.0 - b_rest_b;
+  const double half_cotangent_a = 0.5 * theta, half_cotangent = half_cotangent_a * cotangent;
+  const double b_rest = 1.0 - half_cotangent;
   const double b_divisor = x < 4.0 ? 4.0 : x;
   const double closed_b = b_rest / b_divisor;
   const double b_a = 1.455172475614865e-27 * x, b_b = b_a + 5.744790668872202e-26, b_c = x * b_b,
@@ -985,15 +1016,26 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
       b_y = x * b_x, b_z = b_y + 8.267195767195768e-07, b_aa = x * b_z,
       b_ab = b_aa + 3.306878306878307e-05, b_ac = x * b_ab, b_ad = b_ac + 0.001388888888888889,
       b_ae = x * b_ad, b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
-  const double uu_0a = vector_1 * u_2, uu_0b = vector_2 * u_1, uu_0 = uu_0a - uu_0b;
-  const double uu_1a = vector_2 * u_0, uu_1b = vector_0 * u_2, uu_1 = uu_1a - uu_1b;
-  const double uu_2a = vector_0 * u_1, uu_2b = vector_1 * u_0, uu_2 = uu_2a - uu_2b;
-  const double small_0a = b * uu_0, small_0b = 0.5 * u_0, small_0 = small_0a - small_0b;
-  const double small_1a = b * uu_1, small_1b = 0.5 * u_1, small_1 = small_1a - small_1b;
-  const double small_2a = b * uu_2, small_2b = 0.5 * u_2, small_2 = small_2a - small_2b;
-  const double so_0 = D->m03 + small_0;
-  const double so_1 = D->m13 + small_1;
-  const double so_2 = D->m23 + small_2;
+  const double b_across_a = x * b, b_across_b = 1.0 - b_across_a,
+      b_across = x < 4.0 ? b_across_b : half_cotangent;
+  const double wt_a = D->m03 * vector_0, wt_b = D->m13 * vector_1, wt_c = wt_a + wt_b,
+      wt_d = D->m23 * vector_2, wt = wt_c + wt_d;
+  const double pitch = b * wt;
+  const double along_0 = vector_0 * pitch;
+  const double along_1 = vector_1 * pitch;
+  const double along_2 = vector_2 * pitch;
+  const double u_0a = D->m23 * vector_1, u_0b = D->m13 * vector_2, u_0 = u_0a - u_0b;
+  const double u_1a = D->m03 * vector_2, u_1b = D->m23 * vector_0, u_1 = u_1a - u_1b;
+  const double u_2a = D->m13 * vector_0, u_2b = D->m03 * vector_1, u_2 = u_2a - u_2b;
+  const double turned_0 = 0.5 * u_0;
+  const double turned_1 = 0.5 * u_1;
+  const double turned_2 = 0.5 * u_2;
+  const double across_axis_0 = along_0 - turned_0;
+  const double across_axis_1 = along_1 - turned_1;
+  const double across_axis_2 = along_2 - turned_2;
+  const double so_0a = D->m03 * b_across, so_0 = so_0a + across_axis_0;
+  const double so_1a = D->m13 * b_across, so_1 = so_1a + across_axis_1;
+  const double so_2a = D->m23 * b_across, so_2 = so_2a + across_axis_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1004,7 +1046,7 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 4 less, 12 select. */
+   120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 5 less, 13 select. */
 static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double shifted_0 = s->m3 + 1610612736.0;
   const double shifted_1 = s->m4 + 1610612736.0;
@@ -1024,7 +1066,7 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 4.0 ? 2.0 : theta_a;
+  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = theta + 1610612736.0;
   const double theta_high = theta_shifted - 1610612736.0;
   const double theta_low = theta - theta_high;
@@ -1033,20 +1075,21 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
   const double delta_a = 0.5 * residual, delta = delta_a / theta;
-  const double far_sine_a = sin(theta), far_sine = x < 4.0 ? 1.0 : far_sine_a;
-  const double far_cosine_a = cos(theta), far_cosine = x < 4.0 ? 0.0 : far_cosine_a;
+  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
   const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
-  const double far_x = x < 4.0 ? 4.0 : x;
+  const double far_x = x < 1.0 ? 1.0 : x;
+  const double middle_x = x < 4.0 ? 4.0 : x;
   const double closed1 = sine / theta;
   const double versine = 1.0 - cosine;
   const double closed2 = versine / far_x;
   const double rest3 = 1.0 - closed1;
-  const double closed3 = rest3 / far_x;
+  const double closed3 = rest3 / middle_x;
   const double rest4 = 0.5 - closed2;
-  const double closed4 = rest4 / far_x;
+  const double closed4 = rest4 / middle_x;
   const double rest5 = 0.16666666666666666 - closed3;
-  const double closed5 = rest5 / far_x;
+  const double closed5 = rest5 / middle_x;
   const double g1a = 6.446950284384474e-26 * x, g1b = g1a - 3.868170170630684e-23, g1c = x * g1b,
       g1d = g1c + 1.9572941063391263e-20, g1e = x * g1d, g1f = g1e - 8.22063524662433e-18,
       g1g = x * g1f, g1h = g1g + 2.8114572543455206e-15, g1i = x * g1h,
@@ -1054,7 +1097,7 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
       g1m = x * g1l, g1n = g1m - 2.505210838544172e-08, g1o = x * g1n,
       g1p = g1o + 2.7557319223985893e-06, g1q = x * g1p, g1r = g1q - 0.0001984126984126984,
       g1s = x * g1r, g1t = g1s + 0.008333333333333333, g1u = x * g1t,
-      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 4.0 ? g1x : closed1;
+      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
   const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
       g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
       g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
@@ -1063,7 +1106,7 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
       g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
       g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
       g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
-      g2 = x < 4.0 ? g2x : closed2;
+      g2 = x < 1.0 ? g2x : closed2;
   const double g3a = 9.183689863795546e-29 * x, g3b = g3a - 6.446950284384474e-26, g3c = x * g3b,
       g3d = g3c + 3.868170170630684e-23, g3e = x * g3d, g3f = g3e - 1.9572941063391263e-20,
       g3g = x * g3f, g3h = g3g + 8.22063524662433e-18, g3i = x * g3h,
@@ -1198,7 +1241,7 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
 
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 4 less, 12 select. */
+   120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 5 less, 13 select. */
 static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double shifted_0 = s->m3 + 1610612736.0;
   const double shifted_1 = s->m4 + 1610612736.0;
@@ -1218,7 +1261,7 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
   const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 4.0 ? 2.0 : theta_a;
+  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = theta + 1610612736.0;
   const double theta_high = theta_shifted - 1610612736.0;
   const double theta_low = theta - theta_high;
@@ -1227,20 +1270,21 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
   const double delta_a = 0.5 * residual, delta = delta_a / theta;
-  const double far_sine_a = sin(theta), far_sine = x < 4.0 ? 1.0 : far_sine_a;
-  const double far_cosine_a = cos(theta), far_cosine = x < 4.0 ? 0.0 : far_cosine_a;
+  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
   const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
-  const double far_x = x < 4.0 ? 4.0 : x;
+  const double far_x = x < 1.0 ? 1.0 : x;
+  const double middle_x = x < 4.0 ? 4.0 : x;
   const double closed1 = sine / theta;
   const double versine = 1.0 - cosine;
   const double closed2 = versine / far_x;
   const double rest3 = 1.0 - closed1;
-  const double closed3 = rest3 / far_x;
+  const double closed3 = rest3 / middle_x;
   const double rest4 = 0.5 - closed2;
-  const double closed4 = rest4 / far_x;
+  const double closed4 = rest4 / middle_x;
   const double rest5 = 0.16666666666666666 - closed3;
-  const double closed5 = rest5 / far_x;
+  const double closed5 = rest5 / middle_x;
   const double g1a = 6.446950284384474e-26 * x, g1b = g1a - 3.868170170630684e-23, g1c = x * g1b,
       g1d = g1c + 1.9572941063391263e-20, g1e = x * g1d, g1f = g1e - 8.22063524662433e-18,
       g1g = x * g1f, g1h = g1g + 2.8114572543455206e-15, g1i = x * g1h,
@@ -1248,7 +1292,7 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
       g1m = x * g1l, g1n = g1m - 2.505210838544172e-08, g1o = x * g1n,
       g1p = g1o + 2.7557319223985893e-06, g1q = x * g1p, g1r = g1q - 0.0001984126984126984,
       g1s = x * g1r, g1t = g1s + 0.008333333333333333, g1u = x * g1t,
-      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 4.0 ? g1x : closed1;
+      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
   const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
       g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
       g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
@@ -1257,7 +1301,7 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
       g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
       g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
       g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
-      g2 = x < 4.0 ? g2x : closed2;
+      g2 = x < 1.0 ? g2x : closed2;
   const double g3a = 9.183689863795546e-29 * x, g3b = g3a - 6.446950284384474e-26, g3c = x * g3b,
       g3d = g3c + 3.868170170630684e-23, g3e = x * g3d, g3f = g3e - 1.9572941063391263e-20,
       g3g = x * g3f, g3h = g3g + 8.22063524662433e-18, g3i = x * g3h,
@@ -1392,7 +1436,7 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
 
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   180 mul, 172 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 2 less, 11 select. */
+   181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 6 less, 16 select. */
 static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double shifted_0 = s->m3 + 1610612736.0;
   const double shifted_1 = s->m4 + 1610612736.0;
@@ -1412,7 +1456,7 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
   const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 4.0 ? 2.0 : theta_a;
+  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = theta + 1610612736.0;
   const double theta_high = theta_shifted - 1610612736.0;
   const double theta_low = theta - theta_high;
@@ -1421,14 +1465,15 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
   const double delta_a = 0.5 * residual, delta = delta_a / theta;
-  const double far_sine_a = sin(theta), far_sine = x < 4.0 ? 1.0 : far_sine_a;
-  const double far_cosine_a = cos(theta), far_cosine = x < 4.0 ? 0.0 : far_cosine_a;
+  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
   const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
   const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
   const double below_a = 1.0 - cosine, below = cosine < 0.0 ? below_a : sine;
   const double cotangent = above / below;
-  const double b_rest_a = 0.5 * theta, b_rest_b = b_rest_a * cotangent, b_rest = 1.0 - b_rest_b;
+  const double half_cotangent_a = 0.5 * theta, half_cotangent = half_cotangent_a * cotangent;
+  const double b_rest = 1.0 - half_cotangent;
   const double b_divisor = x < 4.0 ? 4.0 : x;
   const double closed_b = b_rest / b_divisor;
   const double b_a = 1.455172475614865e-27 * x, b_b = b_a + 5.744790668872202e-26, b_c = x * b_b,
@@ -1442,6 +1487,8 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
       b_y = x * b_x, b_z = b_y + 8.267195767195768e-07, b_aa = x * b_z,
       b_ab = b_aa + 3.306878306878307e-05, b_ac = x * b_ab, b_ad = b_ac + 0.001388888888888889,
       b_ae = x * b_ad, b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
+  const double b_across_a = x * b, b_across_b = 1.0 - b_across_a,
+      b_across = x < 4.0 ? b_across_b : half_cotangent;
   const double beta_v_0 = s->m3 * b;
   const double beta_v_1 = s->m4 * b;
   const double beta_v_2 = s->m5 * b;
@@ -1454,20 +1501,24 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
   const double others_0 = m_1 + m_2;
   const double others_1 = m_0 + m_2;
   const double others_2 = m_0 + m_1;
+  const double diagonal0a = 1.0 - others_0, diagonal0b = b_across + m_0,
+      diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
+  const double diagonal1a = 1.0 - others_1, diagonal1b = b_across + m_1,
+      diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
+  const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
+      diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
   const double alpha_v_0a = 0.5 * s->m3, alpha_v_0 = -alpha_v_0a;
   const double alpha_v_1a = 0.5 * s->m4, alpha_v_1 = -alpha_v_1a;
   const double alpha_v_2a = 0.5 * s->m5, alpha_v_2 = -alpha_v_2a;
-  const double J_0 = 1.0 - others_0;
   const double J_1 = m_3 - alpha_v_2;
   const double J_2 = m_4 + alpha_v_1;
   const double J_3 = m_3 + alpha_v_2;
-  const double J_4 = 1.0 - others_1;
   const double J_5 = m_5 - alpha_v_0;
   const double J_6 = m_4 - alpha_v_1;
   const double J_7 = m_5 + alpha_v_0;
-  const double J_8 = 1.0 - others_2;
+  const double far_x = x < 1.0 ? 1.0 : x;
   const double closed1 = sine / theta;
-  const double closed2 = below_a / b_divisor;
+  const double closed2 = below_a / far_x;
   const double rest3 = 1.0 - closed1;
   const double closed3 = rest3 / b_divisor;
   const double rest4 = 0.5 - closed2;
@@ -1482,7 +1533,7 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
       g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
       g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
       g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
-      g2 = x < 4.0 ? g2x : closed2;
+      g2 = x < 1.0 ? g2x : closed2;
   const double g3a = 9.183689863795546e-29 * x, g3b = g3a - 6.446950284384474e-26, g3c = x * g3b,
       g3d = g3c + 3.868170170630684e-23, g3e = x * g3d, g3f = g3e - 1.9572941063391263e-20,
       g3g = x * g3f, g3h = g3g + 8.22063524662433e-18, g3i = x * g3h,
@@ -1550,83 +1601,83 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
   const double Q_5 = symmetric_2 - q_0;
   const double Q_6 = symmetric_1 - q_1;
   const double Q_7 = q_0 + symmetric_2;
-  const double QJ_0a = J_0 * diagonal_0, QJ_0b = J_3 * Q_1, QJ_0c = J_6 * Q_2,
+  const double QJ_0a = diagonal0 * diagonal_0, QJ_0b = J_3 * Q_1, QJ_0c = J_6 * Q_2,
       QJ_0d = QJ_0b + QJ_0c, QJ_0 = QJ_0a + QJ_0d;
-  const double QJ_1a = J_1 * diagonal_0, QJ_1b = J_4 * Q_1, QJ_1c = J_7 * Q_2,
-      QJ_1d = QJ_1b + QJ_1c, QJ_1 = QJ_1a + QJ_1d;
-  const double QJ_2a = J_2 * diagonal_0, QJ_2b = J_5 * Q_1, QJ_2c = J_8 * Q_2,
-      QJ_2d = QJ_2b + QJ_2c, QJ_2 = QJ_2a + QJ_2d;
-  const double QJ_3a = J_0 * Q_3, QJ_3b = J_6 * Q_5, QJ_3c = QJ_3a + QJ_3b,
-      QJ_3d = J_3 * diagonal_1, QJ_3 = QJ_3c + QJ_3d;
-  const double QJ_4a = J_1 * Q_3, QJ_4b = J_7 * Q_5, QJ_4c = QJ_4a + QJ_4b,
-      QJ_4d = J_4 * diagonal_1, QJ_4 = QJ_4c + QJ_4d;
-  const double QJ_5a = J_2 * Q_3, QJ_5b = J_8 * Q_5, QJ_5c = QJ_5a + QJ_5b,
+  const double QJ_1a = diagonal1 * Q_1, QJ_1b = J_1 * diagonal_0, QJ_1c = QJ_1a + QJ_1b,
+      QJ_1d = J_7 * Q_2, QJ_1 = QJ_1c + QJ_1d;
+  const double QJ_2a = diagonal2 * Q_2, QJ_2b = J_2 * diagonal_0, QJ_2c = QJ_2a + QJ_2b,
+      QJ_2d = J_5 * Q_1, QJ_2 = QJ_2c + QJ_2d;
+  const double QJ_3a = diagonal0 * Q_3, QJ_3b = J_3 * diagonal_1, QJ_3c = QJ_3a + QJ_3b,
+      QJ_3d = J_6 * Q_5, QJ_3 = QJ_3c + QJ_3d;
+  const double QJ_4a = diagonal1 * diagonal_1, QJ_4b = J_1 * Q_3, QJ_4c = J_7 * Q_5,
+      QJ_4d = QJ_4b + QJ_4c, QJ_4 = QJ_4a + QJ_4d;
+  const double QJ_5a = diagonal2 * Q_5, QJ_5b = J_2 * Q_3, QJ_5c = QJ_5a + QJ_5b,
       QJ_5d = J_5 * diagonal_1, QJ_5 = QJ_5c + QJ_5d;
-  const double QJ_6a = J_0 * Q_6, QJ_6b = J_3 * Q_7, QJ_6c = QJ_6a + QJ_6b,
+  const double QJ_6a = diagonal0 * Q_6, QJ_6b = J_3 * Q_7, QJ_6c = QJ_6a + QJ_6b,
       QJ_6d = J_6 * diagonal_2, QJ_6 = QJ_6c + QJ_6d;
-  const double QJ_7a = J_1 * Q_6, QJ_7b = J_4 * Q_7, QJ_7c = QJ_7a + QJ_7b,
+  const double QJ_7a = diagonal1 * Q_7, QJ_7b = J_1 * Q_6, QJ_7c = QJ_7a + QJ_7b,
       QJ_7d = J_7 * diagonal_2, QJ_7 = QJ_7c + QJ_7d;
-  const double QJ_8a = J_2 * Q_6, QJ_8b = J_5 * Q_7, QJ_8c = QJ_8a + QJ_8b,
-      QJ_8d = J_8 * diagonal_2, QJ_8 = QJ_8c + QJ_8d;
-  const double M_03a = J_0 * QJ_0, M_03b = J_1 * QJ_3, M_03c = M_03a + M_03b, M_03d = J_2 * QJ_6,
-      M_03e = M_03c + M_03d, M_03 = -M_03e;
-  const double M_04a = J_0 * QJ_1, M_04b = J_1 * QJ_4, M_04c = M_04a + M_04b, M_04d = J_2 * QJ_7,
-      M_04e = M_04c + M_04d, M_04 = -M_04e;
-  const double M_05a = J_0 * QJ_2, M_05b = J_1 * QJ_5, M_05c = M_05a + M_05b, M_05d = J_2 * QJ_8,
-      M_05e = M_05c + M_05d, M_05 = -M_05e;
-  const double M_13a = J_3 * QJ_0, M_13b = J_4 * QJ_3, M_13c = M_13a + M_13b, M_13d = J_5 * QJ_6,
-      M_13e = M_13c + M_13d, M_13 = -M_13e;
-  const double M_14a = J_3 * QJ_1, M_14b = J_4 * QJ_4, M_14c = M_14a + M_14b, M_14d = J_5 * QJ_7,
-      M_14e = M_14c + M_14d, M_14 = -M_14e;
-  const double M_15a = J_3 * QJ_2, M_15b = J_4 * QJ_5, M_15c = M_15a + M_15b, M_15d = J_5 * QJ_8,
-      M_15e = M_15c + M_15d, M_15 = -M_15e;
-  const double M_23a = J_6 * QJ_0, M_23b = J_7 * QJ_3, M_23c = M_23a + M_23b, M_23d = J_8 * QJ_6,
-      M_23e = M_23c + M_23d, M_23 = -M_23e;
-  const double M_24a = J_6 * QJ_1, M_24b = J_7 * QJ_4, M_24c = M_24a + M_24b, M_24d = J_8 * QJ_7,
-      M_24e = M_24c + M_24d, M_24 = -M_24e;
-  const double M_25a = J_6 * QJ_2, M_25b = J_7 * QJ_5, M_25c = M_25a + M_25b, M_25d = J_8 * QJ_8,
-      M_25e = M_25c + M_25d, M_25 = -M_25e;
-  M->at[0][0] = J_0;
+  const double QJ_8a = diagonal2 * diagonal_2, QJ_8b = J_2 * Q_6, QJ_8c = J_5 * Q_7,
+      QJ_8d = QJ_8b + QJ_8c, QJ_8 = QJ_8a + QJ_8d;
+  const double M_03a = diagonal0 * QJ_0, M_03b = J_1 * QJ_3, M_03c = J_2 * QJ_6,
+      M_03d = M_03b + M_03c, M_03e = M_03a + M_03d, M_03 = -M_03e;
+  const double M_04a = diagonal0 * QJ_1, M_04b = J_1 * QJ_4, M_04c = J_2 * QJ_7,
+      M_04d = M_04b + M_04c, M_04e = M_04a + M_04d, M_04 = -M_04e;
+  const double M_05a = diagonal0 * QJ_2, M_05b = J_1 * QJ_5, M_05c = J_2 * QJ_8,
+      M_05d = M_05b + M_05c, M_05e = M_05a + M_05d, M_05 = -M_05e;
+  const double M_13a = diagonal1 * QJ_3, M_13b = J_3 * QJ_0, M_13c = J_5 * QJ_6,
+      M_13d = M_13b + M_13c, M_13e = M_13a + M_13d, M_13 = -M_13e;
+  const double M_14a = diagonal1 * QJ_4, M_14b = J_3 * QJ_1, M_14c = J_5 * QJ_7,
+      M_14d = M_14b + M_14c, M_14e = M_14a + M_14d, M_14 = -M_14e;
+  const double M_15a = diagonal1 * QJ_5, M_15b = J_3 * QJ_2, M_15c = J_5 * QJ_8,
+      M_15d = M_15b + M_15c, M_15e = M_15a + M_15d, M_15 = -M_15e;
+  const double M_23a = diagonal2 * QJ_6, M_23b = J_6 * QJ_0, M_23c = J_7 * QJ_3,
+      M_23d = M_23b + M_23c, M_23e = M_23a + M_23d, M_23 = -M_23e;
+  const double M_24a = diagonal2 * QJ_7, M_24b = J_6 * QJ_1, M_24c = J_7 * QJ_4,
+      M_24d = M_24b + M_24c, M_24e = M_24a + M_24d, M_24 = -M_24e;
+  const double M_25a = diagonal2 * QJ_8, M_25b = J_6 * QJ_2, M_25c = J_7 * QJ_5,
+      M_25d = M_25b + M_25c, M_25e = M_25a + M_25d, M_25 = -M_25e;
+  M->at[0][0] = diagonal0;
   M->at[1][0] = J_1;
   M->at[2][0] = J_2;
   M->at[3][0] = M_03;
   M->at[4][0] = M_04;
   M->at[5][0] = M_05;
   M->at[0][1] = J_3;
-  M->at[1][1] = J_4;
+  M->at[1][1] = diagonal1;
   M->at[2][1] = J_5;
   M->at[3][1] = M_13;
   M->at[4][1] = M_14;
   M->at[5][1] = M_15;
   M->at[0][2] = J_6;
   M->at[1][2] = J_7;
-  M->at[2][2] = J_8;
+  M->at[2][2] = diagonal2;
   M->at[3][2] = M_23;
   M->at[4][2] = M_24;
   M->at[5][2] = M_25;
   M->at[0][3] = 0.0;
   M->at[1][3] = 0.0;
   M->at[2][3] = 0.0;
-  M->at[3][3] = J_0;
+  M->at[3][3] = diagonal0;
   M->at[4][3] = J_1;
   M->at[5][3] = J_2;
   M->at[0][4] = 0.0;
   M->at[1][4] = 0.0;
   M->at[2][4] = 0.0;
   M->at[3][4] = J_3;
-  M->at[4][4] = J_4;
+  M->at[4][4] = diagonal1;
   M->at[5][4] = J_5;
   M->at[0][5] = 0.0;
   M->at[1][5] = 0.0;
   M->at[2][5] = 0.0;
   M->at[3][5] = J_6;
   M->at[4][5] = J_7;
-  M->at[5][5] = J_8;
+  M->at[5][5] = diagonal2;
 }
 
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   180 mul, 172 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 2 less, 11 select. */
+   181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 6 less, 16 select. */
 static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double shifted_0 = s->m3 + 1610612736.0;
   const double shifted_1 = s->m4 + 1610612736.0;
@@ -1646,7 +1697,7 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
   const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 4.0 ? 2.0 : theta_a;
+  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = theta + 1610612736.0;
   const double theta_high = theta_shifted - 1610612736.0;
   const double theta_low = theta - theta_high;
@@ -1655,14 +1706,15 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
   const double delta_a = 0.5 * residual, delta = delta_a / theta;
-  const double far_sine_a = sin(theta), far_sine = x < 4.0 ? 1.0 : far_sine_a;
-  const double far_cosine_a = cos(theta), far_cosine = x < 4.0 ? 0.0 : far_cosine_a;
+  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
   const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
   const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
   const double below_a = 1.0 - cosine, below = cosine < 0.0 ? below_a : sine;
   const double cotangent = above / below;
-  const double b_rest_a = 0.5 * theta, b_rest_b = b_rest_a * cotangent, b_rest = 1.0 - b_rest_b;
+  const double half_cotangent_a = 0.5 * theta, half_cotangent = half_cotangent_a * cotangent;
+  const double b_rest = 1.0 - half_cotangent;
   const double b_divisor = x < 4.0 ? 4.0 : x;
   const double closed_b = b_rest / b_divisor;
   const double b_a = 1.455172475614865e-27 * x, b_b = b_a + 5.744790668872202e-26, b_c = x * b_b,
@@ -1676,6 +1728,8 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
       b_y = x * b_x, b_z = b_y + 8.267195767195768e-07, b_aa = x * b_z,
       b_ab = b_aa + 3.306878306878307e-05, b_ac = x * b_ab, b_ad = b_ac + 0.001388888888888889,
       b_ae = x * b_ad, b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
+  const double b_across_a = x * b, b_across_b = 1.0 - b_across_a,
+      b_across = x < 4.0 ? b_across_b : half_cotangent;
   const double beta_v_0 = s->m3 * b;
   const double beta_v_1 = s->m4 * b;
   const double beta_v_2 = s->m5 * b;
@@ -1688,20 +1742,24 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
   const double others_0 = m_1 + m_2;
   const double others_1 = m_0 + m_2;
   const double others_2 = m_0 + m_1;
+  const double diagonal0a = 1.0 - others_0, diagonal0b = b_across + m_0,
+      diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
+  const double diagonal1a = 1.0 - others_1, diagonal1b = b_across + m_1,
+      diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
+  const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
+      diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
   const double alpha_v_0 = 0.5 * s->m3;
   const double alpha_v_1 = 0.5 * s->m4;
   const double alpha_v_2 = 0.5 * s->m5;
-  const double J_0 = 1.0 - others_0;
   const double J_1 = m_3 - alpha_v_2;
   const double J_2 = m_4 + alpha_v_1;
   const double J_3 = m_3 + alpha_v_2;
-  const double J_4 = 1.0 - others_1;
   const double J_5 = m_5 - alpha_v_0;
   const double J_6 = m_4 - alpha_v_1;
   const double J_7 = m_5 + alpha_v_0;
-  const double J_8 = 1.0 - others_2;
+  const double far_x = x < 1.0 ? 1.0 : x;
   const double closed1 = sine / theta;
-  const double closed2 = below_a / b_divisor;
+  const double closed2 = below_a / far_x;
   const double rest3 = 1.0 - closed1;
   const double closed3 = rest3 / b_divisor;
   const double rest4 = 0.5 - closed2;
@@ -1716,7 +1774,7 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
       g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
       g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
       g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
-      g2 = x < 4.0 ? g2x : closed2;
+      g2 = x < 1.0 ? g2x : closed2;
   const double g3a = 9.183689863795546e-29 * x, g3b = g3a - 6.446950284384474e-26, g3c = x * g3b,
       g3d = g3c + 3.868170170630684e-23, g3e = x * g3d, g3f = g3e - 1.9572941063391263e-20,
       g3g = x * g3f, g3h = g3g + 8.22063524662433e-18, g3i = x * g3h,
@@ -1784,83 +1842,83 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
   const double Q_5 = symmetric_2 - q_0;
   const double Q_6 = symmetric_1 - q_1;
   const double Q_7 = q_0 + symmetric_2;
-  const double QJ_0a = J_0 * diagonal_0, QJ_0b = J_3 * Q_1, QJ_0c = J_6 * Q_2,
+  const double QJ_0a = diagonal0 * diagonal_0, QJ_0b = J_3 * Q_1, QJ_0c = J_6 * Q_2,
       QJ_0d = QJ_0b + QJ_0c, QJ_0 = QJ_0a + QJ_0d;
-  const double QJ_1a = J_1 * diagonal_0, QJ_1b = J_4 * Q_1, QJ_1c = J_7 * Q_2,
-      QJ_1d = QJ_1b + QJ_1c, QJ_1 = QJ_1a + QJ_1d;
-  const double QJ_2a = J_2 * diagonal_0, QJ_2b = J_5 * Q_1, QJ_2c = J_8 * Q_2,
-      QJ_2d = QJ_2b + QJ_2c, QJ_2 = QJ_2a + QJ_2d;
-  const double QJ_3a = J_0 * Q_3, QJ_3b = J_6 * Q_5, QJ_3c = QJ_3a + QJ_3b,
-      QJ_3d = J_3 * diagonal_1, QJ_3 = QJ_3c + QJ_3d;
-  const double QJ_4a = J_1 * Q_3, QJ_4b = J_7 * Q_5, QJ_4c = QJ_4a + QJ_4b,
-      QJ_4d = J_4 * diagonal_1, QJ_4 = QJ_4c + QJ_4d;
-  const double QJ_5a = J_2 * Q_3, QJ_5b = J_8 * Q_5, QJ_5c = QJ_5a + QJ_5b,
+  const double QJ_1a = diagonal1 * Q_1, QJ_1b = J_1 * diagonal_0, QJ_1c = QJ_1a + QJ_1b,
+      QJ_1d = J_7 * Q_2, QJ_1 = QJ_1c + QJ_1d;
+  const double QJ_2a = diagonal2 * Q_2, QJ_2b = J_2 * diagonal_0, QJ_2c = QJ_2a + QJ_2b,
+      QJ_2d = J_5 * Q_1, QJ_2 = QJ_2c + QJ_2d;
+  const double QJ_3a = diagonal0 * Q_3, QJ_3b = J_3 * diagonal_1, QJ_3c = QJ_3a + QJ_3b,
+      QJ_3d = J_6 * Q_5, QJ_3 = QJ_3c + QJ_3d;
+  const double QJ_4a = diagonal1 * diagonal_1, QJ_4b = J_1 * Q_3, QJ_4c = J_7 * Q_5,
+      QJ_4d = QJ_4b + QJ_4c, QJ_4 = QJ_4a + QJ_4d;
+  const double QJ_5a = diagonal2 * Q_5, QJ_5b = J_2 * Q_3, QJ_5c = QJ_5a + QJ_5b,
       QJ_5d = J_5 * diagonal_1, QJ_5 = QJ_5c + QJ_5d;
-  const double QJ_6a = J_0 * Q_6, QJ_6b = J_3 * Q_7, QJ_6c = QJ_6a + QJ_6b,
+  const double QJ_6a = diagonal0 * Q_6, QJ_6b = J_3 * Q_7, QJ_6c = QJ_6a + QJ_6b,
       QJ_6d = J_6 * diagonal_2, QJ_6 = QJ_6c + QJ_6d;
-  const double QJ_7a = J_1 * Q_6, QJ_7b = J_4 * Q_7, QJ_7c = QJ_7a + QJ_7b,
+  const double QJ_7a = diagonal1 * Q_7, QJ_7b = J_1 * Q_6, QJ_7c = QJ_7a + QJ_7b,
       QJ_7d = J_7 * diagonal_2, QJ_7 = QJ_7c + QJ_7d;
-  const double QJ_8a = J_2 * Q_6, QJ_8b = J_5 * Q_7, QJ_8c = QJ_8a + QJ_8b,
-      QJ_8d = J_8 * diagonal_2, QJ_8 = QJ_8c + QJ_8d;
-  const double M_03a = J_0 * QJ_0, M_03b = J_1 * QJ_3, M_03c = M_03a + M_03b, M_03d = J_2 * QJ_6,
-      M_03e = M_03c + M_03d, M_03 = -M_03e;
-  const double M_04a = J_0 * QJ_1, M_04b = J_1 * QJ_4, M_04c = M_04a + M_04b, M_04d = J_2 * QJ_7,
-      M_04e = M_04c + M_04d, M_04 = -M_04e;
-  const double M_05a = J_0 * QJ_2, M_05b = J_1 * QJ_5, M_05c = M_05a + M_05b, M_05d = J_2 * QJ_8,
-      M_05e = M_05c + M_05d, M_05 = -M_05e;
-  const double M_13a = J_3 * QJ_0, M_13b = J_4 * QJ_3, M_13c = M_13a + M_13b, M_13d = J_5 * QJ_6,
-      M_13e = M_13c + M_13d, M_13 = -M_13e;
-  const double M_14a = J_3 * QJ_1, M_14b = J_4 * QJ_4, M_14c = M_14a + M_14b, M_14d = J_5 * QJ_7,
-      M_14e = M_14c + M_14d, M_14 = -M_14e;
-  const double M_15a = J_3 * QJ_2, M_15b = J_4 * QJ_5, M_15c = M_15a + M_15b, M_15d = J_5 * QJ_8,
-      M_15e = M_15c + M_15d, M_15 = -M_15e;
-  const double M_23a = J_6 * QJ_0, M_23b = J_7 * QJ_3, M_23c = M_23a + M_23b, M_23d = J_8 * QJ_6,
-      M_23e = M_23c + M_23d, M_23 = -M_23e;
-  const double M_24a = J_6 * QJ_1, M_24b = J_7 * QJ_4, M_24c = M_24a + M_24b, M_24d = J_8 * QJ_7,
-      M_24e = M_24c + M_24d, M_24 = -M_24e;
-  const double M_25a = J_6 * QJ_2, M_25b = J_7 * QJ_5, M_25c = M_25a + M_25b, M_25d = J_8 * QJ_8,
-      M_25e = M_25c + M_25d, M_25 = -M_25e;
-  M->at[0][0] = J_0;
+  const double QJ_8a = diagonal2 * diagonal_2, QJ_8b = J_2 * Q_6, QJ_8c = J_5 * Q_7,
+      QJ_8d = QJ_8b + QJ_8c, QJ_8 = QJ_8a + QJ_8d;
+  const double M_03a = diagonal0 * QJ_0, M_03b = J_1 * QJ_3, M_03c = J_2 * QJ_6,
+      M_03d = M_03b + M_03c, M_03e = M_03a + M_03d, M_03 = -M_03e;
+  const double M_04a = diagonal0 * QJ_1, M_04b = J_1 * QJ_4, M_04c = J_2 * QJ_7,
+      M_04d = M_04b + M_04c, M_04e = M_04a + M_04d, M_04 = -M_04e;
+  const double M_05a = diagonal0 * QJ_2, M_05b = J_1 * QJ_5, M_05c = J_2 * QJ_8,
+      M_05d = M_05b + M_05c, M_05e = M_05a + M_05d, M_05 = -M_05e;
+  const double M_13a = diagonal1 * QJ_3, M_13b = J_3 * QJ_0, M_13c = J_5 * QJ_6,
+      M_13d = M_13b + M_13c, M_13e = M_13a + M_13d, M_13 = -M_13e;
+  const double M_14a = diagonal1 * QJ_4, M_14b = J_3 * QJ_1, M_14c = J_5 * QJ_7,
+      M_14d = M_14b + M_14c, M_14e = M_14a + M_14d, M_14 = -M_14e;
+  const double M_15a = diagonal1 * QJ_5, M_15b = J_3 * QJ_2, M_15c = J_5 * QJ_8,
+      M_15d = M_15b + M_15c, M_15e = M_15a + M_15d, M_15 = -M_15e;
+  const double M_23a = diagonal2 * QJ_6, M_23b = J_6 * QJ_0, M_23c = J_7 * QJ_3,
+      M_23d = M_23b + M_23c, M_23e = M_23a + M_23d, M_23 = -M_23e;
+  const double M_24a = diagonal2 * QJ_7, M_24b = J_6 * QJ_1, M_24c = J_7 * QJ_4,
+      M_24d = M_24b + M_24c, M_24e = M_24a + M_24d, M_24 = -M_24e;
+  const double M_25a = diagonal2 * QJ_8, M_25b = J_6 * QJ_2, M_25c = J_7 * QJ_5,
+      M_25d = M_25b + M_25c, M_25e = M_25a + M_25d, M_25 = -M_25e;
+  M->at[0][0] = diagonal0;
   M->at[1][0] = J_1;
   M->at[2][0] = J_2;
   M->at[3][0] = M_03;
   M->at[4][0] = M_04;
   M->at[5][0] = M_05;
   M->at[0][1] = J_3;
-  M->at[1][1] = J_4;
+  M->at[1][1] = diagonal1;
   M->at[2][1] = J_5;
   M->at[3][1] = M_13;
   M->at[4][1] = M_14;
   M->at[5][1] = M_15;
   M->at[0][2] = J_6;
   M->at[1][2] = J_7;
-  M->at[2][2] = J_8;
+  M->at[2][2] = diagonal2;
   M->at[3][2] = M_23;
   M->at[4][2] = M_24;
   M->at[5][2] = M_25;
   M->at[0][3] = 0.0;
   M->at[1][3] = 0.0;
   M->at[2][3] = 0.0;
-  M->at[3][3] = J_0;
+  M->at[3][3] = diagonal0;
   M->at[4][3] = J_1;
   M->at[5][3] = J_2;
   M->at[0][4] = 0.0;
   M->at[1][4] = 0.0;
   M->at[2][4] = 0.0;
   M->at[3][4] = J_3;
-  M->at[4][4] = J_4;
+  M->at[4][4] = diagonal1;
   M->at[5][4] = J_5;
   M->at[0][5] = 0.0;
   M->at[1][5] = 0.0;
   M->at[2][5] = 0.0;
   M->at[3][5] = J_6;
   M->at[4][5] = J_7;
-  M->at[5][5] = J_8;
+  M->at[5][5] = diagonal2;
 }
 
 /* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-   205 mul, 194 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 15 less, 1 equal, 37
+   207 mul, 200 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 17 less, 1 equal, 39
      select. */
 static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2, const double k,
     ksl_SE3_t *Do) {
@@ -1909,14 +1967,20 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
   const double log_s_0 = between_6 + between_9;
   const double log_s_1 = between_2 + between_8;
   const double log_s_2 = between_1 + between_4;
-  const double log_d_0a = between_0 + between_5, log_d_0b = log_d_0a + between_10,
-      log_d_0 = log_d_0b + 1.0;
-  const double log_d_1a = between_0 - between_5, log_d_1b = log_d_1a - between_10,
-      log_d_1 = log_d_1b + 1.0;
-  const double log_d_2a = between_5 - between_0, log_d_2b = log_d_2a - between_10,
-      log_d_2 = log_d_2b + 1.0;
-  const double log_d_3a = between_10 - between_0, log_d_3b = log_d_3a - between_5,
-      log_d_3 = log_d_3b + 1.0;
+  const double log_less_0 = 1.0 - between_0;
+  const double log_less_1 = 1.0 - between_5;
+  const double log_less_2 = 1.0 - between_10;
+  const double log_more_0 = between_0 + 1.0;
+  const double log_more_1 = between_5 + 1.0;
+  const double log_more_2 = between_10 + 1.0;
+  const double log_d_0a = log_less_0 + log_less_1, log_d_0b = log_d_0a + log_less_2,
+      log_d_0 = 4.0 - log_d_0b;
+  const double log_d_1a = 4.0 - log_less_0, log_d_1b = log_more_1 + log_more_2,
+      log_d_1 = log_d_1a - log_d_1b;
+  const double log_d_2a = 4.0 - log_less_1, log_d_2b = log_more_0 + log_more_2,
+      log_d_2 = log_d_2a - log_d_2b;
+  const double log_d_3a = 4.0 - log_less_2, log_d_3b = log_more_0 + log_more_1,
+      log_d_3 = log_d_3a - log_d_3b;
   const double log_low_0 = between_5 < between_0 ? log_p_0 : log_p_1;
   const double log_low_1 = between_5 < between_0 ? log_d_1 : log_s_2;
   const double log_low_2 = between_5 < between_0 ? log_s_2 : log_d_2;
@@ -1961,16 +2025,11 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
   const double log_vector_1 = log_upper_2 * log_k;
   const double log_vector_2 = log_upper_3 * log_k;
   const double log_x = log_theta * log_theta;
-  const double log_far_sine = log_x < 4.0 ? 1.0 : log_n;
+  const double log_far_sine = log_x < 1.0 ? 1.0 : log_n;
   const double log_cotangent = log_upper_0 / log_far_sine;
-  const double log_u_0a = between_11 * log_vector_1, log_u_0b = between_7 * log_vector_2,
-      log_u_0 = log_u_0a - log_u_0b;
-  const double log_u_1a = between_3 * log_vector_2, log_u_1b = between_11 * log_vector_0,
-      log_u_1 = log_u_1a - log_u_1b;
-  const double log_u_2a = between_7 * log_vector_0, log_u_2b = between_3 * log_vector_1,
-      log_u_2 = log_u_2a - log_u_2b;
-  const double log_b_rest_a = 0.5 * log_theta, log_b_rest_b = log_b_rest_a * log_cotangent,
-      log_b_rest = 1.0 - log_b_rest_b;
+  const double log_half_cotangent_a = 0.5 * log_theta,
+      log_half_cotangent = log_half_cotangent_a * log_cotangent;
+  const double log_b_rest = 1.0 - log_half_cotangent;
   const double log_b_divisor = log_x < 4.0 ? 4.0 : log_x;
   const double log_closed_b = log_b_rest / log_b_divisor;
   const double log_b_a = 1.455172475614865e-27 * log_x, log_b_b = log_b_a + 5.744790668872202e-26,
@@ -1990,21 +2049,30 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
       log_b_ac = log_x * log_b_ab, log_b_ad = log_b_ac + 0.001388888888888889,
       log_b_ae = log_x * log_b_ad, log_b_af = log_b_ae + 0.08333333333333333,
       log_b = log_x < 4.0 ? log_b_af : log_closed_b;
-  const double log_uu_0a = log_vector_1 * log_u_2, log_uu_0b = log_vector_2 * log_u_1,
-      log_uu_0 = log_uu_0a - log_uu_0b;
-  const double log_uu_1a = log_vector_2 * log_u_0, log_uu_1b = log_vector_0 * log_u_2,
-      log_uu_1 = log_uu_1a - log_uu_1b;
-  const double log_uu_2a = log_vector_0 * log_u_1, log_uu_2b = log_vector_1 * log_u_0,
-      log_uu_2 = log_uu_2a - log_uu_2b;
-  const double log_small_0a = log_b * log_uu_0, log_small_0b = 0.5 * log_u_0,
-      log_small_0 = log_small_0a - log_small_0b;
-  const double log_small_1a = log_b * log_uu_1, log_small_1b = 0.5 * log_u_1,
-      log_small_1 = log_small_1a - log_small_1b;
-  const double log_small_2a = log_b * log_uu_2, log_small_2b = 0.5 * log_u_2,
-      log_small_2 = log_small_2a - log_small_2b;
-  const double whole_0 = between_3 + log_small_0;
-  const double whole_1 = between_7 + log_small_1;
-  const double whole_2 = between_11 + log_small_2;
+  const double log_b_across_a = log_x * log_b, log_b_across_b = 1.0 - log_b_across_a,
+      log_b_across = log_x < 4.0 ? log_b_across_b : log_half_cotangent;
+  const double log_wt_a = between_3 * log_vector_0, log_wt_b = between_7 * log_vector_1,
+      log_wt_c = log_wt_a + log_wt_b, log_wt_d = between_11 * log_vector_2,
+      log_wt = log_wt_c + log_wt_d;
+  const double log_pitch = log_b * log_wt;
+  const double log_along_0 = log_vector_0 * log_pitch;
+  const double log_along_1 = log_vector_1 * log_pitch;
+  const double log_along_2 = log_vector_2 * log_pitch;
+  const double log_u_0a = between_11 * log_vector_1, log_u_0b = between_7 * log_vector_2,
+      log_u_0 = log_u_0a - log_u_0b;
+  const double log_u_1a = between_3 * log_vector_2, log_u_1b = between_11 * log_vector_0,
+      log_u_1 = log_u_1a - log_u_1b;
+  const double log_u_2a = between_7 * log_vector_0, log_u_2b = between_3 * log_vector_1,
+      log_u_2 = log_u_2a - log_u_2b;
+  const double log_turned_0 = 0.5 * log_u_0;
+  const double log_turned_1 = 0.5 * log_u_1;
+  const double log_turned_2 = 0.5 * log_u_2;
+  const double log_across_axis_0 = log_along_0 - log_turned_0;
+  const double log_across_axis_1 = log_along_1 - log_turned_1;
+  const double log_across_axis_2 = log_along_2 - log_turned_2;
+  const double whole_0a = between_3 * log_b_across, whole_0 = whole_0a + log_across_axis_0;
+  const double whole_1a = between_7 * log_b_across, whole_1 = whole_1a + log_across_axis_1;
+  const double whole_2a = between_11 * log_b_across, whole_2 = whole_2a + log_across_axis_2;
   const double screw_0 = k * whole_0;
   const double screw_1 = k * whole_1;
   const double screw_2 = k * whole_2;
@@ -2030,7 +2098,7 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
       exp_cross_c = exp_cross_a + exp_cross_b, exp_cross_d = exp_low_2 * exp_sum_2,
       exp_cross = exp_cross_c + exp_cross_d;
   const double exp_x = exp_squares + exp_cross;
-  const double exp_theta_a = sqrt(exp_x), exp_theta = exp_x < 4.0 ? 2.0 : exp_theta_a;
+  const double exp_theta_a = sqrt(exp_x), exp_theta = exp_x < 1.0 ? 1.0 : exp_theta_a;
   const double exp_theta_shifted = exp_theta + 1610612736.0;
   const double exp_theta_high = exp_theta_shifted - 1610612736.0;
   const double exp_theta_low = exp_theta - exp_theta_high;
@@ -2040,17 +2108,18 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
   const double exp_exact_a = exp_theta_high * exp_theta_high, exp_exact = exp_squares - exp_exact_a;
   const double exp_residual = exp_cross_rest + exp_exact;
   const double exp_delta_a = 0.5 * exp_residual, exp_delta = exp_delta_a / exp_theta;
-  const double exp_far_sine_a = sin(exp_theta), exp_far_sine = exp_x < 4.0 ? 1.0 : exp_far_sine_a;
+  const double exp_far_sine_a = sin(exp_theta), exp_far_sine = exp_x < 1.0 ? 1.0 : exp_far_sine_a;
   const double exp_far_cosine_a = cos(exp_theta),
-      exp_far_cosine = exp_x < 4.0 ? 0.0 : exp_far_cosine_a;
+      exp_far_cosine = exp_x < 1.0 ? 0.0 : exp_far_cosine_a;
   const double exp_sine_a = exp_delta * exp_far_cosine, exp_sine = exp_sine_a + exp_far_sine;
   const double exp_cosine_a = exp_delta * exp_far_sine, exp_cosine = exp_far_cosine - exp_cosine_a;
-  const double exp_far_x = exp_x < 4.0 ? 4.0 : exp_x;
+  const double exp_far_x = exp_x < 1.0 ? 1.0 : exp_x;
+  const double exp_middle_x = exp_x < 4.0 ? 4.0 : exp_x;
   const double exp_closed1 = exp_sine / exp_theta;
   const double exp_versine = 1.0 - exp_cosine;
   const double exp_closed2 = exp_versine / exp_far_x;
   const double exp_rest3 = 1.0 - exp_closed1;
-  const double exp_closed3 = exp_rest3 / exp_far_x;
+  const double exp_closed3 = exp_rest3 / exp_middle_x;
   const double exp_g1a = 6.446950284384474e-26 * exp_x, exp_g1b = exp_g1a - 3.868170170630684e-23,
       exp_g1c = exp_x * exp_g1b, exp_g1d = exp_g1c + 1.9572941063391263e-20,
       exp_g1e = exp_x * exp_g1d, exp_g1f = exp_g1e - 8.22063524662433e-18,
@@ -2062,7 +2131,7 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
       exp_g1q = exp_x * exp_g1p, exp_g1r = exp_g1q - 0.0001984126984126984,
       exp_g1s = exp_x * exp_g1r, exp_g1t = exp_g1s + 0.008333333333333333,
       exp_g1u = exp_x * exp_g1t, exp_g1v = exp_g1u - 0.16666666666666666, exp_g1w = exp_x * exp_g1v,
-      exp_g1x = exp_g1w + 1.0, exp_g1 = exp_x < 4.0 ? exp_g1x : exp_closed1;
+      exp_g1x = exp_g1w + 1.0, exp_g1 = exp_x < 1.0 ? exp_g1x : exp_closed1;
   const double exp_g2a = 2.4795962632247976e-27 * exp_x, exp_g2b = exp_g2a - 1.6117375710961184e-24,
       exp_g2c = exp_x * exp_g2b, exp_g2d = exp_g2c + 8.896791392450574e-22,
       exp_g2e = exp_x * exp_g2d, exp_g2f = exp_g2e - 4.110317623312165e-19,
@@ -2075,7 +2144,7 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
       exp_g2s = exp_x * exp_g2r, exp_g2t = exp_g2s + 0.001388888888888889,
       exp_g2u = exp_x * exp_g2t, exp_g2v = exp_g2u - 0.041666666666666664,
       exp_g2w = exp_x * exp_g2v, exp_g2x = exp_g2w + 0.5,
-      exp_g2 = exp_x < 4.0 ? exp_g2x : exp_closed2;
+      exp_g2 = exp_x < 1.0 ? exp_g2x : exp_closed2;
   const double exp_g3a = 9.183689863795546e-29 * exp_x, exp_g3b = exp_g3a - 6.446950284384474e-26,
       exp_g3c = exp_x * exp_g3b, exp_g3d = exp_g3c + 3.868170170630684e-23,
       exp_g3e = exp_x * exp_g3d, exp_g3f = exp_g3e - 1.9572941063391263e-20,
@@ -2090,7 +2159,7 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
       exp_g3w = exp_x * exp_g3v, exp_g3x = exp_g3w + 0.16666666666666666,
       exp_g3 = exp_x < 4.0 ? exp_g3x : exp_closed3;
   const double exp_g0a = exp_x * exp_g2, exp_g0b = 1.0 - exp_g0a,
-      exp_g0 = exp_x < 4.0 ? exp_g0b : exp_cosine;
+      exp_g0 = exp_x < 1.0 ? exp_g0b : exp_cosine;
   const double exp_u_0a = screw_2 * screw_4, exp_u_0b = screw_1 * screw_5,
       exp_u_0 = exp_u_0a - exp_u_0b;
   const double exp_u_1a = screw_0 * screw_5, exp_u_1b = screw_2 * screw_3,
@@ -2199,7 +2268,7 @@ static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
-  const float theta_a = sqrtf(x), theta = x < 4.0f ? 2.0f : theta_a;
+  const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = theta + 49152.0f;
   const float theta_high = theta_shifted - 49152.0f;
   const float theta_low = theta - theta_high;
@@ -2208,11 +2277,11 @@ static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
   const float delta_a = 0.5f * residual, delta = delta_a / theta;
-  const float far_sine_a = sinf(theta), far_sine = x < 4.0f ? 1.0f : far_sine_a;
-  const float far_cosine_a = cosf(theta), far_cosine = x < 4.0f ? 0.0f : far_cosine_a;
+  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
   const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
-  const float far_x = x < 4.0f ? 4.0f : x;
+  const float far_x = x < 1.0f ? 1.0f : x;
   const float closed1 = sine / theta;
   const float versine = 1.0f - cosine;
   const float closed2 = versine / far_x;
@@ -2222,15 +2291,15 @@ static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
       g1l = g1k + 1.6059044e-10f, g1m = x * g1l, g1n = g1m - 2.5052108e-08f, g1o = x * g1n,
       g1p = g1o + 2.7557319e-06f, g1q = x * g1p, g1r = g1q - 0.0001984127f, g1s = x * g1r,
       g1t = g1s + 0.008333334f, g1u = x * g1t, g1v = g1u - 0.16666667f, g1w = x * g1v,
-      g1x = g1w + 1.0f, g1 = x < 4.0f ? g1x : closed1;
+      g1x = g1w + 1.0f, g1 = x < 1.0f ? g1x : closed1;
   const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
       g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
       g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
       g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
       g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
       g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
-      g2x = g2w + 0.5f, g2 = x < 4.0f ? g2x : closed2;
-  const float g0a = x * g2, g0b = 1.0f - g0a, g0 = x < 4.0f ? g0b : cosine;
+      g2x = g2w + 0.5f, g2 = x < 1.0f ? g2x : closed2;
+  const float g0a = x * g2, g0b = 1.0f - g0a, g0 = x < 1.0f ? g0b : cosine;
   const float beta_v_0 = v->x * g2;
   const float beta_v_1 = v->y * g2;
   const float beta_v_2 = v->z * g2;
@@ -2271,7 +2340,7 @@ static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   11 mul, 20 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select. */
+   11 mul, 26 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select. */
 static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const float p_0 = R->m21 - R->m12;
   const float p_1 = R->m02 - R->m20;
@@ -2279,10 +2348,16 @@ static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const float s_0 = R->m12 + R->m21;
   const float s_1 = R->m02 + R->m20;
   const float s_2 = R->m01 + R->m10;
-  const float d_0a = R->m00 + R->m11, d_0b = d_0a + R->m22, d_0 = d_0b + 1.0f;
-  const float d_1a = R->m00 - R->m11, d_1b = d_1a - R->m22, d_1 = d_1b + 1.0f;
-  const float d_2a = R->m11 - R->m00, d_2b = d_2a - R->m22, d_2 = d_2b + 1.0f;
-  const float d_3a = R->m22 - R->m00, d_3b = d_3a - R->m11, d_3 = d_3b + 1.0f;
+  const float less_0 = 1.0f - R->m00;
+  const float less_1 = 1.0f - R->m11;
+  const float less_2 = 1.0f - R->m22;
+  const float more_0 = R->m00 + 1.0f;
+  const float more_1 = R->m11 + 1.0f;
+  const float more_2 = R->m22 + 1.0f;
+  const float d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0f - d_0b;
+  const float d_1a = 4.0f - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
+  const float d_2a = 4.0f - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
+  const float d_3a = 4.0f - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
   const float low_0 = R->m11 < R->m00 ? p_0 : p_1;
   const float low_1 = R->m11 < R->m00 ? d_1 : s_2;
   const float low_2 = R->m11 < R->m00 ? s_2 : d_2;
@@ -2327,7 +2402,7 @@ static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
 
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select. */
+   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 11 select. */
 static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float shifted_0 = v->x + 49152.0f;
   const float shifted_1 = v->y + 49152.0f;
@@ -2347,7 +2422,7 @@ static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
   const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
-  const float theta_a = sqrtf(x), theta = x < 4.0f ? 2.0f : theta_a;
+  const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = theta + 49152.0f;
   const float theta_high = theta_shifted - 49152.0f;
   const float theta_low = theta - theta_high;
@@ -2356,30 +2431,31 @@ static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
   const float delta_a = 0.5f * residual, delta = delta_a / theta;
-  const float far_sine_a = sinf(theta), far_sine = x < 4.0f ? 1.0f : far_sine_a;
-  const float far_cosine_a = cosf(theta), far_cosine = x < 4.0f ? 0.0f : far_cosine_a;
+  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
   const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
-  const float far_x = x < 4.0f ? 4.0f : x;
+  const float far_x = x < 1.0f ? 1.0f : x;
+  const float middle_x = x < 4.0f ? 4.0f : x;
   const float closed1 = sine / theta;
   const float versine = 1.0f - cosine;
   const float closed2 = versine / far_x;
   const float rest3 = 1.0f - closed1;
-  const float closed3 = rest3 / far_x;
+  const float closed3 = rest3 / middle_x;
   const float g1a = 6.4469503e-26f * x, g1b = g1a - 3.8681703e-23f, g1c = x * g1b,
       g1d = g1c + 1.9572942e-20f, g1e = x * g1d, g1f = g1e - 8.220635e-18f, g1g = x * g1f,
       g1h = g1g + 2.8114574e-15f, g1i = x * g1h, g1j = g1i - 7.6471636e-13f, g1k = x * g1j,
       g1l = g1k + 1.6059044e-10f, g1m = x * g1l, g1n = g1m - 2.5052108e-08f, g1o = x * g1n,
       g1p = g1o + 2.7557319e-06f, g1q = x * g1p, g1r = g1q - 0.0001984127f, g1s = x * g1r,
       g1t = g1s + 0.008333334f, g1u = x * g1t, g1v = g1u - 0.16666667f, g1w = x * g1v,
-      g1x = g1w + 1.0f, g1 = x < 4.0f ? g1x : closed1;
+      g1x = g1w + 1.0f, g1 = x < 1.0f ? g1x : closed1;
   const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
       g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
       g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
       g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
       g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
       g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
-      g2x = g2w + 0.5f, g2 = x < 4.0f ? g2x : closed2;
+      g2x = g2w + 0.5f, g2 = x < 1.0f ? g2x : closed2;
   const float g3a = 9.18369e-29f * x, g3b = g3a - 6.4469503e-26f, g3c = x * g3b,
       g3d = g3c + 3.8681703e-23f, g3e = x * g3d, g3f = g3e - 1.9572942e-20f, g3g = x * g3f,
       g3h = g3g + 8.220635e-18f, g3i = x * g3h, g3j = g3i - 2.8114574e-15f, g3k = x * g3j,
@@ -2427,7 +2503,7 @@ static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
 
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 less, 10 select. */
+   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 5 less, 11 select. */
 static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float shifted_0 = v->x + 49152.0f;
   const float shifted_1 = v->y + 49152.0f;
@@ -2447,7 +2523,7 @@ static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
   const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
-  const float theta_a = sqrtf(x), theta = x < 4.0f ? 2.0f : theta_a;
+  const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = theta + 49152.0f;
   const float theta_high = theta_shifted - 49152.0f;
   const float theta_low = theta - theta_high;
@@ -2456,30 +2532,31 @@ static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
   const float delta_a = 0.5f * residual, delta = delta_a / theta;
-  const float far_sine_a = sinf(theta), far_sine = x < 4.0f ? 1.0f : far_sine_a;
-  const float far_cosine_a = cosf(theta), far_cosine = x < 4.0f ? 0.0f : far_cosine_a;
+  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
   const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
-  const float far_x = x < 4.0f ? 4.0f : x;
+  const float far_x = x < 1.0f ? 1.0f : x;
+  const float middle_x = x < 4.0f ? 4.0f : x;
   const float closed1 = sine / theta;
   const float versine = 1.0f - cosine;
   const float closed2 = versine / far_x;
   const float rest3 = 1.0f - closed1;
-  const float closed3 = rest3 / far_x;
+  const float closed3 = rest3 / middle_x;
   const float g1a = 6.4469503e-26f * x, g1b = g1a - 3.8681703e-23f, g1c = x * g1b,
       g1d = g1c + 1.9572942e-20f, g1e = x * g1d, g1f = g1e - 8.220635e-18f, g1g = x * g1f,
       g1h = g1g + 2.8114574e-15f, g1i = x * g1h, g1j = g1i - 7.6471636e-13f, g1k = x * g1j,
       g1l = g1k + 1.6059044e-10f, g1m = x * g1l, g1n = g1m - 2.5052108e-08f, g1o = x * g1n,
       g1p = g1o + 2.7557319e-06f, g1q = x * g1p, g1r = g1q - 0.0001984127f, g1s = x * g1r,
       g1t = g1s + 0.008333334f, g1u = x * g1t, g1v = g1u - 0.16666667f, g1w = x * g1v,
-      g1x = g1w + 1.0f, g1 = x < 4.0f ? g1x : closed1;
+      g1x = g1w + 1.0f, g1 = x < 1.0f ? g1x : closed1;
   const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
       g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
       g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
       g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
       g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
       g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
-      g2x = g2w + 0.5f, g2 = x < 4.0f ? g2x : closed2;
+      g2x = g2w + 0.5f, g2 = x < 1.0f ? g2x : closed2;
   const float g3a = 9.18369e-29f * x, g3b = g3a - 6.4469503e-26f, g3c = x * g3b,
       g3d = g3c + 3.8681703e-23f, g3e = x * g3d, g3f = g3e - 1.9572942e-20f, g3g = x * g3f,
       g3h = g3g + 8.220635e-18f, g3i = x * g3h, g3j = g3i - 2.8114574e-15f, g3k = x * g3j,
@@ -2528,7 +2605,7 @@ static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
-   41 mul, 57 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 2 less, 7 select. */
+   42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 6 less, 11 select. */
 static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float shifted_0 = v->x + 49152.0f;
   const float shifted_1 = v->y + 49152.0f;
@@ -2548,7 +2625,7 @@ static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3
   const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
-  const float theta_a = sqrtf(x), theta = x < 4.0f ? 2.0f : theta_a;
+  const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = theta + 49152.0f;
   const float theta_high = theta_shifted - 49152.0f;
   const float theta_low = theta - theta_high;
@@ -2557,14 +2634,15 @@ static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
   const float delta_a = 0.5f * residual, delta = delta_a / theta;
-  const float far_sine_a = sinf(theta), far_sine = x < 4.0f ? 1.0f : far_sine_a;
-  const float far_cosine_a = cosf(theta), far_cosine = x < 4.0f ? 0.0f : far_cosine_a;
+  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
   const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
   const float above_a = cosine + 1.0f, above = cosine < 0.0f ? sine : above_a;
   const float below_a = 1.0f - cosine, below = cosine < 0.0f ? below_a : sine;
   const float cotangent = above / below;
-  const float b_rest_a = 0.5f * theta, b_rest_b = b_rest_a * cotangent, b_rest = 1.0f - b_rest_b;
+  const float half_cotangent_a = 0.5f * theta, half_cotangent = half_cotangent_a * cotangent;
+  const float b_rest = 1.0f - half_cotangent;
   const float b_divisor = x < 4.0f ? 4.0f : x;
   const float closed_b = b_rest / b_divisor;
   const float b_a = 1.4551725e-27f * x, b_b = b_a + 5.744791e-26f, b_c = x * b_b,
@@ -2576,6 +2654,8 @@ static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3
       b_x = b_w + 2.0876756e-08f, b_y = x * b_x, b_z = b_y + 8.267196e-07f, b_aa = x * b_z,
       b_ab = b_aa + 3.3068784e-05f, b_ac = x * b_ab, b_ad = b_ac + 0.0013888889f, b_ae = x * b_ad,
       b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
+  const float b_across_a = x * b, b_across_b = 1.0f - b_across_a,
+      b_across = x < 4.0f ? b_across_b : half_cotangent;
   const float beta_v_0 = v->x * b;
   const float beta_v_1 = v->y * b;
   const float beta_v_2 = v->z * b;
@@ -2588,33 +2668,36 @@ static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3
   const float others_0 = m_1 + m_2;
   const float others_1 = m_0 + m_2;
   const float others_2 = m_0 + m_1;
+  const float diagonal0a = 1.0f - others_0, diagonal0b = b_across + m_0,
+      diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
+  const float diagonal1a = 1.0f - others_1, diagonal1b = b_across + m_1,
+      diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
+  const float diagonal2a = 1.0f - others_2, diagonal2b = b_across + m_2,
+      diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
   const float alpha_v_0a = 0.5f * v->x, alpha_v_0 = -alpha_v_0a;
   const float alpha_v_1a = 0.5f * v->y, alpha_v_1 = -alpha_v_1a;
   const float alpha_v_2a = 0.5f * v->z, alpha_v_2 = -alpha_v_2a;
-  const float R_00 = 1.0f - others_0;
   const float R_01 = m_3 - alpha_v_2;
   const float R_02 = m_4 + alpha_v_1;
   const float R_10 = m_3 + alpha_v_2;
-  const float R_11 = 1.0f - others_1;
   const float R_12 = m_5 - alpha_v_0;
   const float R_20 = m_4 - alpha_v_1;
   const float R_21 = m_5 + alpha_v_0;
-  const float R_22 = 1.0f - others_2;
-  R->m00 = R_00;
+  R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
   R->m10 = R_10;
-  R->m11 = R_11;
+  R->m11 = diagonal1;
   R->m12 = R_12;
   R->m20 = R_20;
   R->m21 = R_21;
-  R->m22 = R_22;
+  R->m22 = diagonal2;
 }
 
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
-   41 mul, 57 add, 3 div, 1 sqrt, 1 sin, 1 cos, 2 less, 7 select. */
+   42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 6 less, 11 select. */
 static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float shifted_0 = v->x + 49152.0f;
   const float shifted_1 = v->y + 49152.0f;
@@ -2634,7 +2717,7 @@ static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x
   const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
-  const float theta_a = sqrtf(x), theta = x < 4.0f ? 2.0f : theta_a;
+  const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = theta + 49152.0f;
   const float theta_high = theta_shifted - 49152.0f;
   const float theta_low = theta - theta_high;
@@ -2643,14 +2726,15 @@ static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
   const float delta_a = 0.5f * residual, delta = delta_a / theta;
-  const float far_sine_a = sinf(theta), far_sine = x < 4.0f ? 1.0f : far_sine_a;
-  const float far_cosine_a = cosf(theta), far_cosine = x < 4.0f ? 0.0f : far_cosine_a;
+  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
   const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
   const float above_a = cosine + 1.0f, above = cosine < 0.0f ? sine : above_a;
   const float below_a = 1.0f - cosine, below = cosine < 0.0f ? below_a : sine;
   const float cotangent = above / below;
-  const float b_rest_a = 0.5f * theta, b_rest_b = b_rest_a * cotangent, b_rest = 1.0f - b_rest_b;
+  const float half_cotangent_a = 0.5f * theta, half_cotangent = half_cotangent_a * cotangent;
+  const float b_rest = 1.0f - half_cotangent;
   const float b_divisor = x < 4.0f ? 4.0f : x;
   const float closed_b = b_rest / b_divisor;
   const float b_a = 1.4551725e-27f * x, b_b = b_a + 5.744791e-26f, b_c = x * b_b,
@@ -2662,6 +2746,8 @@ static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x
       b_x = b_w + 2.0876756e-08f, b_y = x * b_x, b_z = b_y + 8.267196e-07f, b_aa = x * b_z,
       b_ab = b_aa + 3.3068784e-05f, b_ac = x * b_ab, b_ad = b_ac + 0.0013888889f, b_ae = x * b_ad,
       b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
+  const float b_across_a = x * b, b_across_b = 1.0f - b_across_a,
+      b_across = x < 4.0f ? b_across_b : half_cotangent;
   const float beta_v_0 = v->x * b;
   const float beta_v_1 = v->y * b;
   const float beta_v_2 = v->z * b;
@@ -2674,27 +2760,30 @@ static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x
   const float others_0 = m_1 + m_2;
   const float others_1 = m_0 + m_2;
   const float others_2 = m_0 + m_1;
+  const float diagonal0a = 1.0f - others_0, diagonal0b = b_across + m_0,
+      diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
+  const float diagonal1a = 1.0f - others_1, diagonal1b = b_across + m_1,
+      diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
+  const float diagonal2a = 1.0f - others_2, diagonal2b = b_across + m_2,
+      diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
   const float alpha_v_0 = 0.5f * v->x;
   const float alpha_v_1 = 0.5f * v->y;
   const float alpha_v_2 = 0.5f * v->z;
-  const float R_00 = 1.0f - others_0;
   const float R_01 = m_3 - alpha_v_2;
   const float R_02 = m_4 + alpha_v_1;
   const float R_10 = m_3 + alpha_v_2;
-  const float R_11 = 1.0f - others_1;
   const float R_12 = m_5 - alpha_v_0;
   const float R_20 = m_4 - alpha_v_1;
   const float R_21 = m_5 + alpha_v_0;
-  const float R_22 = 1.0f - others_2;
-  R->m00 = R_00;
+  R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
   R->m10 = R_10;
-  R->m11 = R_11;
+  R->m11 = diagonal1;
   R->m12 = R_12;
   R->m20 = R_20;
   R->m21 = R_21;
-  R->m22 = R_22;
+  R->m22 = diagonal2;
 }
 
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
@@ -2745,7 +2834,7 @@ static inline void ksl_mat3x3f_from_axis_angle(const ksl_vec3f_t *axis, const fl
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
    R: rotation or other 3×3 matrix; axis: vector.
-   8 mul, 20 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select. */
+   8 mul, 26 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select. */
 static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *axis) {
   const float p_0 = R->m21 - R->m12;
   const float p_1 = R->m02 - R->m20;
@@ -2753,10 +2842,16 @@ static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3
   const float s_0 = R->m12 + R->m21;
   const float s_1 = R->m02 + R->m20;
   const float s_2 = R->m01 + R->m10;
-  const float d_0a = R->m00 + R->m11, d_0b = d_0a + R->m22, d_0 = d_0b + 1.0f;
-  const float d_1a = R->m00 - R->m11, d_1b = d_1a - R->m22, d_1 = d_1b + 1.0f;
-  const float d_2a = R->m11 - R->m00, d_2b = d_2a - R->m22, d_2 = d_2b + 1.0f;
-  const float d_3a = R->m22 - R->m00, d_3b = d_3a - R->m11, d_3 = d_3b + 1.0f;
+  const float less_0 = 1.0f - R->m00;
+  const float less_1 = 1.0f - R->m11;
+  const float less_2 = 1.0f - R->m22;
+  const float more_0 = R->m00 + 1.0f;
+  const float more_1 = R->m11 + 1.0f;
+  const float more_2 = R->m22 + 1.0f;
+  const float d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0f - d_0b;
+  const float d_1a = 4.0f - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
+  const float d_2a = 4.0f - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
+  const float d_3a = 4.0f - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
   const float low_0 = R->m11 < R->m00 ? p_0 : p_1;
   const float low_1 = R->m11 < R->m00 ? d_1 : s_2;
   const float low_2 = R->m11 < R->m00 ? s_2 : d_2;
@@ -2938,7 +3033,7 @@ static inline void ksl_mat3x3f_orthonormalized(const ksl_mat3x3f_t *R, ksl_mat3x
 
 /* D = exp s = [exp ω~ | J_l(ω) v].
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-   79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 less, 11 select. */
+   79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 12 select. */
 static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
   const float shifted_0 = s->m3 + 49152.0f;
   const float shifted_1 = s->m4 + 49152.0f;
@@ -2958,7 +3053,7 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
   const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
-  const float theta_a = sqrtf(x), theta = x < 4.0f ? 2.0f : theta_a;
+  const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = theta + 49152.0f;
   const float theta_high = theta_shifted - 49152.0f;
   const float theta_low = theta - theta_high;
@@ -2967,30 +3062,31 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
   const float delta_a = 0.5f * residual, delta = delta_a / theta;
-  const float far_sine_a = sinf(theta), far_sine = x < 4.0f ? 1.0f : far_sine_a;
-  const float far_cosine_a = cosf(theta), far_cosine = x < 4.0f ? 0.0f : far_cosine_a;
+  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
   const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
-  const float far_x = x < 4.0f ? 4.0f : x;
+  const float far_x = x < 1.0f ? 1.0f : x;
+  const float middle_x = x < 4.0f ? 4.0f : x;
   const float closed1 = sine / theta;
   const float versine = 1.0f - cosine;
   const float closed2 = versine / far_x;
   const float rest3 = 1.0f - closed1;
-  const float closed3 = rest3 / far_x;
+  const float closed3 = rest3 / middle_x;
   const float g1a = 6.4469503e-26f * x, g1b = g1a - 3.8681703e-23f, g1c = x * g1b,
       g1d = g1c + 1.9572942e-20f, g1e = x * g1d, g1f = g1e - 8.220635e-18f, g1g = x * g1f,
       g1h = g1g + 2.8114574e-15f, g1i = x * g1h, g1j = g1i - 7.6471636e-13f, g1k = x * g1j,
       g1l = g1k + 1.6059044e-10f, g1m = x * g1l, g1n = g1m - 2.5052108e-08f, g1o = x * g1n,
       g1p = g1o + 2.7557319e-06f, g1q = x * g1p, g1r = g1q - 0.0001984127f, g1s = x * g1r,
       g1t = g1s + 0.008333334f, g1u = x * g1t, g1v = g1u - 0.16666667f, g1w = x * g1v,
-      g1x = g1w + 1.0f, g1 = x < 4.0f ? g1x : closed1;
+      g1x = g1w + 1.0f, g1 = x < 1.0f ? g1x : closed1;
   const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
       g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
       g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
       g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
       g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
       g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
-      g2x = g2w + 0.5f, g2 = x < 4.0f ? g2x : closed2;
+      g2x = g2w + 0.5f, g2 = x < 1.0f ? g2x : closed2;
   const float g3a = 9.18369e-29f * x, g3b = g3a - 6.4469503e-26f, g3c = x * g3b,
       g3d = g3c + 3.8681703e-23f, g3e = x * g3d, g3f = g3e - 1.9572942e-20f, g3g = x * g3f,
       g3h = g3g + 8.220635e-18f, g3i = x * g3h, g3j = g3i - 2.8114574e-15f, g3k = x * g3j,
@@ -2998,7 +3094,7 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
       g3p = g3o + 2.5052108e-08f, g3q = x * g3p, g3r = g3q - 2.7557319e-06f, g3s = x * g3r,
       g3t = g3s + 0.0001984127f, g3u = x * g3t, g3v = g3u - 0.008333334f, g3w = x * g3v,
       g3x = g3w + 0.16666667f, g3 = x < 4.0f ? g3x : closed3;
-  const float g0a = x * g2, g0b = 1.0f - g0a, g0 = x < 4.0f ? g0b : cosine;
+  const float g0a = x * g2, g0b = 1.0f - g0a, g0 = x < 1.0f ? g0b : cosine;
   const float u_0a = s->m2 * s->m4, u_0b = s->m1 * s->m5, u_0 = u_0a - u_0b;
   const float u_1a = s->m0 * s->m5, u_1b = s->m2 * s->m3, u_1 = u_1a - u_1b;
   const float u_2a = s->m1 * s->m3, u_2b = s->m0 * s->m4, u_2 = u_2a - u_2b;
@@ -3060,7 +3156,7 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
 
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   48 mul, 49 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 11 less, 1 equal, 26 select. */
+   50 mul, 55 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select. */
 static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float p_0 = D->m21 - D->m12;
   const float p_1 = D->m02 - D->m20;
@@ -3068,10 +3164,16 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float s_0 = D->m12 + D->m21;
   const float s_1 = D->m02 + D->m20;
   const float s_2 = D->m01 + D->m10;
-  const float d_0a = D->m00 + D->m11, d_0b = d_0a + D->m22, d_0 = d_0b + 1.0f;
-  const float d_1a = D->m00 - D->m11, d_1b = d_1a - D->m22, d_1 = d_1b + 1.0f;
-  const float d_2a = D->m11 - D->m00, d_2b = d_2a - D->m22, d_2 = d_2b + 1.0f;
-  const float d_3a = D->m22 - D->m00, d_3b = d_3a - D->m11, d_3 = d_3b + 1.0f;
+  const float less_0 = 1.0f - D->m00;
+  const float less_1 = 1.0f - D->m11;
+  const float less_2 = 1.0f - D->m22;
+  const float more_0 = D->m00 + 1.0f;
+  const float more_1 = D->m11 + 1.0f;
+  const float more_2 = D->m22 + 1.0f;
+  const float d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0f - d_0b;
+  const float d_1a = 4.0f - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
+  const float d_2a = 4.0f - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
+  const float d_3a = 4.0f - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
   const float low_0 = D->m11 < D->m00 ? p_0 : p_1;
   const float low_1 = D->m11 < D->m00 ? d_1 : s_2;
   const float low_2 = D->m11 < D->m00 ? s_2 : d_2;
@@ -3110,12 +3212,10 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float vector_1 = upper_2 * k;
   const float vector_2 = upper_3 * k;
   const float x = theta * theta;
-  const float far_sine = x < 4.0f ? 1.0f : n;
+  const float far_sine = x < 1.0f ? 1.0f : n;
   const float cotangent = upper_0 / far_sine;
-  const float u_0a = D->m23 * vector_1, u_0b = D->m13 * vector_2, u_0 = u_0a - u_0b;
-  const float u_1a = D->m03 * vector_2, u_1b = D->m23 * vector_0, u_1 = u_1a - u_1b;
-  const float u_2a = D->m13 * vector_0, u_2b = D->m03 * vector_1, u_2 = u_2a - u_2b;
-  const float b_rest_a = 0.5f * theta, b_rest_b = b_rest_a * cotangent, b_rest = 1.0f - b_rest_b;
+  const float half_cotangent_a = 0.5f * theta, half_cotangent = half_cotangent_a * cotangent;
+  const float b_rest = 1.0f - half_cotangent;
   const float b_divisor = x < 4.0f ? 4.0f : x;
   const float closed_b = b_rest / b_divisor;
   const float b_a = 1.4551725e-27f * x, b_b = b_a + 5.744791e-26f, b_c = x * b_b,
@@ -3127,15 +3227,26 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
       b_x = b_w + 2.0876756e-08f, b_y = x * b_x, b_z = b_y + 8.267196e-07f, b_aa = x * b_z,
       b_ab = b_aa + 3.3068784e-05f, b_ac = x * b_ab, b_ad = b_ac + 0.0013888889f, b_ae = x * b_ad,
       b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
-  const float uu_0a = vector_1 * u_2, uu_0b = vector_2 * u_1, uu_0 = uu_0a - uu_0b;
-  const float uu_1a = vector_2 * u_0, uu_1b = vector_0 * u_2, uu_1 = uu_1a - uu_1b;
-  const float uu_2a = vector_0 * u_1, uu_2b = vector_1 * u_0, uu_2 = uu_2a - uu_2b;
-  const float small_0a = b * uu_0, small_0b = 0.5f * u_0, small_0 = small_0a - small_0b;
-  const float small_1a = b * uu_1, small_1b = 0.5f * u_1, small_1 = small_1a - small_1b;
-  const float small_2a = b * uu_2, small_2b = 0.5f * u_2, small_2 = small_2a - small_2b;
-  const float so_0 = D->m03 + small_0;
-  const float so_1 = D->m13 + small_1;
-  const float so_2 = D->m23 + small_2;
+  const float b_across_a = x * b, b_across_b = 1.0f - b_across_a,
+      b_across = x < 4.0f ? b_across_b : half_cotangent;
+  const float wt_a = D->m03 * vector_0, wt_b = D->m13 * vector_1, wt_c = wt_a + wt_b,
+      wt_d = D->m23 * vector_2, wt = wt_c + wt_d;
+  const float pitch = b * wt;
+  const float along_0 = vector_0 * pitch;
+  const float along_1 = vector_1 * pitch;
+  const float along_2 = vector_2 * pitch;
+  const float u_0a = D->m23 * vector_1, u_0b = D->m13 * vector_2, u_0 = u_0a - u_0b;
+  const float u_1a = D->m03 * vector_2, u_1b = D->m23 * vector_0, u_1 = u_1a - u_1b;
+  const float u_2a = D->m13 * vector_0, u_2b = D->m03 * vector_1, u_2 = u_2a - u_2b;
+  const float turned_0 = 0.5f * u_0;
+  const float turned_1 = 0.5f * u_1;
+  const float turned_2 = 0.5f * u_2;
+  const float across_axis_0 = along_0 - turned_0;
+  const float across_axis_1 = along_1 - turned_1;
+  const float across_axis_2 = along_2 - turned_2;
+  const float so_0a = D->m03 * b_across, so_0 = so_0a + across_axis_0;
+  const float so_1a = D->m13 * b_across, so_1 = so_1a + across_axis_1;
+  const float so_2a = D->m23 * b_across, so_2 = so_2a + across_axis_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -3146,7 +3257,7 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 4 less, 12 select. */
+   120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 5 less, 13 select. */
 static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float shifted_0 = s->m3 + 49152.0f;
   const float shifted_1 = s->m4 + 49152.0f;
@@ -3166,7 +3277,7 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
   const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
-  const float theta_a = sqrtf(x), theta = x < 4.0f ? 2.0f : theta_a;
+  const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = theta + 49152.0f;
   const float theta_high = theta_shifted - 49152.0f;
   const float theta_low = theta - theta_high;
@@ -3175,34 +3286,35 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
   const float delta_a = 0.5f * residual, delta = delta_a / theta;
-  const float far_sine_a = sinf(theta), far_sine = x < 4.0f ? 1.0f : far_sine_a;
-  const float far_cosine_a = cosf(theta), far_cosine = x < 4.0f ? 0.0f : far_cosine_a;
+  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
   const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
-  const float far_x = x < 4.0f ? 4.0f : x;
+  const float far_x = x < 1.0f ? 1.0f : x;
+  const float middle_x = x < 4.0f ? 4.0f : x;
   const float closed1 = sine / theta;
   const float versine = 1.0f - cosine;
   const float closed2 = versine / far_x;
   const float rest3 = 1.0f - closed1;
-  const float closed3 = rest3 / far_x;
+  const float closed3 = rest3 / middle_x;
   const float rest4 = 0.5f - closed2;
-  const float closed4 = rest4 / far_x;
+  const float closed4 = rest4 / middle_x;
   const float rest5 = 0.16666667f - closed3;
-  const float closed5 = rest5 / far_x;
+  const float closed5 = rest5 / middle_x;
   const float g1a = 6.4469503e-26f * x, g1b = g1a - 3.8681703e-23f, g1c = x * g1b,
       g1d = g1c + 1.9572942e-20f, g1e = x * g1d, g1f = g1e - 8.220635e-18f, g1g = x * g1f,
       g1h = g1g + 2.8114574e-15f, g1i = x * g1h, g1j = g1i - 7.6471636e-13f, g1k = x * g1j,
       g1l = g1k + 1.6059044e-10f, g1m = x * g1l, g1n = g1m - 2.5052108e-08f, g1o = x * g1n,
       g1p = g1o + 2.7557319e-06f, g1q = x * g1p, g1r = g1q - 0.0001984127f, g1s = x * g1r,
       g1t = g1s + 0.008333334f, g1u = x * g1t, g1v = g1u - 0.16666667f, g1w = x * g1v,
-      g1x = g1w + 1.0f, g1 = x < 4.0f ? g1x : closed1;
+      g1x = g1w + 1.0f, g1 = x < 1.0f ? g1x : closed1;
   const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
       g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
       g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
       g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
       g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
       g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
-      g2x = g2w + 0.5f, g2 = x < 4.0f ? g2x : closed2;
+      g2x = g2w + 0.5f, g2 = x < 1.0f ? g2x : closed2;
   const float g3a = 9.18369e-29f * x, g3b = g3a - 6.4469503e-26f, g3c = x * g3b,
       g3d = g3c + 3.8681703e-23f, g3e = x * g3d, g3f = g3e - 1.9572942e-20f, g3g = x * g3f,
       g3h = g3g + 8.220635e-18f, g3i = x * g3h, g3j = g3i - 2.8114574e-15f, g3k = x * g3j,
@@ -3331,7 +3443,7 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
 
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 4 less, 12 select. */
+   120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 5 less, 13 select. */
 static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float shifted_0 = s->m3 + 49152.0f;
   const float shifted_1 = s->m4 + 49152.0f;
@@ -3351,7 +3463,7 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
   const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
-  const float theta_a = sqrtf(x), theta = x < 4.0f ? 2.0f : theta_a;
+  const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = theta + 49152.0f;
   const float theta_high = theta_shifted - 49152.0f;
   const float theta_low = theta - theta_high;
@@ -3360,34 +3472,35 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
   const float delta_a = 0.5f * residual, delta = delta_a / theta;
-  const float far_sine_a = sinf(theta), far_sine = x < 4.0f ? 1.0f : far_sine_a;
-  const float far_cosine_a = cosf(theta), far_cosine = x < 4.0f ? 0.0f : far_cosine_a;
+  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
   const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
-  const float far_x = x < 4.0f ? 4.0f : x;
+  const float far_x = x < 1.0f ? 1.0f : x;
+  const float middle_x = x < 4.0f ? 4.0f : x;
   const float closed1 = sine / theta;
   const float versine = 1.0f - cosine;
   const float closed2 = versine / far_x;
   const float rest3 = 1.0f - closed1;
-  const float closed3 = rest3 / far_x;
+  const float closed3 = rest3 / middle_x;
   const float rest4 = 0.5f - closed2;
-  const float closed4 = rest4 / far_x;
+  const float closed4 = rest4 / middle_x;
   const float rest5 = 0.16666667f - closed3;
-  const float closed5 = rest5 / far_x;
+  const float closed5 = rest5 / middle_x;
   const float g1a = 6.4469503e-26f * x, g1b = g1a - 3.8681703e-23f, g1c = x * g1b,
       g1d = g1c + 1.9572942e-20f, g1e = x * g1d, g1f = g1e - 8.220635e-18f, g1g = x * g1f,
       g1h = g1g + 2.8114574e-15f, g1i = x * g1h, g1j = g1i - 7.6471636e-13f, g1k = x * g1j,
       g1l = g1k + 1.6059044e-10f, g1m = x * g1l, g1n = g1m - 2.5052108e-08f, g1o = x * g1n,
       g1p = g1o + 2.7557319e-06f, g1q = x * g1p, g1r = g1q - 0.0001984127f, g1s = x * g1r,
       g1t = g1s + 0.008333334f, g1u = x * g1t, g1v = g1u - 0.16666667f, g1w = x * g1v,
-      g1x = g1w + 1.0f, g1 = x < 4.0f ? g1x : closed1;
+      g1x = g1w + 1.0f, g1 = x < 1.0f ? g1x : closed1;
   const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
       g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
       g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
       g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
       g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
       g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
-      g2x = g2w + 0.5f, g2 = x < 4.0f ? g2x : closed2;
+      g2x = g2w + 0.5f, g2 = x < 1.0f ? g2x : closed2;
   const float g3a = 9.18369e-29f * x, g3b = g3a - 6.4469503e-26f, g3c = x * g3b,
       g3d = g3c + 3.8681703e-23f, g3e = x * g3d, g3f = g3e - 1.9572942e-20f, g3g = x * g3f,
       g3h = g3g + 8.220635e-18f, g3i = x * g3h, g3j = g3i - 2.8114574e-15f, g3k = x * g3j,
@@ -3516,7 +3629,7 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
 
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   180 mul, 172 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 2 less, 11 select. */
+   181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 6 less, 16 select. */
 static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float shifted_0 = s->m3 + 49152.0f;
   const float shifted_1 = s->m4 + 49152.0f;
@@ -3536,7 +3649,7 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
   const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
-  const float theta_a = sqrtf(x), theta = x < 4.0f ? 2.0f : theta_a;
+  const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = theta + 49152.0f;
   const float theta_high = theta_shifted - 49152.0f;
   const float theta_low = theta - theta_high;
@@ -3545,14 +3658,15 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
   const float delta_a = 0.5f * residual, delta = delta_a / theta;
-  const float far_sine_a = sinf(theta), far_sine = x < 4.0f ? 1.0f : far_sine_a;
-  const float far_cosine_a = cosf(theta), far_cosine = x < 4.0f ? 0.0f : far_cosine_a;
+  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
   const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
   const float above_a = cosine + 1.0f, above = cosine < 0.0f ? sine : above_a;
   const float below_a = 1.0f - cosine, below = cosine < 0.0f ? below_a : sine;
   const float cotangent = above / below;
-  const float b_rest_a = 0.5f * theta, b_rest_b = b_rest_a * cotangent, b_rest = 1.0f - b_rest_b;
+  const float half_cotangent_a = 0.5f * theta, half_cotangent = half_cotangent_a * cotangent;
+  const float b_rest = 1.0f - half_cotangent;
   const float b_divisor = x < 4.0f ? 4.0f : x;
   const float closed_b = b_rest / b_divisor;
   const float b_a = 1.4551725e-27f * x, b_b = b_a + 5.744791e-26f, b_c = x * b_b,
@@ -3564,6 +3678,8 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
       b_x = b_w + 2.0876756e-08f, b_y = x * b_x, b_z = b_y + 8.267196e-07f, b_aa = x * b_z,
       b_ab = b_aa + 3.3068784e-05f, b_ac = x * b_ab, b_ad = b_ac + 0.0013888889f, b_ae = x * b_ad,
       b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
+  const float b_across_a = x * b, b_across_b = 1.0f - b_across_a,
+      b_across = x < 4.0f ? b_across_b : half_cotangent;
   const float beta_v_0 = s->m3 * b;
   const float beta_v_1 = s->m4 * b;
   const float beta_v_2 = s->m5 * b;
@@ -3576,20 +3692,24 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
   const float others_0 = m_1 + m_2;
   const float others_1 = m_0 + m_2;
   const float others_2 = m_0 + m_1;
+  const float diagonal0a = 1.0f - others_0, diagonal0b = b_across + m_0,
+      diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
+  const float diagonal1a = 1.0f - others_1, diagonal1b = b_across + m_1,
+      diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
+  const float diagonal2a = 1.0f - others_2, diagonal2b = b_across + m_2,
+      diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
   const float alpha_v_0a = 0.5f * s->m3, alpha_v_0 = -alpha_v_0a;
   const float alpha_v_1a = 0.5f * s->m4, alpha_v_1 = -alpha_v_1a;
   const float alpha_v_2a = 0.5f * s->m5, alpha_v_2 = -alpha_v_2a;
-  const float J_0 = 1.0f - others_0;
   const float J_1 = m_3 - alpha_v_2;
   const float J_2 = m_4 + alpha_v_1;
   const float J_3 = m_3 + alpha_v_2;
-  const float J_4 = 1.0f - others_1;
   const float J_5 = m_5 - alpha_v_0;
   const float J_6 = m_4 - alpha_v_1;
   const float J_7 = m_5 + alpha_v_0;
-  const float J_8 = 1.0f - others_2;
+  const float far_x = x < 1.0f ? 1.0f : x;
   const float closed1 = sine / theta;
-  const float closed2 = below_a / b_divisor;
+  const float closed2 = below_a / far_x;
   const float rest3 = 1.0f - closed1;
   const float closed3 = rest3 / b_divisor;
   const float rest4 = 0.5f - closed2;
@@ -3602,7 +3722,7 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
       g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
       g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
       g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
-      g2x = g2w + 0.5f, g2 = x < 4.0f ? g2x : closed2;
+      g2x = g2w + 0.5f, g2 = x < 1.0f ? g2x : closed2;
   const float g3a = 9.18369e-29f * x, g3b = g3a - 6.4469503e-26f, g3c = x * g3b,
       g3d = g3c + 3.8681703e-23f, g3e = x * g3d, g3f = g3e - 1.9572942e-20f, g3g = x * g3f,
       g3h = g3g + 8.220635e-18f, g3i = x * g3h, g3j = g3i - 2.8114574e-15f, g3k = x * g3j,
@@ -3664,83 +3784,83 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
   const float Q_5 = symmetric_2 - q_0;
   const float Q_6 = symmetric_1 - q_1;
   const float Q_7 = q_0 + symmetric_2;
-  const float QJ_0a = J_0 * diagonal_0, QJ_0b = J_3 * Q_1, QJ_0c = J_6 * Q_2, QJ_0d = QJ_0b + QJ_0c,
-      QJ_0 = QJ_0a + QJ_0d;
-  const float QJ_1a = J_1 * diagonal_0, QJ_1b = J_4 * Q_1, QJ_1c = J_7 * Q_2, QJ_1d = QJ_1b + QJ_1c,
-      QJ_1 = QJ_1a + QJ_1d;
-  const float QJ_2a = J_2 * diagonal_0, QJ_2b = J_5 * Q_1, QJ_2c = J_8 * Q_2, QJ_2d = QJ_2b + QJ_2c,
-      QJ_2 = QJ_2a + QJ_2d;
-  const float QJ_3a = J_0 * Q_3, QJ_3b = J_6 * Q_5, QJ_3c = QJ_3a + QJ_3b, QJ_3d = J_3 * diagonal_1,
-      QJ_3 = QJ_3c + QJ_3d;
-  const float QJ_4a = J_1 * Q_3, QJ_4b = J_7 * Q_5, QJ_4c = QJ_4a + QJ_4b, QJ_4d = J_4 * diagonal_1,
-      QJ_4 = QJ_4c + QJ_4d;
-  const float QJ_5a = J_2 * Q_3, QJ_5b = J_8 * Q_5, QJ_5c = QJ_5a + QJ_5b, QJ_5d = J_5 * diagonal_1,
-      QJ_5 = QJ_5c + QJ_5d;
-  const float QJ_6a = J_0 * Q_6, QJ_6b = J_3 * Q_7, QJ_6c = QJ_6a + QJ_6b, QJ_6d = J_6 * diagonal_2,
-      QJ_6 = QJ_6c + QJ_6d;
-  const float QJ_7a = J_1 * Q_6, QJ_7b = J_4 * Q_7, QJ_7c = QJ_7a + QJ_7b, QJ_7d = J_7 * diagonal_2,
-      QJ_7 = QJ_7c + QJ_7d;
-  const float QJ_8a = J_2 * Q_6, QJ_8b = J_5 * Q_7, QJ_8c = QJ_8a + QJ_8b, QJ_8d = J_8 * diagonal_2,
-      QJ_8 = QJ_8c + QJ_8d;
-  const float M_03a = J_0 * QJ_0, M_03b = J_1 * QJ_3, M_03c = M_03a + M_03b, M_03d = J_2 * QJ_6,
-      M_03e = M_03c + M_03d, M_03 = -M_03e;
-  const float M_04a = J_0 * QJ_1, M_04b = J_1 * QJ_4, M_04c = M_04a + M_04b, M_04d = J_2 * QJ_7,
-      M_04e = M_04c + M_04d, M_04 = -M_04e;
-  const float M_05a = J_0 * QJ_2, M_05b = J_1 * QJ_5, M_05c = M_05a + M_05b, M_05d = J_2 * QJ_8,
-      M_05e = M_05c + M_05d, M_05 = -M_05e;
-  const float M_13a = J_3 * QJ_0, M_13b = J_4 * QJ_3, M_13c = M_13a + M_13b, M_13d = J_5 * QJ_6,
-      M_13e = M_13c + M_13d, M_13 = -M_13e;
-  const float M_14a = J_3 * QJ_1, M_14b = J_4 * QJ_4, M_14c = M_14a + M_14b, M_14d = J_5 * QJ_7,
-      M_14e = M_14c + M_14d, M_14 = -M_14e;
-  const float M_15a = J_3 * QJ_2, M_15b = J_4 * QJ_5, M_15c = M_15a + M_15b, M_15d = J_5 * QJ_8,
-      M_15e = M_15c + M_15d, M_15 = -M_15e;
-  const float M_23a = J_6 * QJ_0, M_23b = J_7 * QJ_3, M_23c = M_23a + M_23b, M_23d = J_8 * QJ_6,
-      M_23e = M_23c + M_23d, M_23 = -M_23e;
-  const float M_24a = J_6 * QJ_1, M_24b = J_7 * QJ_4, M_24c = M_24a + M_24b, M_24d = J_8 * QJ_7,
-      M_24e = M_24c + M_24d, M_24 = -M_24e;
-  const float M_25a = J_6 * QJ_2, M_25b = J_7 * QJ_5, M_25c = M_25a + M_25b, M_25d = J_8 * QJ_8,
-      M_25e = M_25c + M_25d, M_25 = -M_25e;
-  M->at[0][0] = J_0;
+  const float QJ_0a = diagonal0 * diagonal_0, QJ_0b = J_3 * Q_1, QJ_0c = J_6 * Q_2,
+      QJ_0d = QJ_0b + QJ_0c, QJ_0 = QJ_0a + QJ_0d;
+  const float QJ_1a = diagonal1 * Q_1, QJ_1b = J_1 * diagonal_0, QJ_1c = QJ_1a + QJ_1b,
+      QJ_1d = J_7 * Q_2, QJ_1 = QJ_1c + QJ_1d;
+  const float QJ_2a = diagonal2 * Q_2, QJ_2b = J_2 * diagonal_0, QJ_2c = QJ_2a + QJ_2b,
+      QJ_2d = J_5 * Q_1, QJ_2 = QJ_2c + QJ_2d;
+  const float QJ_3a = diagonal0 * Q_3, QJ_3b = J_3 * diagonal_1, QJ_3c = QJ_3a + QJ_3b,
+      QJ_3d = J_6 * Q_5, QJ_3 = QJ_3c + QJ_3d;
+  const float QJ_4a = diagonal1 * diagonal_1, QJ_4b = J_1 * Q_3, QJ_4c = J_7 * Q_5,
+      QJ_4d = QJ_4b + QJ_4c, QJ_4 = QJ_4a + QJ_4d;
+  const float QJ_5a = diagonal2 * Q_5, QJ_5b = J_2 * Q_3, QJ_5c = QJ_5a + QJ_5b,
+      QJ_5d = J_5 * diagonal_1, QJ_5 = QJ_5c + QJ_5d;
+  const float QJ_6a = diagonal0 * Q_6, QJ_6b = J_3 * Q_7, QJ_6c = QJ_6a + QJ_6b,
+      QJ_6d = J_6 * diagonal_2, QJ_6 = QJ_6c + QJ_6d;
+  const float QJ_7a = diagonal1 * Q_7, QJ_7b = J_1 * Q_6, QJ_7c = QJ_7a + QJ_7b,
+      QJ_7d = J_7 * diagonal_2, QJ_7 = QJ_7c + QJ_7d;
+  const float QJ_8a = diagonal2 * diagonal_2, QJ_8b = J_2 * Q_6, QJ_8c = J_5 * Q_7,
+      QJ_8d = QJ_8b + QJ_8c, QJ_8 = QJ_8a + QJ_8d;
+  const float M_03a = diagonal0 * QJ_0, M_03b = J_1 * QJ_3, M_03c = J_2 * QJ_6,
+      M_03d = M_03b + M_03c, M_03e = M_03a + M_03d, M_03 = -M_03e;
+  const float M_04a = diagonal0 * QJ_1, M_04b = J_1 * QJ_4, M_04c = J_2 * QJ_7,
+      M_04d = M_04b + M_04c, M_04e = M_04a + M_04d, M_04 = -M_04e;
+  const float M_05a = diagonal0 * QJ_2, M_05b = J_1 * QJ_5, M_05c = J_2 * QJ_8,
+      M_05d = M_05b + M_05c, M_05e = M_05a + M_05d, M_05 = -M_05e;
+  const float M_13a = diagonal1 * QJ_3, M_13b = J_3 * QJ_0, M_13c = J_5 * QJ_6,
+      M_13d = M_13b + M_13c, M_13e = M_13a + M_13d, M_13 = -M_13e;
+  const float M_14a = diagonal1 * QJ_4, M_14b = J_3 * QJ_1, M_14c = J_5 * QJ_7,
+      M_14d = M_14b + M_14c, M_14e = M_14a + M_14d, M_14 = -M_14e;
+  const float M_15a = diagonal1 * QJ_5, M_15b = J_3 * QJ_2, M_15c = J_5 * QJ_8,
+      M_15d = M_15b + M_15c, M_15e = M_15a + M_15d, M_15 = -M_15e;
+  const float M_23a = diagonal2 * QJ_6, M_23b = J_6 * QJ_0, M_23c = J_7 * QJ_3,
+      M_23d = M_23b + M_23c, M_23e = M_23a + M_23d, M_23 = -M_23e;
+  const float M_24a = diagonal2 * QJ_7, M_24b = J_6 * QJ_1, M_24c = J_7 * QJ_4,
+      M_24d = M_24b + M_24c, M_24e = M_24a + M_24d, M_24 = -M_24e;
+  const float M_25a = diagonal2 * QJ_8, M_25b = J_6 * QJ_2, M_25c = J_7 * QJ_5,
+      M_25d = M_25b + M_25c, M_25e = M_25a + M_25d, M_25 = -M_25e;
+  M->at[0][0] = diagonal0;
   M->at[1][0] = J_1;
   M->at[2][0] = J_2;
   M->at[3][0] = M_03;
   M->at[4][0] = M_04;
   M->at[5][0] = M_05;
   M->at[0][1] = J_3;
-  M->at[1][1] = J_4;
+  M->at[1][1] = diagonal1;
   M->at[2][1] = J_5;
   M->at[3][1] = M_13;
   M->at[4][1] = M_14;
   M->at[5][1] = M_15;
   M->at[0][2] = J_6;
   M->at[1][2] = J_7;
-  M->at[2][2] = J_8;
+  M->at[2][2] = diagonal2;
   M->at[3][2] = M_23;
   M->at[4][2] = M_24;
   M->at[5][2] = M_25;
   M->at[0][3] = 0.0f;
   M->at[1][3] = 0.0f;
   M->at[2][3] = 0.0f;
-  M->at[3][3] = J_0;
+  M->at[3][3] = diagonal0;
   M->at[4][3] = J_1;
   M->at[5][3] = J_2;
   M->at[0][4] = 0.0f;
   M->at[1][4] = 0.0f;
   M->at[2][4] = 0.0f;
   M->at[3][4] = J_3;
-  M->at[4][4] = J_4;
+  M->at[4][4] = diagonal1;
   M->at[5][4] = J_5;
   M->at[0][5] = 0.0f;
   M->at[1][5] = 0.0f;
   M->at[2][5] = 0.0f;
   M->at[3][5] = J_6;
   M->at[4][5] = J_7;
-  M->at[5][5] = J_8;
+  M->at[5][5] = diagonal2;
 }
 
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   180 mul, 172 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 2 less, 11 select. */
+   181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 6 less, 16 select. */
 static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float shifted_0 = s->m3 + 49152.0f;
   const float shifted_1 = s->m4 + 49152.0f;
@@ -3760,7 +3880,7 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
   const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
-  const float theta_a = sqrtf(x), theta = x < 4.0f ? 2.0f : theta_a;
+  const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = theta + 49152.0f;
   const float theta_high = theta_shifted - 49152.0f;
   const float theta_low = theta - theta_high;
@@ -3769,14 +3889,15 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
   const float delta_a = 0.5f * residual, delta = delta_a / theta;
-  const float far_sine_a = sinf(theta), far_sine = x < 4.0f ? 1.0f : far_sine_a;
-  const float far_cosine_a = cosf(theta), far_cosine = x < 4.0f ? 0.0f : far_cosine_a;
+  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
   const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
   const float above_a = cosine + 1.0f, above = cosine < 0.0f ? sine : above_a;
   const float below_a = 1.0f - cosine, below = cosine < 0.0f ? below_a : sine;
   const float cotangent = above / below;
-  const float b_rest_a = 0.5f * theta, b_rest_b = b_rest_a * cotangent, b_rest = 1.0f - b_rest_b;
+  const float half_cotangent_a = 0.5f * theta, half_cotangent = half_cotangent_a * cotangent;
+  const float b_rest = 1.0f - half_cotangent;
   const float b_divisor = x < 4.0f ? 4.0f : x;
   const float closed_b = b_rest / b_divisor;
   const float b_a = 1.4551725e-27f * x, b_b = b_a + 5.744791e-26f, b_c = x * b_b,
@@ -3788,6 +3909,8 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
       b_x = b_w + 2.0876756e-08f, b_y = x * b_x, b_z = b_y + 8.267196e-07f, b_aa = x * b_z,
       b_ab = b_aa + 3.3068784e-05f, b_ac = x * b_ab, b_ad = b_ac + 0.0013888889f, b_ae = x * b_ad,
       b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
+  const float b_across_a = x * b, b_across_b = 1.0f - b_across_a,
+      b_across = x < 4.0f ? b_across_b : half_cotangent;
   const float beta_v_0 = s->m3 * b;
   const float beta_v_1 = s->m4 * b;
   const float beta_v_2 = s->m5 * b;
@@ -3800,20 +3923,24 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
   const float others_0 = m_1 + m_2;
   const float others_1 = m_0 + m_2;
   const float others_2 = m_0 + m_1;
+  const float diagonal0a = 1.0f - others_0, diagonal0b = b_across + m_0,
+      diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
+  const float diagonal1a = 1.0f - others_1, diagonal1b = b_across + m_1,
+      diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
+  const float diagonal2a = 1.0f - others_2, diagonal2b = b_across + m_2,
+      diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
   const float alpha_v_0 = 0.5f * s->m3;
   const float alpha_v_1 = 0.5f * s->m4;
   const float alpha_v_2 = 0.5f * s->m5;
-  const float J_0 = 1.0f - others_0;
   const float J_1 = m_3 - alpha_v_2;
   const float J_2 = m_4 + alpha_v_1;
   const float J_3 = m_3 + alpha_v_2;
-  const float J_4 = 1.0f - others_1;
   const float J_5 = m_5 - alpha_v_0;
   const float J_6 = m_4 - alpha_v_1;
   const float J_7 = m_5 + alpha_v_0;
-  const float J_8 = 1.0f - others_2;
+  const float far_x = x < 1.0f ? 1.0f : x;
   const float closed1 = sine / theta;
-  const float closed2 = below_a / b_divisor;
+  const float closed2 = below_a / far_x;
   const float rest3 = 1.0f - closed1;
   const float closed3 = rest3 / b_divisor;
   const float rest4 = 0.5f - closed2;
@@ -3826,7 +3953,7 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
       g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
       g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
       g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
-      g2x = g2w + 0.5f, g2 = x < 4.0f ? g2x : closed2;
+      g2x = g2w + 0.5f, g2 = x < 1.0f ? g2x : closed2;
   const float g3a = 9.18369e-29f * x, g3b = g3a - 6.4469503e-26f, g3c = x * g3b,
       g3d = g3c + 3.8681703e-23f, g3e = x * g3d, g3f = g3e - 1.9572942e-20f, g3g = x * g3f,
       g3h = g3g + 8.220635e-18f, g3i = x * g3h, g3j = g3i - 2.8114574e-15f, g3k = x * g3j,
@@ -3888,83 +4015,83 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
   const float Q_5 = symmetric_2 - q_0;
   const float Q_6 = symmetric_1 - q_1;
   const float Q_7 = q_0 + symmetric_2;
-  const float QJ_0a = J_0 * diagonal_0, QJ_0b = J_3 * Q_1, QJ_0c = J_6 * Q_2, QJ_0d = QJ_0b + QJ_0c,
-      QJ_0 = QJ_0a + QJ_0d;
-  const float QJ_1a = J_1 * diagonal_0, QJ_1b = J_4 * Q_1, QJ_1c = J_7 * Q_2, QJ_1d = QJ_1b + QJ_1c,
-      QJ_1 = QJ_1a + QJ_1d;
-  const float QJ_2a = J_2 * diagonal_0, QJ_2b = J_5 * Q_1, QJ_2c = J_8 * Q_2, QJ_2d = QJ_2b + QJ_2c,
-      QJ_2 = QJ_2a + QJ_2d;
-  const float QJ_3a = J_0 * Q_3, QJ_3b = J_6 * Q_5, QJ_3c = QJ_3a + QJ_3b, QJ_3d = J_3 * diagonal_1,
-      QJ_3 = QJ_3c + QJ_3d;
-  const float QJ_4a = J_1 * Q_3, QJ_4b = J_7 * Q_5, QJ_4c = QJ_4a + QJ_4b, QJ_4d = J_4 * diagonal_1,
-      QJ_4 = QJ_4c + QJ_4d;
-  const float QJ_5a = J_2 * Q_3, QJ_5b = J_8 * Q_5, QJ_5c = QJ_5a + QJ_5b, QJ_5d = J_5 * diagonal_1,
-      QJ_5 = QJ_5c + QJ_5d;
-  const float QJ_6a = J_0 * Q_6, QJ_6b = J_3 * Q_7, QJ_6c = QJ_6a + QJ_6b, QJ_6d = J_6 * diagonal_2,
-      QJ_6 = QJ_6c + QJ_6d;
-  const float QJ_7a = J_1 * Q_6, QJ_7b = J_4 * Q_7, QJ_7c = QJ_7a + QJ_7b, QJ_7d = J_7 * diagonal_2,
-      QJ_7 = QJ_7c + QJ_7d;
-  const float QJ_8a = J_2 * Q_6, QJ_8b = J_5 * Q_7, QJ_8c = QJ_8a + QJ_8b, QJ_8d = J_8 * diagonal_2,
-      QJ_8 = QJ_8c + QJ_8d;
-  const float M_03a = J_0 * QJ_0, M_03b = J_1 * QJ_3, M_03c = M_03a + M_03b, M_03d = J_2 * QJ_6,
-      M_03e = M_03c + M_03d, M_03 = -M_03e;
-  const float M_04a = J_0 * QJ_1, M_04b = J_1 * QJ_4, M_04c = M_04a + M_04b, M_04d = J_2 * QJ_7,
-      M_04e = M_04c + M_04d, M_04 = -M_04e;
-  const float M_05a = J_0 * QJ_2, M_05b = J_1 * QJ_5, M_05c = M_05a + M_05b, M_05d = J_2 * QJ_8,
-      M_05e = M_05c + M_05d, M_05 = -M_05e;
-  const float M_13a = J_3 * QJ_0, M_13b = J_4 * QJ_3, M_13c = M_13a + M_13b, M_13d = J_5 * QJ_6,
-      M_13e = M_13c + M_13d, M_13 = -M_13e;
-  const float M_14a = J_3 * QJ_1, M_14b = J_4 * QJ_4, M_14c = M_14a + M_14b, M_14d = J_5 * QJ_7,
-      M_14e = M_14c + M_14d, M_14 = -M_14e;
-  const float M_15a = J_3 * QJ_2, M_15b = J_4 * QJ_5, M_15c = M_15a + M_15b, M_15d = J_5 * QJ_8,
-      M_15e = M_15c + M_15d, M_15 = -M_15e;
-  const float M_23a = J_6 * QJ_0, M_23b = J_7 * QJ_3, M_23c = M_23a + M_23b, M_23d = J_8 * QJ_6,
-      M_23e = M_23c + M_23d, M_23 = -M_23e;
-  const float M_24a = J_6 * QJ_1, M_24b = J_7 * QJ_4, M_24c = M_24a + M_24b, M_24d = J_8 * QJ_7,
-      M_24e = M_24c + M_24d, M_24 = -M_24e;
-  const float M_25a = J_6 * QJ_2, M_25b = J_7 * QJ_5, M_25c = M_25a + M_25b, M_25d = J_8 * QJ_8,
-      M_25e = M_25c + M_25d, M_25 = -M_25e;
-  M->at[0][0] = J_0;
+  const float QJ_0a = diagonal0 * diagonal_0, QJ_0b = J_3 * Q_1, QJ_0c = J_6 * Q_2,
+      QJ_0d = QJ_0b + QJ_0c, QJ_0 = QJ_0a + QJ_0d;
+  const float QJ_1a = diagonal1 * Q_1, QJ_1b = J_1 * diagonal_0, QJ_1c = QJ_1a + QJ_1b,
+      QJ_1d = J_7 * Q_2, QJ_1 = QJ_1c + QJ_1d;
+  const float QJ_2a = diagonal2 * Q_2, QJ_2b = J_2 * diagonal_0, QJ_2c = QJ_2a + QJ_2b,
+      QJ_2d = J_5 * Q_1, QJ_2 = QJ_2c + QJ_2d;
+  const float QJ_3a = diagonal0 * Q_3, QJ_3b = J_3 * diagonal_1, QJ_3c = QJ_3a + QJ_3b,
+      QJ_3d = J_6 * Q_5, QJ_3 = QJ_3c + QJ_3d;
+  const float QJ_4a = diagonal1 * diagonal_1, QJ_4b = J_1 * Q_3, QJ_4c = J_7 * Q_5,
+      QJ_4d = QJ_4b + QJ_4c, QJ_4 = QJ_4a + QJ_4d;
+  const float QJ_5a = diagonal2 * Q_5, QJ_5b = J_2 * Q_3, QJ_5c = QJ_5a + QJ_5b,
+      QJ_5d = J_5 * diagonal_1, QJ_5 = QJ_5c + QJ_5d;
+  const float QJ_6a = diagonal0 * Q_6, QJ_6b = J_3 * Q_7, QJ_6c = QJ_6a + QJ_6b,
+      QJ_6d = J_6 * diagonal_2, QJ_6 = QJ_6c + QJ_6d;
+  const float QJ_7a = diagonal1 * Q_7, QJ_7b = J_1 * Q_6, QJ_7c = QJ_7a + QJ_7b,
+      QJ_7d = J_7 * diagonal_2, QJ_7 = QJ_7c + QJ_7d;
+  const float QJ_8a = diagonal2 * diagonal_2, QJ_8b = J_2 * Q_6, QJ_8c = J_5 * Q_7,
+      QJ_8d = QJ_8b + QJ_8c, QJ_8 = QJ_8a + QJ_8d;
+  const float M_03a = diagonal0 * QJ_0, M_03b = J_1 * QJ_3, M_03c = J_2 * QJ_6,
+      M_03d = M_03b + M_03c, M_03e = M_03a + M_03d, M_03 = -M_03e;
+  const float M_04a = diagonal0 * QJ_1, M_04b = J_1 * QJ_4, M_04c = J_2 * QJ_7,
+      M_04d = M_04b + M_04c, M_04e = M_04a + M_04d, M_04 = -M_04e;
+  const float M_05a = diagonal0 * QJ_2, M_05b = J_1 * QJ_5, M_05c = J_2 * QJ_8,
+      M_05d = M_05b + M_05c, M_05e = M_05a + M_05d, M_05 = -M_05e;
+  const float M_13a = diagonal1 * QJ_3, M_13b = J_3 * QJ_0, M_13c = J_5 * QJ_6,
+      M_13d = M_13b + M_13c, M_13e = M_13a + M_13d, M_13 = -M_13e;
+  const float M_14a = diagonal1 * QJ_4, M_14b = J_3 * QJ_1, M_14c = J_5 * QJ_7,
+      M_14d = M_14b + M_14c, M_14e = M_14a + M_14d, M_14 = -M_14e;
+  const float M_15a = diagonal1 * QJ_5, M_15b = J_3 * QJ_2, M_15c = J_5 * QJ_8,
+      M_15d = M_15b + M_15c, M_15e = M_15a + M_15d, M_15 = -M_15e;
+  const float M_23a = diagonal2 * QJ_6, M_23b = J_6 * QJ_0, M_23c = J_7 * QJ_3,
+      M_23d = M_23b + M_23c, M_23e = M_23a + M_23d, M_23 = -M_23e;
+  const float M_24a = diagonal2 * QJ_7, M_24b = J_6 * QJ_1, M_24c = J_7 * QJ_4,
+      M_24d = M_24b + M_24c, M_24e = M_24a + M_24d, M_24 = -M_24e;
+  const float M_25a = diagonal2 * QJ_8, M_25b = J_6 * QJ_2, M_25c = J_7 * QJ_5,
+      M_25d = M_25b + M_25c, M_25e = M_25a + M_25d, M_25 = -M_25e;
+  M->at[0][0] = diagonal0;
   M->at[1][0] = J_1;
   M->at[2][0] = J_2;
   M->at[3][0] = M_03;
   M->at[4][0] = M_04;
   M->at[5][0] = M_05;
   M->at[0][1] = J_3;
-  M->at[1][1] = J_4;
+  M->at[1][1] = diagonal1;
   M->at[2][1] = J_5;
   M->at[3][1] = M_13;
   M->at[4][1] = M_14;
   M->at[5][1] = M_15;
   M->at[0][2] = J_6;
   M->at[1][2] = J_7;
-  M->at[2][2] = J_8;
+  M->at[2][2] = diagonal2;
   M->at[3][2] = M_23;
   M->at[4][2] = M_24;
   M->at[5][2] = M_25;
   M->at[0][3] = 0.0f;
   M->at[1][3] = 0.0f;
   M->at[2][3] = 0.0f;
-  M->at[3][3] = J_0;
+  M->at[3][3] = diagonal0;
   M->at[4][3] = J_1;
   M->at[5][3] = J_2;
   M->at[0][4] = 0.0f;
   M->at[1][4] = 0.0f;
   M->at[2][4] = 0.0f;
   M->at[3][4] = J_3;
-  M->at[4][4] = J_4;
+  M->at[4][4] = diagonal1;
   M->at[5][4] = J_5;
   M->at[0][5] = 0.0f;
   M->at[1][5] = 0.0f;
   M->at[2][5] = 0.0f;
   M->at[3][5] = J_6;
   M->at[4][5] = J_7;
-  M->at[5][5] = J_8;
+  M->at[5][5] = diagonal2;
 }
 
 /* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-   205 mul, 194 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 15 less, 1 equal, 37
+   207 mul, 200 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 17 less, 1 equal, 39
      select. */
 static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     const float k, ksl_SE3f_t *Do) {
@@ -4013,14 +4140,20 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
   const float log_s_0 = between_6 + between_9;
   const float log_s_1 = between_2 + between_8;
   const float log_s_2 = between_1 + between_4;
-  const float log_d_0a = between_0 + between_5, log_d_0b = log_d_0a + between_10,
-      log_d_0 = log_d_0b + 1.0f;
-  const float log_d_1a = between_0 - between_5, log_d_1b = log_d_1a - between_10,
-      log_d_1 = log_d_1b + 1.0f;
-  const float log_d_2a = between_5 - between_0, log_d_2b = log_d_2a - between_10,
-      log_d_2 = log_d_2b + 1.0f;
-  const float log_d_3a = between_10 - between_0, log_d_3b = log_d_3a - between_5,
-      log_d_3 = log_d_3b + 1.0f;
+  const float log_less_0 = 1.0f - between_0;
+  const float log_less_1 = 1.0f - between_5;
+  const float log_less_2 = 1.0f - between_10;
+  const float log_more_0 = between_0 + 1.0f;
+  const float log_more_1 = between_5 + 1.0f;
+  const float log_more_2 = between_10 + 1.0f;
+  const float log_d_0a = log_less_0 + log_less_1, log_d_0b = log_d_0a + log_less_2,
+      log_d_0 = 4.0f - log_d_0b;
+  const float log_d_1a = 4.0f - log_less_0, log_d_1b = log_more_1 + log_more_2,
+      log_d_1 = log_d_1a - log_d_1b;
+  const float log_d_2a = 4.0f - log_less_1, log_d_2b = log_more_0 + log_more_2,
+      log_d_2 = log_d_2a - log_d_2b;
+  const float log_d_3a = 4.0f - log_less_2, log_d_3b = log_more_0 + log_more_1,
+      log_d_3 = log_d_3a - log_d_3b;
   const float log_low_0 = between_5 < between_0 ? log_p_0 : log_p_1;
   const float log_low_1 = between_5 < between_0 ? log_d_1 : log_s_2;
   const float log_low_2 = between_5 < between_0 ? log_s_2 : log_d_2;
@@ -4065,16 +4198,11 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
   const float log_vector_1 = log_upper_2 * log_k;
   const float log_vector_2 = log_upper_3 * log_k;
   const float log_x = log_theta * log_theta;
-  const float log_far_sine = log_x < 4.0f ? 1.0f : log_n;
+  const float log_far_sine = log_x < 1.0f ? 1.0f : log_n;
   const float log_cotangent = log_upper_0 / log_far_sine;
-  const float log_u_0a = between_11 * log_vector_1, log_u_0b = between_7 * log_vector_2,
-      log_u_0 = log_u_0a - log_u_0b;
-  const float log_u_1a = between_3 * log_vector_2, log_u_1b = between_11 * log_vector_0,
-      log_u_1 = log_u_1a - log_u_1b;
-  const float log_u_2a = between_7 * log_vector_0, log_u_2b = between_3 * log_vector_1,
-      log_u_2 = log_u_2a - log_u_2b;
-  const float log_b_rest_a = 0.5f * log_theta, log_b_rest_b = log_b_rest_a * log_cotangent,
-      log_b_rest = 1.0f - log_b_rest_b;
+  const float log_half_cotangent_a = 0.5f * log_theta,
+      log_half_cotangent = log_half_cotangent_a * log_cotangent;
+  const float log_b_rest = 1.0f - log_half_cotangent;
   const float log_b_divisor = log_x < 4.0f ? 4.0f : log_x;
   const float log_closed_b = log_b_rest / log_b_divisor;
   const float log_b_a = 1.4551725e-27f * log_x, log_b_b = log_b_a + 5.744791e-26f,
@@ -4093,21 +4221,30 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
       log_b_ab = log_b_aa + 3.3068784e-05f, log_b_ac = log_x * log_b_ab,
       log_b_ad = log_b_ac + 0.0013888889f, log_b_ae = log_x * log_b_ad,
       log_b_af = log_b_ae + 0.083333336f, log_b = log_x < 4.0f ? log_b_af : log_closed_b;
-  const float log_uu_0a = log_vector_1 * log_u_2, log_uu_0b = log_vector_2 * log_u_1,
-      log_uu_0 = log_uu_0a - log_uu_0b;
-  const float log_uu_1a = log_vector_2 * log_u_0, log_uu_1b = log_vector_0 * log_u_2,
-      log_uu_1 = log_uu_1a - log_uu_1b;
-  const float log_uu_2a = log_vector_0 * log_u_1, log_uu_2b = log_vector_1 * log_u_0,
-      log_uu_2 = log_uu_2a - log_uu_2b;
-  const float log_small_0a = log_b * log_uu_0, log_small_0b = 0.5f * log_u_0,
-      log_small_0 = log_small_0a - log_small_0b;
-  const float log_small_1a = log_b * log_uu_1, log_small_1b = 0.5f * log_u_1,
-      log_small_1 = log_small_1a - log_small_1b;
-  const float log_small_2a = log_b * log_uu_2, log_small_2b = 0.5f * log_u_2,
-      log_small_2 = log_small_2a - log_small_2b;
-  const float whole_0 = between_3 + log_small_0;
-  const float whole_1 = between_7 + log_small_1;
-  const float whole_2 = between_11 + log_small_2;
+  const float log_b_across_a = log_x * log_b, log_b_across_b = 1.0f - log_b_across_a,
+      log_b_across = log_x < 4.0f ? log_b_across_b : log_half_cotangent;
+  const float log_wt_a = between_3 * log_vector_0, log_wt_b = between_7 * log_vector_1,
+      log_wt_c = log_wt_a + log_wt_b, log_wt_d = between_11 * log_vector_2,
+      log_wt = log_wt_c + log_wt_d;
+  const float log_pitch = log_b * log_wt;
+  const float log_along_0 = log_vector_0 * log_pitch;
+  const float log_along_1 = log_vector_1 * log_pitch;
+  const float log_along_2 = log_vector_2 * log_pitch;
+  const float log_u_0a = between_11 * log_vector_1, log_u_0b = between_7 * log_vector_2,
+      log_u_0 = log_u_0a - log_u_0b;
+  const float log_u_1a = between_3 * log_vector_2, log_u_1b = between_11 * log_vector_0,
+      log_u_1 = log_u_1a - log_u_1b;
+  const float log_u_2a = between_7 * log_vector_0, log_u_2b = between_3 * log_vector_1,
+      log_u_2 = log_u_2a - log_u_2b;
+  const float log_turned_0 = 0.5f * log_u_0;
+  const float log_turned_1 = 0.5f * log_u_1;
+  const float log_turned_2 = 0.5f * log_u_2;
+  const float log_across_axis_0 = log_along_0 - log_turned_0;
+  const float log_across_axis_1 = log_along_1 - log_turned_1;
+  const float log_across_axis_2 = log_along_2 - log_turned_2;
+  const float whole_0a = between_3 * log_b_across, whole_0 = whole_0a + log_across_axis_0;
+  const float whole_1a = between_7 * log_b_across, whole_1 = whole_1a + log_across_axis_1;
+  const float whole_2a = between_11 * log_b_across, whole_2 = whole_2a + log_across_axis_2;
   const float screw_0 = k * whole_0;
   const float screw_1 = k * whole_1;
   const float screw_2 = k * whole_2;
@@ -4133,7 +4270,7 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
       exp_cross_c = exp_cross_a + exp_cross_b, exp_cross_d = exp_low_2 * exp_sum_2,
       exp_cross = exp_cross_c + exp_cross_d;
   const float exp_x = exp_squares + exp_cross;
-  const float exp_theta_a = sqrtf(exp_x), exp_theta = exp_x < 4.0f ? 2.0f : exp_theta_a;
+  const float exp_theta_a = sqrtf(exp_x), exp_theta = exp_x < 1.0f ? 1.0f : exp_theta_a;
   const float exp_theta_shifted = exp_theta + 49152.0f;
   const float exp_theta_high = exp_theta_shifted - 49152.0f;
   const float exp_theta_low = exp_theta - exp_theta_high;
@@ -4143,17 +4280,18 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
   const float exp_exact_a = exp_theta_high * exp_theta_high, exp_exact = exp_squares - exp_exact_a;
   const float exp_residual = exp_cross_rest + exp_exact;
   const float exp_delta_a = 0.5f * exp_residual, exp_delta = exp_delta_a / exp_theta;
-  const float exp_far_sine_a = sinf(exp_theta), exp_far_sine = exp_x < 4.0f ? 1.0f : exp_far_sine_a;
+  const float exp_far_sine_a = sinf(exp_theta), exp_far_sine = exp_x < 1.0f ? 1.0f : exp_far_sine_a;
   const float exp_far_cosine_a = cosf(exp_theta),
-      exp_far_cosine = exp_x < 4.0f ? 0.0f : exp_far_cosine_a;
+      exp_far_cosine = exp_x < 1.0f ? 0.0f : exp_far_cosine_a;
   const float exp_sine_a = exp_delta * exp_far_cosine, exp_sine = exp_sine_a + exp_far_sine;
   const float exp_cosine_a = exp_delta * exp_far_sine, exp_cosine = exp_far_cosine - exp_cosine_a;
-  const float exp_far_x = exp_x < 4.0f ? 4.0f : exp_x;
+  const float exp_far_x = exp_x < 1.0f ? 1.0f : exp_x;
+  const float exp_middle_x = exp_x < 4.0f ? 4.0f : exp_x;
   const float exp_closed1 = exp_sine / exp_theta;
   const float exp_versine = 1.0f - exp_cosine;
   const float exp_closed2 = exp_versine / exp_far_x;
   const float exp_rest3 = 1.0f - exp_closed1;
-  const float exp_closed3 = exp_rest3 / exp_far_x;
+  const float exp_closed3 = exp_rest3 / exp_middle_x;
   const float exp_g1a = 6.4469503e-26f * exp_x, exp_g1b = exp_g1a - 3.8681703e-23f,
       exp_g1c = exp_x * exp_g1b, exp_g1d = exp_g1c + 1.9572942e-20f, exp_g1e = exp_x * exp_g1d,
       exp_g1f = exp_g1e - 8.220635e-18f, exp_g1g = exp_x * exp_g1f,
@@ -4165,7 +4303,7 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
       exp_g1r = exp_g1q - 0.0001984127f, exp_g1s = exp_x * exp_g1r,
       exp_g1t = exp_g1s + 0.008333334f, exp_g1u = exp_x * exp_g1t, exp_g1v = exp_g1u - 0.16666667f,
       exp_g1w = exp_x * exp_g1v, exp_g1x = exp_g1w + 1.0f,
-      exp_g1 = exp_x < 4.0f ? exp_g1x : exp_closed1;
+      exp_g1 = exp_x < 1.0f ? exp_g1x : exp_closed1;
   const float exp_g2a = 2.4795963e-27f * exp_x, exp_g2b = exp_g2a - 1.6117376e-24f,
       exp_g2c = exp_x * exp_g2b, exp_g2d = exp_g2c + 8.896791e-22f, exp_g2e = exp_x * exp_g2d,
       exp_g2f = exp_g2e - 4.1103176e-19f, exp_g2g = exp_x * exp_g2f,
@@ -4177,7 +4315,7 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
       exp_g2r = exp_g2q - 2.4801588e-05f, exp_g2s = exp_x * exp_g2r,
       exp_g2t = exp_g2s + 0.0013888889f, exp_g2u = exp_x * exp_g2t,
       exp_g2v = exp_g2u - 0.041666668f, exp_g2w = exp_x * exp_g2v, exp_g2x = exp_g2w + 0.5f,
-      exp_g2 = exp_x < 4.0f ? exp_g2x : exp_closed2;
+      exp_g2 = exp_x < 1.0f ? exp_g2x : exp_closed2;
   const float exp_g3a = 9.18369e-29f * exp_x, exp_g3b = exp_g3a - 6.4469503e-26f,
       exp_g3c = exp_x * exp_g3b, exp_g3d = exp_g3c + 3.8681703e-23f, exp_g3e = exp_x * exp_g3d,
       exp_g3f = exp_g3e - 1.9572942e-20f, exp_g3g = exp_x * exp_g3f,
@@ -4191,7 +4329,7 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
       exp_g3v = exp_g3u - 0.008333334f, exp_g3w = exp_x * exp_g3v, exp_g3x = exp_g3w + 0.16666667f,
       exp_g3 = exp_x < 4.0f ? exp_g3x : exp_closed3;
   const float exp_g0a = exp_x * exp_g2, exp_g0b = 1.0f - exp_g0a,
-      exp_g0 = exp_x < 4.0f ? exp_g0b : exp_cosine;
+      exp_g0 = exp_x < 1.0f ? exp_g0b : exp_cosine;
   const float exp_u_0a = screw_2 * screw_4, exp_u_0b = screw_1 * screw_5,
       exp_u_0 = exp_u_0a - exp_u_0b;
   const float exp_u_1a = screw_0 * screw_5, exp_u_1b = screw_2 * screw_3,

@@ -342,7 +342,7 @@ static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-   4 mul, 21 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select. */
+   4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select. */
 static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quaternion_t *qo) {
   const double p_0 = R->m21 - R->m12;
   const double p_1 = R->m02 - R->m20;
@@ -350,10 +350,16 @@ static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quatern
   const double s_0 = R->m12 + R->m21;
   const double s_1 = R->m02 + R->m20;
   const double s_2 = R->m01 + R->m10;
-  const double d_0a = R->m00 + R->m11, d_0b = d_0a + R->m22, d_0 = d_0b + 1.0;
-  const double d_1a = R->m00 - R->m11, d_1b = d_1a - R->m22, d_1 = d_1b + 1.0;
-  const double d_2a = R->m11 - R->m00, d_2b = d_2a - R->m22, d_2 = d_2b + 1.0;
-  const double d_3a = R->m22 - R->m00, d_3b = d_3a - R->m11, d_3 = d_3b + 1.0;
+  const double less_0 = 1.0 - R->m00;
+  const double less_1 = 1.0 - R->m11;
+  const double less_2 = 1.0 - R->m22;
+  const double more_0 = R->m00 + 1.0;
+  const double more_1 = R->m11 + 1.0;
+  const double more_2 = R->m22 + 1.0;
+  const double d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0 - d_0b;
+  const double d_1a = 4.0 - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
+  const double d_2a = 4.0 - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
+  const double d_3a = 4.0 - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
   const double low_0 = R->m11 < R->m00 ? p_0 : p_1;
   const double low_1 = R->m11 < R->m00 ? d_1 : s_2;
   const double low_2 = R->m11 < R->m00 ? s_2 : d_2;
@@ -446,9 +452,9 @@ static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo)
   const double h_2 = 0.5 * v->z;
   const double x_a = h_0 * h_0, x_b = h_1 * h_1, x_c = x_a + x_b, x_d = h_2 * h_2, x = x_c + x_d;
   const double size = sqrt(x);
-  const double cosine_a = cos(size), cosine = x < 4.0 ? 1.0 : cosine_a;
-  const double sine_a = sin(size), sine = x < 4.0 ? 1.0 : sine_a;
-  const double divisor = x < 4.0 ? 2.0 : size;
+  const double cosine_a = cos(size), cosine = x < 1.0 ? 1.0 : cosine_a;
+  const double sine_a = sin(size), sine = x < 1.0 ? 1.0 : sine_a;
+  const double divisor = x < 1.0 ? 2.0 : size;
   const double far_k = sine / divisor;
   const double k_a = 6.446950284384474e-26 * x, k_b = k_a - 3.868170170630684e-23, k_c = x * k_b,
       k_d = k_c + 1.9572941063391263e-20, k_e = x * k_d, k_f = k_e - 8.22063524662433e-18,
@@ -457,7 +463,7 @@ static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo)
       k_m = x * k_l, k_n = k_m - 2.505210838544172e-08, k_o = x * k_n,
       k_p = k_o + 2.7557319223985893e-06, k_q = x * k_p, k_r = k_q - 0.0001984126984126984,
       k_s = x * k_r, k_t = k_s + 0.008333333333333333, k_u = x * k_t,
-      k_v = k_u - 0.16666666666666666, k_w = x * k_v, k_x = k_w + 1.0, k = x < 4.0 ? k_x : far_k;
+      k_v = k_u - 0.16666666666666666, k_w = x * k_v, k_x = k_w + 1.0, k = x < 1.0 ? k_x : far_k;
   const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
       g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
       g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
@@ -467,7 +473,7 @@ static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo)
       g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
       g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2 = g2w + 0.5;
   const double near_a = x * g2, near = 1.0 - near_a;
-  const double qo_0 = x < 4.0 ? near : cosine;
+  const double qo_0 = x < 1.0 ? near : cosine;
   const double qo_1 = h_0 * k;
   const double qo_2 = h_1 * k;
   const double qo_3 = h_2 * k;
@@ -561,9 +567,9 @@ static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1, const ksl_qu
   const double exp_x_a = step_0 * step_0, exp_x_b = step_1 * step_1, exp_x_c = exp_x_a + exp_x_b,
       exp_x_d = step_2 * step_2, exp_x = exp_x_c + exp_x_d;
   const double exp_size = sqrt(exp_x);
-  const double exp_cosine_a = cos(exp_size), exp_cosine = exp_x < 4.0 ? 1.0 : exp_cosine_a;
-  const double exp_sine_a = sin(exp_size), exp_sine = exp_x < 4.0 ? 1.0 : exp_sine_a;
-  const double exp_divisor = exp_x < 4.0 ? 2.0 : exp_size;
+  const double exp_cosine_a = cos(exp_size), exp_cosine = exp_x < 1.0 ? 1.0 : exp_cosine_a;
+  const double exp_sine_a = sin(exp_size), exp_sine = exp_x < 1.0 ? 1.0 : exp_sine_a;
+  const double exp_divisor = exp_x < 1.0 ? 2.0 : exp_size;
   const double exp_far_k = exp_sine / exp_divisor;
   const double exp_k_a = 6.446950284384474e-26 * exp_x, exp_k_b = exp_k_a - 3.868170170630684e-23,
       exp_k_c = exp_x * exp_k_b, exp_k_d = exp_k_c + 1.9572941063391263e-20,
@@ -576,7 +582,7 @@ static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1, const ksl_qu
       exp_k_q = exp_x * exp_k_p, exp_k_r = exp_k_q - 0.0001984126984126984,
       exp_k_s = exp_x * exp_k_r, exp_k_t = exp_k_s + 0.008333333333333333,
       exp_k_u = exp_x * exp_k_t, exp_k_v = exp_k_u - 0.16666666666666666, exp_k_w = exp_x * exp_k_v,
-      exp_k_x = exp_k_w + 1.0, exp_k = exp_x < 4.0 ? exp_k_x : exp_far_k;
+      exp_k_x = exp_k_w + 1.0, exp_k = exp_x < 1.0 ? exp_k_x : exp_far_k;
   const double exp_g2a = 2.4795962632247976e-27 * exp_x, exp_g2b = exp_g2a - 1.6117375710961184e-24,
       exp_g2c = exp_x * exp_g2b, exp_g2d = exp_g2c + 8.896791392450574e-22,
       exp_g2e = exp_x * exp_g2d, exp_g2f = exp_g2e - 4.110317623312165e-19,
@@ -590,7 +596,7 @@ static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1, const ksl_qu
       exp_g2u = exp_x * exp_g2t, exp_g2v = exp_g2u - 0.041666666666666664,
       exp_g2w = exp_x * exp_g2v, exp_g2 = exp_g2w + 0.5;
   const double exp_near_a = exp_x * exp_g2, exp_near = 1.0 - exp_near_a;
-  const double power_0 = exp_x < 4.0 ? exp_near : exp_cosine;
+  const double power_0 = exp_x < 1.0 ? exp_near : exp_cosine;
   const double power_1 = step_0 * exp_k;
   const double power_2 = step_1 * exp_k;
   const double power_3 = step_2 * exp_k;
@@ -944,7 +950,7 @@ static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_m
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-   4 mul, 21 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select. */
+   4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select. */
 static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quaternionf_t *qo) {
   const float p_0 = R->m21 - R->m12;
   const float p_1 = R->m02 - R->m20;
@@ -952,10 +958,16 @@ static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quate
   const float s_0 = R->m12 + R->m21;
   const float s_1 = R->m02 + R->m20;
   const float s_2 = R->m01 + R->m10;
-  const float d_0a = R->m00 + R->m11, d_0b = d_0a + R->m22, d_0 = d_0b + 1.0f;
-  const float d_1a = R->m00 - R->m11, d_1b = d_1a - R->m22, d_1 = d_1b + 1.0f;
-  const float d_2a = R->m11 - R->m00, d_2b = d_2a - R->m22, d_2 = d_2b + 1.0f;
-  const float d_3a = R->m22 - R->m00, d_3b = d_3a - R->m11, d_3 = d_3b + 1.0f;
+  const float less_0 = 1.0f - R->m00;
+  const float less_1 = 1.0f - R->m11;
+  const float less_2 = 1.0f - R->m22;
+  const float more_0 = R->m00 + 1.0f;
+  const float more_1 = R->m11 + 1.0f;
+  const float more_2 = R->m22 + 1.0f;
+  const float d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0f - d_0b;
+  const float d_1a = 4.0f - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
+  const float d_2a = 4.0f - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
+  const float d_3a = 4.0f - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
   const float low_0 = R->m11 < R->m00 ? p_0 : p_1;
   const float low_1 = R->m11 < R->m00 ? d_1 : s_2;
   const float low_2 = R->m11 < R->m00 ? s_2 : d_2;
@@ -1047,9 +1059,9 @@ static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *
   const float h_2 = 0.5f * v->z;
   const float x_a = h_0 * h_0, x_b = h_1 * h_1, x_c = x_a + x_b, x_d = h_2 * h_2, x = x_c + x_d;
   const float size = sqrtf(x);
-  const float cosine_a = cosf(size), cosine = x < 4.0f ? 1.0f : cosine_a;
-  const float sine_a = sinf(size), sine = x < 4.0f ? 1.0f : sine_a;
-  const float divisor = x < 4.0f ? 2.0f : size;
+  const float cosine_a = cosf(size), cosine = x < 1.0f ? 1.0f : cosine_a;
+  const float sine_a = sinf(size), sine = x < 1.0f ? 1.0f : sine_a;
+  const float divisor = x < 1.0f ? 2.0f : size;
   const float far_k = sine / divisor;
   const float k_a = 6.4469503e-26f * x, k_b = k_a - 3.8681703e-23f, k_c = x * k_b,
       k_d = k_c + 1.9572942e-20f, k_e = x * k_d, k_f = k_e - 8.220635e-18f, k_g = x * k_f,
@@ -1057,7 +1069,7 @@ static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *
       k_l = k_k + 1.6059044e-10f, k_m = x * k_l, k_n = k_m - 2.5052108e-08f, k_o = x * k_n,
       k_p = k_o + 2.7557319e-06f, k_q = x * k_p, k_r = k_q - 0.0001984127f, k_s = x * k_r,
       k_t = k_s + 0.008333334f, k_u = x * k_t, k_v = k_u - 0.16666667f, k_w = x * k_v,
-      k_x = k_w + 1.0f, k = x < 4.0f ? k_x : far_k;
+      k_x = k_w + 1.0f, k = x < 1.0f ? k_x : far_k;
   const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
       g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
       g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
@@ -1066,7 +1078,7 @@ static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *
       g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
       g2 = g2w + 0.5f;
   const float near_a = x * g2, near = 1.0f - near_a;
-  const float qo_0 = x < 4.0f ? near : cosine;
+  const float qo_0 = x < 1.0f ? near : cosine;
   const float qo_1 = h_0 * k;
   const float qo_2 = h_1 * k;
   const float qo_3 = h_2 * k;
@@ -1158,9 +1170,9 @@ static inline void ksl_quaternionf_slerp(const ksl_quaternionf_t *q1, const ksl_
   const float exp_x_a = step_0 * step_0, exp_x_b = step_1 * step_1, exp_x_c = exp_x_a + exp_x_b,
       exp_x_d = step_2 * step_2, exp_x = exp_x_c + exp_x_d;
   const float exp_size = sqrtf(exp_x);
-  const float exp_cosine_a = cosf(exp_size), exp_cosine = exp_x < 4.0f ? 1.0f : exp_cosine_a;
-  const float exp_sine_a = sinf(exp_size), exp_sine = exp_x < 4.0f ? 1.0f : exp_sine_a;
-  const float exp_divisor = exp_x < 4.0f ? 2.0f : exp_size;
+  const float exp_cosine_a = cosf(exp_size), exp_cosine = exp_x < 1.0f ? 1.0f : exp_cosine_a;
+  const float exp_sine_a = sinf(exp_size), exp_sine = exp_x < 1.0f ? 1.0f : exp_sine_a;
+  const float exp_divisor = exp_x < 1.0f ? 2.0f : exp_size;
   const float exp_far_k = exp_sine / exp_divisor;
   const float exp_k_a = 6.4469503e-26f * exp_x, exp_k_b = exp_k_a - 3.8681703e-23f,
       exp_k_c = exp_x * exp_k_b, exp_k_d = exp_k_c + 1.9572942e-20f, exp_k_e = exp_x * exp_k_d,
@@ -1173,7 +1185,7 @@ static inline void ksl_quaternionf_slerp(const ksl_quaternionf_t *q1, const ksl_
       exp_k_r = exp_k_q - 0.0001984127f, exp_k_s = exp_x * exp_k_r,
       exp_k_t = exp_k_s + 0.008333334f, exp_k_u = exp_x * exp_k_t, exp_k_v = exp_k_u - 0.16666667f,
       exp_k_w = exp_x * exp_k_v, exp_k_x = exp_k_w + 1.0f,
-      exp_k = exp_x < 4.0f ? exp_k_x : exp_far_k;
+      exp_k = exp_x < 1.0f ? exp_k_x : exp_far_k;
   const float exp_g2a = 2.4795963e-27f * exp_x, exp_g2b = exp_g2a - 1.6117376e-24f,
       exp_g2c = exp_x * exp_g2b, exp_g2d = exp_g2c + 8.896791e-22f, exp_g2e = exp_x * exp_g2d,
       exp_g2f = exp_g2e - 4.1103176e-19f, exp_g2g = exp_x * exp_g2f,
@@ -1186,7 +1198,7 @@ static inline void ksl_quaternionf_slerp(const ksl_quaternionf_t *q1, const ksl_
       exp_g2t = exp_g2s + 0.0013888889f, exp_g2u = exp_x * exp_g2t,
       exp_g2v = exp_g2u - 0.041666668f, exp_g2w = exp_x * exp_g2v, exp_g2 = exp_g2w + 0.5f;
   const float exp_near_a = exp_x * exp_g2, exp_near = 1.0f - exp_near_a;
-  const float power_0 = exp_x < 4.0f ? exp_near : exp_cosine;
+  const float power_0 = exp_x < 1.0f ? exp_near : exp_cosine;
   const float power_1 = step_0 * exp_k;
   const float power_2 = step_1 * exp_k;
   const float power_3 = step_2 * exp_k;

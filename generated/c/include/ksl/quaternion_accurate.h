@@ -857,7 +857,7 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-   21 mul, 200 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
+   21 mul, 248 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
      select. */
 static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
     ksl_quaternion_t *qo) {
@@ -879,38 +879,64 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
   const double s_2 = R->m01 + R->m10, s_2_right = s_2 - R->m01, s_2_left = s_2 - s_2_right,
       s_2_left_rest = R->m01 - s_2_left, s_2_right_rest = R->m10 - s_2_right,
       s_2_lo = s_2_left_rest + s_2_right_rest;
-  const double d_0a = R->m00 + R->m11, d_0a_right = d_0a - R->m00, d_0a_left = d_0a - d_0a_right,
-      d_0a_left_rest = R->m00 - d_0a_left, d_0a_right_rest = R->m11 - d_0a_right,
-      d_0a_lo = d_0a_left_rest + d_0a_right_rest, d_0b = d_0a + R->m22, d_0b_right = d_0b - d_0a,
+  const double less_0 = 1.0 - R->m00, less_0_right = 1.0 - less_0,
+      less_0_left = less_0 + less_0_right, less_0_left_rest = 1.0 - less_0_left,
+      less_0_right_rest = R->m00 - less_0_right, less_0_lo = less_0_left_rest - less_0_right_rest;
+  const double less_1 = 1.0 - R->m11, less_1_right = 1.0 - less_1,
+      less_1_left = less_1 + less_1_right, less_1_left_rest = 1.0 - less_1_left,
+      less_1_right_rest = R->m11 - less_1_right, less_1_lo = less_1_left_rest - less_1_right_rest;
+  const double less_2 = 1.0 - R->m22, less_2_right = 1.0 - less_2,
+      less_2_left = less_2 + less_2_right, less_2_left_rest = 1.0 - less_2_left,
+      less_2_right_rest = R->m22 - less_2_right, less_2_lo = less_2_left_rest - less_2_right_rest;
+  const double more_0 = R->m00 + 1.0, more_0_right = more_0 - R->m00,
+      more_0_left = more_0 - more_0_right, more_0_left_rest = R->m00 - more_0_left,
+      more_0_right_rest = 1.0 - more_0_right, more_0_lo = more_0_left_rest + more_0_right_rest;
+  const double more_1 = R->m11 + 1.0, more_1_right = more_1 - R->m11,
+      more_1_left = more_1 - more_1_right, more_1_left_rest = R->m11 - more_1_left,
+      more_1_right_rest = 1.0 - more_1_right, more_1_lo = more_1_left_rest + more_1_right_rest;
+  const double more_2 = R->m22 + 1.0, more_2_right = more_2 - R->m22,
+      more_2_left = more_2 - more_2_right, more_2_left_rest = R->m22 - more_2_left,
+      more_2_right_rest = 1.0 - more_2_right, more_2_lo = more_2_left_rest + more_2_right_rest;
+  const double d_0a = less_0 + less_1, d_0a_right = d_0a - less_0, d_0a_left = d_0a - d_0a_right,
+      d_0a_left_rest = less_0 - d_0a_left, d_0a_right_rest = less_1 - d_0a_right,
+      d_0a_lo1 = d_0a_left_rest + d_0a_right_rest, d_0a_lo2 = d_0a_lo1 + less_1_lo,
+      d_0a_lo = d_0a_lo2 + less_0_lo, d_0b = d_0a + less_2, d_0b_right = d_0b - d_0a,
       d_0b_left = d_0b - d_0b_right, d_0b_left_rest = d_0a - d_0b_left,
-      d_0b_right_rest = R->m22 - d_0b_right, d_0b_lo1 = d_0b_left_rest + d_0b_right_rest,
-      d_0b_lo = d_0b_lo1 + d_0a_lo, d_0 = d_0b + 1.0, d_0_right = d_0 - d_0b,
-      d_0_left = d_0 - d_0_right, d_0_left_rest = d_0b - d_0_left, d_0_right_rest = 1.0 - d_0_right,
-      d_0_lo1 = d_0_left_rest + d_0_right_rest, d_0_lo = d_0_lo1 + d_0b_lo;
-  const double d_1a = R->m00 - R->m11, d_1a_right = R->m00 - d_1a, d_1a_left = d_1a + d_1a_right,
-      d_1a_left_rest = R->m00 - d_1a_left, d_1a_right_rest = R->m11 - d_1a_right,
-      d_1a_lo = d_1a_left_rest - d_1a_right_rest, d_1b = d_1a - R->m22, d_1b_right = d_1a - d_1b,
-      d_1b_left = d_1b + d_1b_right, d_1b_left_rest = d_1a - d_1b_left,
-      d_1b_right_rest = R->m22 - d_1b_right, d_1b_lo1 = d_1b_left_rest - d_1b_right_rest,
-      d_1b_lo = d_1b_lo1 + d_1a_lo, d_1 = d_1b + 1.0, d_1_right = d_1 - d_1b,
-      d_1_left = d_1 - d_1_right, d_1_left_rest = d_1b - d_1_left, d_1_right_rest = 1.0 - d_1_right,
-      d_1_lo1 = d_1_left_rest + d_1_right_rest, d_1_lo = d_1_lo1 + d_1b_lo;
-  const double d_2a = R->m11 - R->m00, d_2a_right = R->m11 - d_2a, d_2a_left = d_2a + d_2a_right,
-      d_2a_left_rest = R->m11 - d_2a_left, d_2a_right_rest = R->m00 - d_2a_right,
-      d_2a_lo = d_2a_left_rest - d_2a_right_rest, d_2b = d_2a - R->m22, d_2b_right = d_2a - d_2b,
-      d_2b_left = d_2b + d_2b_right, d_2b_left_rest = d_2a - d_2b_left,
-      d_2b_right_rest = R->m22 - d_2b_right, d_2b_lo1 = d_2b_left_rest - d_2b_right_rest,
-      d_2b_lo = d_2b_lo1 + d_2a_lo, d_2 = d_2b + 1.0, d_2_right = d_2 - d_2b,
-      d_2_left = d_2 - d_2_right, d_2_left_rest = d_2b - d_2_left, d_2_right_rest = 1.0 - d_2_right,
-      d_2_lo1 = d_2_left_rest + d_2_right_rest, d_2_lo = d_2_lo1 + d_2b_lo;
-  const double d_3a = R->m22 - R->m00, d_3a_right = R->m22 - d_3a, d_3a_left = d_3a + d_3a_right,
-      d_3a_left_rest = R->m22 - d_3a_left, d_3a_right_rest = R->m00 - d_3a_right,
-      d_3a_lo = d_3a_left_rest - d_3a_right_rest, d_3b = d_3a - R->m11, d_3b_right = d_3a - d_3b,
-      d_3b_left = d_3b + d_3b_right, d_3b_left_rest = d_3a - d_3b_left,
-      d_3b_right_rest = R->m11 - d_3b_right, d_3b_lo1 = d_3b_left_rest - d_3b_right_rest,
-      d_3b_lo = d_3b_lo1 + d_3a_lo, d_3 = d_3b + 1.0, d_3_right = d_3 - d_3b,
-      d_3_left = d_3 - d_3_right, d_3_left_rest = d_3b - d_3_left, d_3_right_rest = 1.0 - d_3_right,
-      d_3_lo1 = d_3_left_rest + d_3_right_rest, d_3_lo = d_3_lo1 + d_3b_lo;
+      d_0b_right_rest = less_2 - d_0b_right, d_0b_lo1 = d_0b_left_rest + d_0b_right_rest,
+      d_0b_lo2 = d_0b_lo1 + less_2_lo, d_0b_lo = d_0b_lo2 + d_0a_lo, d_0 = 4.0 - d_0b,
+      d_0_right = 4.0 - d_0, d_0_left = d_0 + d_0_right, d_0_left_rest = 4.0 - d_0_left,
+      d_0_right_rest = d_0b - d_0_right, d_0_lo1 = d_0_left_rest - d_0_right_rest,
+      d_0_lo = d_0_lo1 - d_0b_lo;
+  const double d_1a = 4.0 - less_0, d_1a_right = 4.0 - d_1a, d_1a_left = d_1a + d_1a_right,
+      d_1a_left_rest = 4.0 - d_1a_left, d_1a_right_rest = less_0 - d_1a_right,
+      d_1a_lo1 = d_1a_left_rest - d_1a_right_rest, d_1a_lo = d_1a_lo1 - less_0_lo,
+      d_1b = more_1 + more_2, d_1b_right = d_1b - more_1, d_1b_left = d_1b - d_1b_right,
+      d_1b_left_rest = more_1 - d_1b_left, d_1b_right_rest = more_2 - d_1b_right,
+      d_1b_lo1 = d_1b_left_rest + d_1b_right_rest, d_1b_lo2 = d_1b_lo1 + more_2_lo,
+      d_1b_lo = d_1b_lo2 + more_1_lo, d_1 = d_1a - d_1b, d_1_right = d_1a - d_1,
+      d_1_left = d_1 + d_1_right, d_1_left_rest = d_1a - d_1_left,
+      d_1_right_rest = d_1b - d_1_right, d_1_lo1 = d_1_left_rest - d_1_right_rest,
+      d_1_lo2 = d_1_lo1 - d_1b_lo, d_1_lo = d_1_lo2 + d_1a_lo;
+  const double d_2a = 4.0 - less_1, d_2a_right = 4.0 - d_2a, d_2a_left = d_2a + d_2a_right,
+      d_2a_left_rest = 4.0 - d_2a_left, d_2a_right_rest = less_1 - d_2a_right,
+      d_2a_lo1 = d_2a_left_rest - d_2a_right_rest, d_2a_lo = d_2a_lo1 - less_1_lo,
+      d_2b = more_0 + more_2, d_2b_right = d_2b - more_0, d_2b_left = d_2b - d_2b_right,
+      d_2b_left_rest = more_0 - d_2b_left, d_2b_right_rest = more_2 - d_2b_right,
+      d_2b_lo1 = d_2b_left_rest + d_2b_right_rest, d_2b_lo2 = d_2b_lo1 + more_2_lo,
+      d_2b_lo = d_2b_lo2 + more_0_lo, d_2 = d_2a - d_2b, d_2_right = d_2a - d_2,
+      d_2_left = d_2 + d_2_right, d_2_left_rest = d_2a - d_2_left,
+      d_2_right_rest = d_2b - d_2_right, d_2_lo1 = d_2_left_rest - d_2_right_rest,
+      d_2_lo2 = d_2_lo1 - d_2b_lo, d_2_lo = d_2_lo2 + d_2a_lo;
+  const double d_3a = 4.0 - less_2, d_3a_right = 4.0 - d_3a, d_3a_left = d_3a + d_3a_right,
+      d_3a_left_rest = 4.0 - d_3a_left, d_3a_right_rest = less_2 - d_3a_right,
+      d_3a_lo1 = d_3a_left_rest - d_3a_right_rest, d_3a_lo = d_3a_lo1 - less_2_lo,
+      d_3b = more_0 + more_1, d_3b_right = d_3b - more_0, d_3b_left = d_3b - d_3b_right,
+      d_3b_left_rest = more_0 - d_3b_left, d_3b_right_rest = more_1 - d_3b_right,
+      d_3b_lo1 = d_3b_left_rest + d_3b_right_rest, d_3b_lo2 = d_3b_lo1 + more_1_lo,
+      d_3b_lo = d_3b_lo2 + more_0_lo, d_3 = d_3a - d_3b, d_3_right = d_3a - d_3,
+      d_3_left = d_3 + d_3_right, d_3_left_rest = d_3a - d_3_left,
+      d_3_right_rest = d_3b - d_3_right, d_3_lo1 = d_3_left_rest - d_3_right_rest,
+      d_3_lo2 = d_3_lo1 - d_3b_lo, d_3_lo = d_3_lo2 + d_3a_lo;
   const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
   const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
   const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
@@ -1047,8 +1073,8 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where angle
      = 0; any multiple of a quaternion.
    q: quaternion (w; x, y, z), the scalar first; axis: vector.
-   22 mul, 56 add, 5 product error, 3 product rest, 9 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less,
-     7 equal, 20 select. */
+   23 mul, 56 add, 5 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
+     less, 8 equal, 23 select. */
 static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternion_t *q,
     ksl_vec3_t *axis) {
   const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
@@ -1095,10 +1121,14 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
       half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest, half = atan2(half_of_n, upper_0),
-      half_cross1 = upper_0 * half_of_n_lo, half_cross2 = half_of_n * 0.0,
-      half_square1 = upper_0 * upper_0, half_square2 = half_of_n * half_of_n,
-      half_cross = half_cross1 - half_cross2, half_square = half_square1 + half_square2,
-      half_lo = half_cross / half_square;
+      half_size0 = fabs(half_of_n), half_size1 = fabs(upper_0),
+      half_most = half_size0 < half_size1 ? half_size1 : half_size0,
+      half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
+      half_part1 = upper_0 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
+      half_cross2 = half_part0 * 0.0, half_square1 = half_part1 * half_part1,
+      half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
+      half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
+      half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
   const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
       divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
   const double unit_0_of_divisor = divisor + divisor_lo,
@@ -1142,8 +1172,8 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (w; x, y, z), the scalar first; vo: vector.
-   24 mul, 59 add, 6 product error, 3 product rest, 5 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less,
-     6 equal, 17 select. */
+   25 mul, 59 add, 6 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8 less,
+     7 equal, 20 select. */
 static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
   const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
   const double upper_1a = -q->x, upper_1 = q->w < 0.0 ? upper_1a : q->x;
@@ -1189,10 +1219,14 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
       half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest, half = atan2(half_of_n, upper_0),
-      half_cross1 = upper_0 * half_of_n_lo, half_cross2 = half_of_n * 0.0,
-      half_square1 = upper_0 * upper_0, half_square2 = half_of_n * half_of_n,
-      half_cross = half_cross1 - half_cross2, half_square = half_square1 + half_square2,
-      half_lo = half_cross / half_square;
+      half_size0 = fabs(half_of_n), half_size1 = fabs(upper_0),
+      half_most = half_size0 < half_size1 ? half_size1 : half_size0,
+      half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
+      half_part1 = upper_0 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
+      half_cross2 = half_part0 * 0.0, half_square1 = half_part1 * half_part1,
+      half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
+      half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
+      half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
   const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
       divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
   const double theta = 2.0 * half, theta_cross2 = 2.0 * half_lo;
@@ -1538,7 +1572,7 @@ static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t 
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-   4 mul, 21 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select. */
+   4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select. */
 static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
     ksl_quaternionf_t *qo) {
   const double p_0 = (double)R->m21 - (double)R->m12;
@@ -1547,14 +1581,16 @@ static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
   const double s_0 = (double)R->m12 + (double)R->m21;
   const double s_1 = (double)R->m02 + (double)R->m20;
   const double s_2 = (double)R->m01 + (double)R->m10;
-  const double d_0a = (double)R->m00 + (double)R->m11, d_0b = d_0a + (double)R->m22,
-      d_0 = d_0b + 1.0;
-  const double d_1a = (double)R->m00 - (double)R->m11, d_1b = d_1a - (double)R->m22,
-      d_1 = d_1b + 1.0;
-  const double d_2a = (double)R->m11 - (double)R->m00, d_2b = d_2a - (double)R->m22,
-      d_2 = d_2b + 1.0;
-  const double d_3a = (double)R->m22 - (double)R->m00, d_3b = d_3a - (double)R->m11,
-      d_3 = d_3b + 1.0;
+  const double less_0 = 1.0 - (double)R->m00;
+  const double less_1 = 1.0 - (double)R->m11;
+  const double less_2 = 1.0 - (double)R->m22;
+  const double more_0 = (double)R->m00 + 1.0;
+  const double more_1 = (double)R->m11 + 1.0;
+  const double more_2 = (double)R->m22 + 1.0;
+  const double d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0 - d_0b;
+  const double d_1a = 4.0 - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
+  const double d_2a = 4.0 - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
+  const double d_3a = 4.0 - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
   const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
   const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
   const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;

@@ -14,8 +14,8 @@ def SO3_log(R):
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    39 mul, 214 add, 6 product error, 3 product rest, 6 div, 1 sqrt, 1 atan2, 9 neg, 3 abs, 10
-    less, 9 equal, 48 select.
+    40 mul, 262 add, 6 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+    less, 10 equal, 51 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -36,42 +36,61 @@ def SO3_log(R):
     s_2 = R_01 + R_10
     s_2_right = s_2 - R_01
     s_2_lo = R_01 - (s_2 - s_2_right) + (R_10 - s_2_right)
-    d_0a = R_00 + R_11
-    d_0a_right = d_0a - R_00
-    d_0b = d_0a + R_22
+    less_0 = 1 - R_00
+    less_0_right = 1 - less_0
+    less_0_lo = 1 - (less_0 + less_0_right) - (R_00 - less_0_right)
+    less_1 = 1 - R_11
+    less_1_right = 1 - less_1
+    less_1_lo = 1 - (less_1 + less_1_right) - (R_11 - less_1_right)
+    less_2 = 1 - R_22
+    less_2_right = 1 - less_2
+    less_2_lo = 1 - (less_2 + less_2_right) - (R_22 - less_2_right)
+    more_0 = R_00 + 1
+    more_0_right = more_0 - R_00
+    more_0_lo = R_00 - (more_0 - more_0_right) + (1 - more_0_right)
+    more_1 = R_11 + 1
+    more_1_right = more_1 - R_11
+    more_1_lo = R_11 - (more_1 - more_1_right) + (1 - more_1_right)
+    more_2 = R_22 + 1
+    more_2_right = more_2 - R_22
+    more_2_lo = R_22 - (more_2 - more_2_right) + (1 - more_2_right)
+    d_0a = less_0 + less_1
+    d_0a_right = d_0a - less_0
+    d_0a_lo = less_0 - (d_0a - d_0a_right) + (less_1 - d_0a_right) + less_1_lo + less_0_lo
+    d_0b = d_0a + less_2
     d_0b_right = d_0b - d_0a
-    d_0b_lo1 = d_0a - (d_0b - d_0b_right) + (R_22 - d_0b_right)
-    d_0b_lo = d_0b_lo1 + (R_00 - (d_0a - d_0a_right) + (R_11 - d_0a_right))
-    d_0 = d_0b + 1
-    d_0_right = d_0 - d_0b
-    d_0_lo = d_0b - (d_0 - d_0_right) + (1 - d_0_right) + d_0b_lo
-    d_1a = R_00 - R_11
-    d_1a_right = R_00 - d_1a
-    d_1b = d_1a - R_22
-    d_1b_right = d_1a - d_1b
-    d_1b_lo1 = d_1a - (d_1b + d_1b_right) - (R_22 - d_1b_right)
-    d_1b_lo = d_1b_lo1 + (R_00 - (d_1a + d_1a_right) - (R_11 - d_1a_right))
-    d_1 = d_1b + 1
-    d_1_right = d_1 - d_1b
-    d_1_lo = d_1b - (d_1 - d_1_right) + (1 - d_1_right) + d_1b_lo
-    d_2a = R_11 - R_00
-    d_2a_right = R_11 - d_2a
-    d_2b = d_2a - R_22
-    d_2b_right = d_2a - d_2b
-    d_2b_lo1 = d_2a - (d_2b + d_2b_right) - (R_22 - d_2b_right)
-    d_2b_lo = d_2b_lo1 + (R_11 - (d_2a + d_2a_right) - (R_00 - d_2a_right))
-    d_2 = d_2b + 1
-    d_2_right = d_2 - d_2b
-    d_2_lo = d_2b - (d_2 - d_2_right) + (1 - d_2_right) + d_2b_lo
-    d_3a = R_22 - R_00
-    d_3a_right = R_22 - d_3a
-    d_3b = d_3a - R_11
-    d_3b_right = d_3a - d_3b
-    d_3b_lo1 = d_3a - (d_3b + d_3b_right) - (R_11 - d_3b_right)
-    d_3b_lo = d_3b_lo1 + (R_22 - (d_3a + d_3a_right) - (R_00 - d_3a_right))
-    d_3 = d_3b + 1
-    d_3_right = d_3 - d_3b
-    d_3_lo = d_3b - (d_3 - d_3_right) + (1 - d_3_right) + d_3b_lo
+    d_0b_lo2 = d_0a - (d_0b - d_0b_right) + (less_2 - d_0b_right) + less_2_lo
+    d_0b_lo = d_0b_lo2 + d_0a_lo
+    d_0 = 4 - d_0b
+    d_0_right = 4 - d_0
+    d_0_lo = 4 - (d_0 + d_0_right) - (d_0b - d_0_right) - d_0b_lo
+    d_1a = 4 - less_0
+    d_1a_right = 4 - d_1a
+    d_1b = more_1 + more_2
+    d_1b_right = d_1b - more_1
+    d_1b_lo = more_1 - (d_1b - d_1b_right) + (more_2 - d_1b_right) + more_2_lo + more_1_lo
+    d_1 = d_1a - d_1b
+    d_1_right = d_1a - d_1
+    d_1_lo2 = d_1a - (d_1 + d_1_right) - (d_1b - d_1_right) - d_1b_lo
+    d_1_lo = d_1_lo2 + (4 - (d_1a + d_1a_right) - (less_0 - d_1a_right) - less_0_lo)
+    d_2a = 4 - less_1
+    d_2a_right = 4 - d_2a
+    d_2b = more_0 + more_2
+    d_2b_right = d_2b - more_0
+    d_2b_lo = more_0 - (d_2b - d_2b_right) + (more_2 - d_2b_right) + more_2_lo + more_0_lo
+    d_2 = d_2a - d_2b
+    d_2_right = d_2a - d_2
+    d_2_lo2 = d_2a - (d_2 + d_2_right) - (d_2b - d_2_right) - d_2b_lo
+    d_2_lo = d_2_lo2 + (4 - (d_2a + d_2a_right) - (less_1 - d_2a_right) - less_1_lo)
+    d_3a = 4 - less_2
+    d_3a_right = 4 - d_3a
+    d_3b = more_0 + more_1
+    d_3b_right = d_3b - more_0
+    d_3b_lo = more_0 - (d_3b - d_3b_right) + (more_1 - d_3b_right) + more_1_lo + more_0_lo
+    d_3 = d_3a - d_3b
+    d_3_right = d_3a - d_3
+    d_3_lo2 = d_3a - (d_3 + d_3_right) - (d_3b - d_3_right) - d_3b_lo
+    d_3_lo = d_3_lo2 + (4 - (d_3a + d_3a_right) - (less_2 - d_3a_right) - less_2_lo)
     low_0 = where(R_11 < R_00, p_0, p_1)
     low_1 = where(R_11 < R_00, d_1, s_2)
     low_1_lo = where(R_11 < R_00, d_1_lo, s_2_lo)
@@ -167,9 +186,17 @@ def SO3_log(R):
     half_of_upper_0_left_rest = upper_0 - (half_of_upper_0 - half_of_upper_0_right)
     half_of_upper_0_lo = half_of_upper_0_left_rest + (upper_0_lo - half_of_upper_0_right)
     half = arctan2(half_of_n, half_of_upper_0)
-    half_cross2 = half_of_n * half_of_upper_0_lo
-    half_cross = half_of_upper_0 * half_of_n_lo - half_cross2
-    half_lo = half_cross / (half_of_upper_0 * half_of_upper_0 + half_of_n * half_of_n)
+    half_size0 = absolute(half_of_n)
+    half_size1 = absolute(half_of_upper_0)
+    half_most = where(half_size0 < half_size1, half_size1, half_size0)
+    half_divisor = where(half_most == 0, 1, half_most)
+    half_part0 = half_of_n / half_divisor
+    half_part1 = half_of_upper_0 / half_divisor
+    half_cross2 = half_part0 * half_of_upper_0_lo
+    half_cross = half_part1 * half_of_n_lo - half_cross2
+    half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
+    half_safe = where(half_most == 0, 1, half_divisor2)
+    half_lo = half_cross / half_safe
     divisor = where(half_of_n == 0, 1, half_of_n)
     divisor_lo = where(half_of_n == 0, 0, half_of_n_lo)
     theta = 2 * half
@@ -211,8 +238,8 @@ def axis_angle_from_mat3x3(R):
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    34 mul, 211 add, 5 product error, 3 product rest, 10 div, 1 sqrt, 1 atan2, 9 neg, 3 abs, 10
-    less, 10 equal, 51 select.
+    35 mul, 259 add, 5 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+    less, 11 equal, 54 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -233,42 +260,61 @@ def axis_angle_from_mat3x3(R):
     s_2 = R_01 + R_10
     s_2_right = s_2 - R_01
     s_2_lo = R_01 - (s_2 - s_2_right) + (R_10 - s_2_right)
-    d_0a = R_00 + R_11
-    d_0a_right = d_0a - R_00
-    d_0b = d_0a + R_22
+    less_0 = 1 - R_00
+    less_0_right = 1 - less_0
+    less_0_lo = 1 - (less_0 + less_0_right) - (R_00 - less_0_right)
+    less_1 = 1 - R_11
+    less_1_right = 1 - less_1
+    less_1_lo = 1 - (less_1 + less_1_right) - (R_11 - less_1_right)
+    less_2 = 1 - R_22
+    less_2_right = 1 - less_2
+    less_2_lo = 1 - (less_2 + less_2_right) - (R_22 - less_2_right)
+    more_0 = R_00 + 1
+    more_0_right = more_0 - R_00
+    more_0_lo = R_00 - (more_0 - more_0_right) + (1 - more_0_right)
+    more_1 = R_11 + 1
+    more_1_right = more_1 - R_11
+    more_1_lo = R_11 - (more_1 - more_1_right) + (1 - more_1_right)
+    more_2 = R_22 + 1
+    more_2_right = more_2 - R_22
+    more_2_lo = R_22 - (more_2 - more_2_right) + (1 - more_2_right)
+    d_0a = less_0 + less_1
+    d_0a_right = d_0a - less_0
+    d_0a_lo = less_0 - (d_0a - d_0a_right) + (less_1 - d_0a_right) + less_1_lo + less_0_lo
+    d_0b = d_0a + less_2
     d_0b_right = d_0b - d_0a
-    d_0b_lo1 = d_0a - (d_0b - d_0b_right) + (R_22 - d_0b_right)
-    d_0b_lo = d_0b_lo1 + (R_00 - (d_0a - d_0a_right) + (R_11 - d_0a_right))
-    d_0 = d_0b + 1
-    d_0_right = d_0 - d_0b
-    d_0_lo = d_0b - (d_0 - d_0_right) + (1 - d_0_right) + d_0b_lo
-    d_1a = R_00 - R_11
-    d_1a_right = R_00 - d_1a
-    d_1b = d_1a - R_22
-    d_1b_right = d_1a - d_1b
-    d_1b_lo1 = d_1a - (d_1b + d_1b_right) - (R_22 - d_1b_right)
-    d_1b_lo = d_1b_lo1 + (R_00 - (d_1a + d_1a_right) - (R_11 - d_1a_right))
-    d_1 = d_1b + 1
-    d_1_right = d_1 - d_1b
-    d_1_lo = d_1b - (d_1 - d_1_right) + (1 - d_1_right) + d_1b_lo
-    d_2a = R_11 - R_00
-    d_2a_right = R_11 - d_2a
-    d_2b = d_2a - R_22
-    d_2b_right = d_2a - d_2b
-    d_2b_lo1 = d_2a - (d_2b + d_2b_right) - (R_22 - d_2b_right)
-    d_2b_lo = d_2b_lo1 + (R_11 - (d_2a + d_2a_right) - (R_00 - d_2a_right))
-    d_2 = d_2b + 1
-    d_2_right = d_2 - d_2b
-    d_2_lo = d_2b - (d_2 - d_2_right) + (1 - d_2_right) + d_2b_lo
-    d_3a = R_22 - R_00
-    d_3a_right = R_22 - d_3a
-    d_3b = d_3a - R_11
-    d_3b_right = d_3a - d_3b
-    d_3b_lo1 = d_3a - (d_3b + d_3b_right) - (R_11 - d_3b_right)
-    d_3b_lo = d_3b_lo1 + (R_22 - (d_3a + d_3a_right) - (R_00 - d_3a_right))
-    d_3 = d_3b + 1
-    d_3_right = d_3 - d_3b
-    d_3_lo = d_3b - (d_3 - d_3_right) + (1 - d_3_right) + d_3b_lo
+    d_0b_lo2 = d_0a - (d_0b - d_0b_right) + (less_2 - d_0b_right) + less_2_lo
+    d_0b_lo = d_0b_lo2 + d_0a_lo
+    d_0 = 4 - d_0b
+    d_0_right = 4 - d_0
+    d_0_lo = 4 - (d_0 + d_0_right) - (d_0b - d_0_right) - d_0b_lo
+    d_1a = 4 - less_0
+    d_1a_right = 4 - d_1a
+    d_1b = more_1 + more_2
+    d_1b_right = d_1b - more_1
+    d_1b_lo = more_1 - (d_1b - d_1b_right) + (more_2 - d_1b_right) + more_2_lo + more_1_lo
+    d_1 = d_1a - d_1b
+    d_1_right = d_1a - d_1
+    d_1_lo2 = d_1a - (d_1 + d_1_right) - (d_1b - d_1_right) - d_1b_lo
+    d_1_lo = d_1_lo2 + (4 - (d_1a + d_1a_right) - (less_0 - d_1a_right) - less_0_lo)
+    d_2a = 4 - less_1
+    d_2a_right = 4 - d_2a
+    d_2b = more_0 + more_2
+    d_2b_right = d_2b - more_0
+    d_2b_lo = more_0 - (d_2b - d_2b_right) + (more_2 - d_2b_right) + more_2_lo + more_0_lo
+    d_2 = d_2a - d_2b
+    d_2_right = d_2a - d_2
+    d_2_lo2 = d_2a - (d_2 + d_2_right) - (d_2b - d_2_right) - d_2b_lo
+    d_2_lo = d_2_lo2 + (4 - (d_2a + d_2a_right) - (less_1 - d_2a_right) - less_1_lo)
+    d_3a = 4 - less_2
+    d_3a_right = 4 - d_3a
+    d_3b = more_0 + more_1
+    d_3b_right = d_3b - more_0
+    d_3b_lo = more_0 - (d_3b - d_3b_right) + (more_1 - d_3b_right) + more_1_lo + more_0_lo
+    d_3 = d_3a - d_3b
+    d_3_right = d_3a - d_3
+    d_3_lo2 = d_3a - (d_3 + d_3_right) - (d_3b - d_3_right) - d_3b_lo
+    d_3_lo = d_3_lo2 + (4 - (d_3a + d_3a_right) - (less_2 - d_3a_right) - less_2_lo)
     low_0 = where(R_11 < R_00, p_0, p_1)
     low_1 = where(R_11 < R_00, d_1, s_2)
     low_1_lo = where(R_11 < R_00, d_1_lo, s_2_lo)
@@ -364,9 +410,17 @@ def axis_angle_from_mat3x3(R):
     half_of_upper_0_left_rest = upper_0 - (half_of_upper_0 - half_of_upper_0_right)
     half_of_upper_0_lo = half_of_upper_0_left_rest + (upper_0_lo - half_of_upper_0_right)
     half = arctan2(half_of_n, half_of_upper_0)
-    half_cross2 = half_of_n * half_of_upper_0_lo
-    half_cross = half_of_upper_0 * half_of_n_lo - half_cross2
-    half_lo = half_cross / (half_of_upper_0 * half_of_upper_0 + half_of_n * half_of_n)
+    half_size0 = absolute(half_of_n)
+    half_size1 = absolute(half_of_upper_0)
+    half_most = where(half_size0 < half_size1, half_size1, half_size0)
+    half_divisor = where(half_most == 0, 1, half_most)
+    half_part0 = half_of_n / half_divisor
+    half_part1 = half_of_upper_0 / half_divisor
+    half_cross2 = half_part0 * half_of_upper_0_lo
+    half_cross = half_part1 * half_of_n_lo - half_cross2
+    half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
+    half_safe = where(half_most == 0, 1, half_divisor2)
+    half_lo = half_cross / half_safe
     divisor = where(half_of_n == 0, 1, half_of_n)
     divisor_lo = where(half_of_n == 0, 0, half_of_n_lo)
     unit_0_of_divisor = divisor + divisor_lo

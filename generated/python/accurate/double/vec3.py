@@ -440,8 +440,8 @@ def angle_vv(v1, v2):
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
 
     (3),(3)->().  v1, v2: vector; angle: number.
-    41 mul, 95 add, 1 product error, 12 product rest, 4 div, 1 sqrt, 1 atan2, 9 abs, 14 less, 6
-    equal, 20 select.
+    42 mul, 95 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 11 abs, 15 less, 7
+    equal, 23 select.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
@@ -561,10 +561,18 @@ def angle_vv(v1, v2):
     angle_of_dot__left_rest = dot_ - (angle_of_dot_ - angle_of_dot__right)
     angle_of_dot__lo = angle_of_dot__left_rest + (dot__lo - angle_of_dot__right)
     angle = arctan2(angle_of_cross, angle_of_dot_)
-    angle_cross1 = angle_of_dot_ * angle_of_cross_lo
-    angle_cross2 = angle_of_cross * angle_of_dot__lo
+    angle_size0 = absolute(angle_of_cross)
+    angle_size1 = absolute(angle_of_dot_)
+    angle_most = where(angle_size0 < angle_size1, angle_size1, angle_size0)
+    angle_divisor = where(angle_most == 0, 1, angle_most)
+    angle_part0 = angle_of_cross / angle_divisor
+    angle_part1 = angle_of_dot_ / angle_divisor
+    angle_cross1 = angle_part1 * angle_of_cross_lo
+    angle_cross2 = angle_part0 * angle_of_dot__lo
     angle_cross = angle_cross1 - angle_cross2
-    angle_lo = angle_cross / (angle_of_dot_ * angle_of_dot_ + angle_of_cross * angle_of_cross)
+    angle_divisor2 = angle_divisor * (angle_part1 * angle_part1 + angle_part0 * angle_part0)
+    angle_safe = where(angle_most == 0, 1, angle_divisor2)
+    angle_lo = angle_cross / angle_safe
     angle_rounded = angle + angle_lo
     return where(angle_rounded == angle_rounded, angle_rounded, angle)
 

@@ -13,7 +13,7 @@ def SO3_log(R):
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    11 mul, 20 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
+    11 mul, 26 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -22,10 +22,16 @@ def SO3_log(R):
     s_0 = R_12 + R_21
     s_1 = R_02 + R_20
     s_2 = R_01 + R_10
-    d_0 = R_00 + R_11 + R_22 + 1
-    d_1 = R_00 - R_11 - R_22 + 1
-    d_2 = R_11 - R_00 - R_22 + 1
-    d_3 = R_22 - R_00 - R_11 + 1
+    less_0 = 1 - R_00
+    less_1 = 1 - R_11
+    less_2 = 1 - R_22
+    more_0 = R_00 + 1
+    more_1 = R_11 + 1
+    more_2 = R_22 + 1
+    d_0 = 4 - (less_0 + less_1 + less_2)
+    d_1 = 4 - less_0 - (more_1 + more_2)
+    d_2 = 4 - less_1 - (more_0 + more_2)
+    d_3 = 4 - less_2 - (more_0 + more_1)
     low_0 = where(R_11 < R_00, p_0, p_1)
     low_1 = where(R_11 < R_00, d_1, s_2)
     low_2 = where(R_11 < R_00, s_2, d_2)
@@ -71,7 +77,7 @@ def axis_angle_from_mat3x3(R):
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    8 mul, 20 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
+    8 mul, 26 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -80,10 +86,16 @@ def axis_angle_from_mat3x3(R):
     s_0 = R_12 + R_21
     s_1 = R_02 + R_20
     s_2 = R_01 + R_10
-    d_0 = R_00 + R_11 + R_22 + 1
-    d_1 = R_00 - R_11 - R_22 + 1
-    d_2 = R_11 - R_00 - R_22 + 1
-    d_3 = R_22 - R_00 - R_11 + 1
+    less_0 = 1 - R_00
+    less_1 = 1 - R_11
+    less_2 = 1 - R_22
+    more_0 = R_00 + 1
+    more_1 = R_11 + 1
+    more_2 = R_22 + 1
+    d_0 = 4 - (less_0 + less_1 + less_2)
+    d_1 = 4 - less_0 - (more_1 + more_2)
+    d_2 = 4 - less_1 - (more_0 + more_2)
+    d_3 = 4 - less_2 - (more_0 + more_1)
     low_0 = where(R_11 < R_00, p_0, p_1)
     low_1 = where(R_11 < R_00, d_1, s_2)
     low_2 = where(R_11 < R_00, s_2, d_2)

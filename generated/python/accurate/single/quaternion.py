@@ -286,7 +286,7 @@ def quaternion_from_mat3x3(R):
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-    4 mul, 21 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
+    4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -295,10 +295,16 @@ def quaternion_from_mat3x3(R):
     s_0 = R_12 + R_21
     s_1 = R_02 + R_20
     s_2 = R_01 + R_10
-    d_0 = R_00 + R_11 + R_22 + 1
-    d_1 = R_00 - R_11 - R_22 + 1
-    d_2 = R_11 - R_00 - R_22 + 1
-    d_3 = R_22 - R_00 - R_11 + 1
+    less_0 = 1 - R_00
+    less_1 = 1 - R_11
+    less_2 = 1 - R_22
+    more_0 = R_00 + 1
+    more_1 = R_11 + 1
+    more_2 = R_22 + 1
+    d_0 = 4 - (less_0 + less_1 + less_2)
+    d_1 = 4 - less_0 - (more_1 + more_2)
+    d_2 = 4 - less_1 - (more_0 + more_2)
+    d_3 = 4 - less_2 - (more_0 + more_1)
     low_0 = where(R_11 < R_00, p_0, p_1)
     low_1 = where(R_11 < R_00, d_1, s_2)
     low_2 = where(R_11 < R_00, s_2, d_2)

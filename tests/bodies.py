@@ -1,0 +1,95 @@
+"""Spatial inertias and symmetric matrices on exact numbers: what their operations compute.
+
+Written from 6×6 operators and determinants; B = (m; h; xx, yy, zz, xy, xz, yz).
+"""
+
+from collections.abc import Callable
+from fractions import Fraction
+from itertools import permutations
+from math import prod
+
+import numpy as np
+
+Matrix = np.ndarray  # of objects
+
+UPPER = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+
+
+def skew(x: Matrix) -> Matrix:
+    """x~ with x~ y = x × y."""
+    return np.array([[0, -x[2], x[1]], [x[2], 0, -x[0]], [-x[1], x[0], 0]], dtype=object)
+
+
+def second_moments(B: Matrix) -> Matrix:
+    """I as a matrix."""
+    I = np.zeros((3, 3), dtype=object)
+    for (i, j), x in zip(UPPER, B[4:], strict=True):
+        I[i, j] = I[j, i] = x
+    return I
+
+
+def operator(B: Matrix) -> Matrix:
+    """[[m 1, -h~], [h~, I]]."""
+    h = skew(B[1:4])
+    return np.block([[B[0] * np.eye(3, dtype=int).astype(object), -h], [h, second_moments(B)]])
+
+
+def ten_numbers(M: Matrix) -> Matrix:
+    """B of its operator."""
+    return np.array([M[0, 0], M[5, 1], M[3, 2], M[4, 0], *(M[3 + i, 3 + j] for i, j in UPPER)],
+                    dtype=object)
+
+
+def transformed(D: Matrix, B: Matrix) -> Matrix:
+    """[Ad]* M [Ad]^-1 with [Ad]* = [[R, 0], [t~ R, R]] and [Ad]^-1 = [Ad]*^T."""
+    R, zero = D[:, :3], np.zeros((3, 3), dtype=object)
+    A = np.block([[R, zero], [skew(D[:, 3]) @ R, R]])
+    return ten_numbers(A @ operator(B) @ A.T)
+
+
+def from_com(m: Fraction, com: Matrix, Ic: Matrix) -> Matrix:
+    """Ic about the centre of mass, moved by com."""
+    at_com = np.array([m, 0, 0, 0, *(Ic[i, j] for i, j in UPPER)], dtype=object)
+    return transformed(np.hstack([np.eye(3, dtype=int), com[:, None]]).astype(object), at_com)
+
+
+def determinant(A: Matrix) -> Fraction:
+    """By permutations."""
+    def sign(p: tuple[int, ...]) -> int:
+        return prod(1 if p[i] < p[j] else -1 for j in range(len(p)) for i in range(j))
+
+    return sum(sign(p) * prod((A[i, j] for i, j in enumerate(p)), start=Fraction(1))
+               for p in permutations(range(len(A))))
+
+
+def pivots(A: Matrix) -> list[Fraction]:
+    """d_i, the quotients of successive leading minors."""
+    minors = [determinant(A[:k, :k]) for k in range(len(A) + 1)]
+    return [after / before for before, after in zip(minors, minors[1:], strict=False)]
+
+
+def pseudo_inertia(B: Matrix) -> Matrix:
+    """[[m, h^T], [h, tr(I)/2 1 - I]]."""
+    I = second_moments(B)
+    sigma = np.eye(3, dtype=int).astype(object) * ((I[0, 0] + I[1, 1] + I[2, 2]) / 2) - I
+    return np.block([[np.array([[B[0]]], dtype=object), B[None, 1:4]], [B[1:4, None], sigma]])
+
+
+BODIES: dict[str, Callable[..., Matrix | Fraction]] = {
+    "inertia_copy": lambda B: B, "inertia_scale": lambda B, a: a * B,
+    "add_BB": lambda B1, B2: B1 + B2, "subtract_BB": lambda B1, B2: B1 - B2,
+    "inertia_from_com": from_com,
+    "inertia_com": lambda B: B[1:4] / B[0],
+    "inertia_about_com": lambda B: second_moments(B) + skew(B[1:4]) @ skew(B[1:4]) / B[0],
+    "inertia_matrix": operator,
+    "product_Bs": lambda B, s: operator(B) @ s,
+    "inertia_energy": lambda B, s: s @ operator(B) @ s / 2,
+    "inertia_shifted": lambda t, B: transformed(
+        np.hstack([np.eye(3, dtype=int), t[:, None]]).astype(object), B),
+    "inertia_transformed": transformed,
+}
+"""Name → formula, for inertias physical or not."""
+
+POSITIVE_DEFINITE = ("inertia_consistency", *(
+    f"{kind}_{what}" for kind in ("mat3x3", "mat6x6") for what in ("ldl", "ldl_solve", "solve")))
+"""Operations with laws of their own, since they mean something for positive definite matrices."""
