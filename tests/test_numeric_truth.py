@@ -116,8 +116,8 @@ def evaluator_of(operation: Operation, rules: Rules, row: Row) -> Evaluator:
 
 @cache
 def rows(operation: Operation, precision: Precision) -> list[Row]:
-    """Floats in every branch: motions where the operation takes them, anything finite; zeros, and a
-    one among zeros."""
+    """Floats in every branch: motions where the operation takes them, anything finite; zeros, and
+    among zeros a one or a small number."""
     groups = [inputs_of(operation, precision, 55)]
     if operation.name in TRUTHS:
         motions = motions_of(operation, precision, 60)
@@ -128,7 +128,7 @@ def rows(operation: Operation, precision: Precision) -> list[Row]:
         groups = [(A, *others), (A @ A.swapaxes(1, 2), *others)]
     sizes = np.cumsum([a.quantity.size for a in operation.inputs])
     units = np.vstack([np.zeros(sizes[-1]), np.eye(sizes[-1])])
-    groups.append(np.split(units, sizes[:-1], axis=1))
+    groups += [np.split(size * units, sizes[:-1], axis=1) for size in (1, 2.0**-70)]
     found = [tuple([mp.mpf(float(c)) for c in np.ravel(x)] for x in row)
              for group in groups for row in zip(*group, strict=True)]
     # Of the sine of larger angles 60 digits do not hold enough.

@@ -74,9 +74,10 @@ def safe_normalized(let: Let, x: sp.Matrix, part: sp.Matrix) -> sp.Matrix:
     so that no component loses digits the result has."""
     s = power_of_two(let, "s", tuple(part))
     y = let("y", part.applyfunc(lambda component: scaled(component, s)))
-    divisor = let("divisor", nonzero(let("n", l2(y))))
     up = let("up", sp.Piecewise((s, 1 < s), (sp.Integer(1), True)))
     down = let("down", sp.Piecewise((s, s < 1), (sp.Integer(1), True)))
+    n = let("n", l2(y))
+    divisor = let("divisor", sp.Piecewise((up, sp.Eq(n, 0)), (n, True)))
     q = divided(let("enlarged", x.applyfunc(lambda component: scaled(component, up))), divisor)
     return let("quotient", q).applyfunc(lambda component: scaled(component, down))
 

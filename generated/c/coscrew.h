@@ -392,11 +392,11 @@ static inline void ksl_vec3_normalize(ksl_vec3_t *self) {
   const double y_0 = self->x * s;
   const double y_1 = self->y * s;
   const double y_2 = self->z * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = self->x * up;
   const double enlarged_1 = self->y * up;
   const double enlarged_2 = self->z * up;
@@ -425,11 +425,11 @@ static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double y_0 = v->x * s;
   const double y_1 = v->y * s;
   const double y_2 = v->z * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = v->x * up;
   const double enlarged_1 = v->y * up;
   const double enlarged_2 = v->z * up;
@@ -844,11 +844,11 @@ static inline void ksl_vec3f_normalize(ksl_vec3f_t *self) {
   const float y_0 = self->x * s;
   const float y_1 = self->y * s;
   const float y_2 = self->z * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
-  const float divisor = n == 0.0f ? 1.0f : n;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
+  const float divisor = n == 0.0f ? up : n;
   const float enlarged_0 = self->x * up;
   const float enlarged_1 = self->y * up;
   const float enlarged_2 = self->z * up;
@@ -877,11 +877,11 @@ static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float y_0 = v->x * s;
   const float y_1 = v->y * s;
   const float y_2 = v->z * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
-  const float divisor = n == 0.0f ? 1.0f : n;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
+  const float divisor = n == 0.0f ? up : n;
   const float enlarged_0 = v->x * up;
   const float enlarged_1 = v->y * up;
   const float enlarged_2 = v->z * up;
@@ -5087,11 +5087,11 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = self->m0 * up;
   const double enlarged_1 = self->m1 * up;
   const double enlarged_2 = self->m2 * up;
@@ -5138,11 +5138,11 @@ static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) 
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = si->m0 * up;
   const double enlarged_1 = si->m1 * up;
   const double enlarged_2 = si->m2 * up;
@@ -6175,11 +6175,11 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   const float y_0 = p_0 * s;
   const float y_1 = p_1 * s;
   const float y_2 = p_2 * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
-  const float divisor = n == 0.0f ? 1.0f : n;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
+  const float divisor = n == 0.0f ? up : n;
   const float enlarged_0 = self->m0 * up;
   const float enlarged_1 = self->m1 * up;
   const float enlarged_2 = self->m2 * up;
@@ -6226,11 +6226,11 @@ static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *s
   const float y_0 = p_0 * s;
   const float y_1 = p_1 * s;
   const float y_2 = p_2 * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
-  const float divisor = n == 0.0f ? 1.0f : n;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
+  const float divisor = n == 0.0f ? up : n;
   const float enlarged_0 = si->m0 * up;
   const float enlarged_1 = si->m1 * up;
   const float enlarged_2 = si->m2 * up;
@@ -7287,11 +7287,11 @@ static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = self->m0 * up;
   const double enlarged_1 = self->m1 * up;
   const double enlarged_2 = self->m2 * up;
@@ -7338,11 +7338,11 @@ static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = ci->m0 * up;
   const double enlarged_1 = ci->m1 * up;
   const double enlarged_2 = ci->m2 * up;
@@ -8626,11 +8626,11 @@ static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
   const float y_0 = p_0 * s;
   const float y_1 = p_1 * s;
   const float y_2 = p_2 * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
-  const float divisor = n == 0.0f ? 1.0f : n;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
+  const float divisor = n == 0.0f ? up : n;
   const float enlarged_0 = self->m0 * up;
   const float enlarged_1 = self->m1 * up;
   const float enlarged_2 = self->m2 * up;
@@ -8677,11 +8677,11 @@ static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrew
   const float y_0 = p_0 * s;
   const float y_1 = p_1 * s;
   const float y_2 = p_2 * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
-  const float divisor = n == 0.0f ? 1.0f : n;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
+  const float divisor = n == 0.0f ? up : n;
   const float enlarged_0 = ci->m0 * up;
   const float enlarged_1 = ci->m1 * up;
   const float enlarged_2 = ci->m2 * up;
@@ -9829,11 +9829,11 @@ static inline void ksl_quaternion_normalize(ksl_quaternion_t *self) {
   const double y_1 = self->x * s;
   const double y_2 = self->y * s;
   const double y_3 = self->z * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = self->w * up;
   const double enlarged_1 = self->x * up;
   const double enlarged_2 = self->y * up;
@@ -9869,11 +9869,11 @@ static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quat
   const double y_1 = q->x * s;
   const double y_2 = q->y * s;
   const double y_3 = q->z * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = q->w * up;
   const double enlarged_1 = q->x * up;
   const double enlarged_2 = q->y * up;
@@ -10436,11 +10436,11 @@ static inline void ksl_quaternionf_normalize(ksl_quaternionf_t *self) {
   const float y_1 = self->x * s;
   const float y_2 = self->y * s;
   const float y_3 = self->z * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
-  const float divisor = n == 0.0f ? 1.0f : n;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
+  const float divisor = n == 0.0f ? up : n;
   const float enlarged_0 = self->w * up;
   const float enlarged_1 = self->x * up;
   const float enlarged_2 = self->y * up;
@@ -10476,11 +10476,11 @@ static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_qu
   const float y_1 = q->x * s;
   const float y_2 = q->y * s;
   const float y_3 = q->z * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
-  const float divisor = n == 0.0f ? 1.0f : n;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
+  const float divisor = n == 0.0f ? up : n;
   const float enlarged_0 = q->w * up;
   const float enlarged_1 = q->x * up;
   const float enlarged_2 = q->y * up;

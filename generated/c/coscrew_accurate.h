@@ -465,6 +465,8 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
   const double y_0 = self->x * s;
   const double y_1 = self->y * s;
   const double y_2 = self->z * s;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
       n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
@@ -478,9 +480,7 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
-  const double up = 1.0 < s ? s : 1.0;
-  const double down = s < 1.0 ? s : 1.0;
+  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double enlarged_0 = self->x * up;
   const double enlarged_1 = self->y * up;
   const double enlarged_2 = self->z * up;
@@ -576,6 +576,8 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
   const double y_0 = v->x * s;
   const double y_1 = v->y * s;
   const double y_2 = v->z * s;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
       n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
@@ -589,9 +591,7 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
-  const double up = 1.0 < s ? s : 1.0;
-  const double down = s < 1.0 ? s : 1.0;
+  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double enlarged_0 = v->x * up;
   const double enlarged_1 = v->y * up;
   const double enlarged_2 = v->z * up;
@@ -1163,11 +1163,11 @@ static inline void ksl_vec3f_normalize_accurate(ksl_vec3f_t *self) {
   const double y_0 = (double)self->x * s;
   const double y_1 = (double)self->y * s;
   const double y_2 = (double)self->z * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = (double)self->x * up;
   const double enlarged_1 = (double)self->y * up;
   const double enlarged_2 = (double)self->z * up;
@@ -1196,11 +1196,11 @@ static inline void ksl_vec3f_normalized_accurate(const ksl_vec3f_t *v, ksl_vec3f
   const double y_0 = (double)v->x * s;
   const double y_1 = (double)v->y * s;
   const double y_2 = (double)v->z * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = (double)v->x * up;
   const double enlarged_1 = (double)v->y * up;
   const double enlarged_2 = (double)v->z * up;
@@ -6005,6 +6005,8 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
       n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
@@ -6018,9 +6020,7 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
-  const double up = 1.0 < s ? s : 1.0;
-  const double down = s < 1.0 ? s : 1.0;
+  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double enlarged_0 = self->m0 * up;
   const double enlarged_1 = self->m1 * up;
   const double enlarged_2 = self->m2 * up;
@@ -6194,6 +6194,8 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
       n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
@@ -6207,9 +6209,7 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
-  const double up = 1.0 < s ? s : 1.0;
-  const double down = s < 1.0 ? s : 1.0;
+  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double enlarged_0 = si->m0 * up;
   const double enlarged_1 = si->m1 * up;
   const double enlarged_2 = si->m2 * up;
@@ -7793,11 +7793,11 @@ static inline void ksl_screwf_normalize_accurate(ksl_screwf_t *self) {
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = (double)self->m0 * up;
   const double enlarged_1 = (double)self->m1 * up;
   const double enlarged_2 = (double)self->m2 * up;
@@ -7845,11 +7845,11 @@ static inline void ksl_screwf_normalized_accurate(const ksl_screwf_t *si, ksl_sc
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = (double)si->m0 * up;
   const double enlarged_1 = (double)si->m1 * up;
   const double enlarged_2 = (double)si->m2 * up;
@@ -8822,6 +8822,8 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
       n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
@@ -8835,9 +8837,7 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
-  const double up = 1.0 < s ? s : 1.0;
-  const double down = s < 1.0 ? s : 1.0;
+  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double enlarged_0 = self->m0 * up;
   const double enlarged_1 = self->m1 * up;
   const double enlarged_2 = self->m2 * up;
@@ -9011,6 +9011,8 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
       n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
@@ -9024,9 +9026,7 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
-  const double up = 1.0 < s ? s : 1.0;
-  const double down = s < 1.0 ? s : 1.0;
+  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double enlarged_0 = ci->m0 * up;
   const double enlarged_1 = ci->m1 * up;
   const double enlarged_2 = ci->m2 * up;
@@ -11239,11 +11239,11 @@ static inline void ksl_coscrewf_normalize_accurate(ksl_coscrewf_t *self) {
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = (double)self->m0 * up;
   const double enlarged_1 = (double)self->m1 * up;
   const double enlarged_2 = (double)self->m2 * up;
@@ -11291,11 +11291,11 @@ static inline void ksl_coscrewf_normalized_accurate(const ksl_coscrewf_t *ci, ks
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = (double)ci->m0 * up;
   const double enlarged_1 = (double)ci->m1 * up;
   const double enlarged_2 = (double)ci->m2 * up;
@@ -12288,6 +12288,8 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
   const double y_1 = self->x * s;
   const double y_2 = self->y * s;
   const double y_3 = self->z * s;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
       n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
@@ -12304,9 +12306,7 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
-  const double up = 1.0 < s ? s : 1.0;
-  const double down = s < 1.0 ? s : 1.0;
+  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double enlarged_0 = self->w * up;
   const double enlarged_1 = self->x * up;
   const double enlarged_2 = self->y * up;
@@ -12430,6 +12430,8 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
   const double y_1 = q->x * s;
   const double y_2 = q->y * s;
   const double y_3 = q->z * s;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
       n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
@@ -12446,9 +12448,7 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
-  const double up = 1.0 < s ? s : 1.0;
-  const double down = s < 1.0 ? s : 1.0;
+  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double enlarged_0 = q->w * up;
   const double enlarged_1 = q->x * up;
   const double enlarged_2 = q->y * up;
@@ -13505,11 +13505,11 @@ static inline void ksl_quaternionf_normalize_accurate(ksl_quaternionf_t *self) {
   const double y_1 = (double)self->x * s;
   const double y_2 = (double)self->y * s;
   const double y_3 = (double)self->z * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = (double)self->w * up;
   const double enlarged_1 = (double)self->x * up;
   const double enlarged_2 = (double)self->y * up;
@@ -13546,11 +13546,11 @@ static inline void ksl_quaternionf_normalized_accurate(const ksl_quaternionf_t *
   const double y_1 = (double)q->x * s;
   const double y_2 = (double)q->y * s;
   const double y_3 = (double)q->z * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = (double)q->w * up;
   const double enlarged_1 = (double)q->x * up;
   const double enlarged_2 = (double)q->y * up;

@@ -10,7 +10,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "e020017c30a9e5fe")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "812c392c13cfc7e3")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

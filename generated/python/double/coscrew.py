@@ -233,10 +233,10 @@ def coscrew_normalize(self):
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
-    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    divisor = where(n == 0, 1, n)
     up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
+    divisor = where(n == 0, up, n)
     enlarged_0 = self_0 * up
     enlarged_1 = self_1 * up
     enlarged_2 = self_2 * up
@@ -282,10 +282,10 @@ def coscrew_normalized(ci):
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
-    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    divisor = where(n == 0, 1, n)
     up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
+    divisor = where(n == 0, up, n)
     enlarged_0 = ci_0 * up
     enlarged_1 = ci_1 * up
     enlarged_2 = ci_2 * up

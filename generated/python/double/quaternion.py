@@ -107,10 +107,10 @@ def quaternion_normalize(self):
     y_1 = self_1 * s
     y_2 = self_2 * s
     y_3 = self_3 * s
-    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
-    divisor = where(n == 0, 1, n)
     up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
+    divisor = where(n == 0, up, n)
     enlarged_0 = self_0 * up
     enlarged_1 = self_1 * up
     enlarged_2 = self_2 * up
@@ -147,10 +147,10 @@ def quaternion_normalized(q):
     y_1 = q_1 * s
     y_2 = q_2 * s
     y_3 = q_3 * s
-    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
-    divisor = where(n == 0, 1, n)
     up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
+    divisor = where(n == 0, up, n)
     enlarged_0 = q_0 * up
     enlarged_1 = q_1 * up
     enlarged_2 = q_2 * up

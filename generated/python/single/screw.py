@@ -232,10 +232,10 @@ def screw_normalize(self):
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
-    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    divisor = where(n == 0, 1, n)
     up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
+    divisor = where(n == 0, up, n)
     enlarged_0 = self_0 * up
     enlarged_1 = self_1 * up
     enlarged_2 = self_2 * up
@@ -281,10 +281,10 @@ def screw_normalized(si):
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
-    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    divisor = where(n == 0, 1, n)
     up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
+    divisor = where(n == 0, up, n)
     enlarged_0 = si_0 * up
     enlarged_1 = si_1 * up
     enlarged_2 = si_2 * up

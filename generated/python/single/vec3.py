@@ -219,10 +219,10 @@ def vec3_normalize(self):
     y_0 = self_0 * s
     y_1 = self_1 * s
     y_2 = self_2 * s
-    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    divisor = where(n == 0, 1, n)
     up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
+    divisor = where(n == 0, up, n)
     enlarged_0 = self_0 * up
     enlarged_1 = self_1 * up
     enlarged_2 = self_2 * up
@@ -253,10 +253,10 @@ def vec3_normalized(v):
     y_0 = v_0 * s
     y_1 = v_1 * s
     y_2 = v_2 * s
-    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    divisor = where(n == 0, 1, n)
     up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
+    divisor = where(n == 0, up, n)
     enlarged_0 = v_0 * up
     enlarged_1 = v_1 * up
     enlarged_2 = v_2 * up

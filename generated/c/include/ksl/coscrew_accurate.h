@@ -344,6 +344,8 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
       n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
@@ -357,9 +359,7 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
-  const double up = 1.0 < s ? s : 1.0;
-  const double down = s < 1.0 ? s : 1.0;
+  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double enlarged_0 = self->m0 * up;
   const double enlarged_1 = self->m1 * up;
   const double enlarged_2 = self->m2 * up;
@@ -533,6 +533,8 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
       n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
@@ -546,9 +548,7 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
-  const double up = 1.0 < s ? s : 1.0;
-  const double down = s < 1.0 ? s : 1.0;
+  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double enlarged_0 = ci->m0 * up;
   const double enlarged_1 = ci->m1 * up;
   const double enlarged_2 = ci->m2 * up;
@@ -2761,11 +2761,11 @@ static inline void ksl_coscrewf_normalize_accurate(ksl_coscrewf_t *self) {
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = (double)self->m0 * up;
   const double enlarged_1 = (double)self->m1 * up;
   const double enlarged_2 = (double)self->m2 * up;
@@ -2813,11 +2813,11 @@ static inline void ksl_coscrewf_normalized_accurate(const ksl_coscrewf_t *ci, ks
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = (double)ci->m0 * up;
   const double enlarged_1 = (double)ci->m1 * up;
   const double enlarged_2 = (double)ci->m2 * up;

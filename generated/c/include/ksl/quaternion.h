@@ -115,11 +115,11 @@ static inline void ksl_quaternion_normalize(ksl_quaternion_t *self) {
   const double y_1 = self->x * s;
   const double y_2 = self->y * s;
   const double y_3 = self->z * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = self->w * up;
   const double enlarged_1 = self->x * up;
   const double enlarged_2 = self->y * up;
@@ -155,11 +155,11 @@ static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quat
   const double y_1 = q->x * s;
   const double y_2 = q->y * s;
   const double y_3 = q->z * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = q->w * up;
   const double enlarged_1 = q->x * up;
   const double enlarged_2 = q->y * up;
@@ -722,11 +722,11 @@ static inline void ksl_quaternionf_normalize(ksl_quaternionf_t *self) {
   const float y_1 = self->x * s;
   const float y_2 = self->y * s;
   const float y_3 = self->z * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
-  const float divisor = n == 0.0f ? 1.0f : n;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
+  const float divisor = n == 0.0f ? up : n;
   const float enlarged_0 = self->w * up;
   const float enlarged_1 = self->x * up;
   const float enlarged_2 = self->y * up;
@@ -762,11 +762,11 @@ static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_qu
   const float y_1 = q->x * s;
   const float y_2 = q->y * s;
   const float y_3 = q->z * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
-  const float divisor = n == 0.0f ? 1.0f : n;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
+  const float divisor = n == 0.0f ? up : n;
   const float enlarged_0 = q->w * up;
   const float enlarged_1 = q->x * up;
   const float enlarged_2 = q->y * up;

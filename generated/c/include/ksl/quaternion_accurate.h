@@ -95,6 +95,8 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
   const double y_1 = self->x * s;
   const double y_2 = self->y * s;
   const double y_3 = self->z * s;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
       n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
@@ -111,9 +113,7 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
-  const double up = 1.0 < s ? s : 1.0;
-  const double down = s < 1.0 ? s : 1.0;
+  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double enlarged_0 = self->w * up;
   const double enlarged_1 = self->x * up;
   const double enlarged_2 = self->y * up;
@@ -237,6 +237,8 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
   const double y_1 = q->x * s;
   const double y_2 = q->y * s;
   const double y_3 = q->z * s;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
       n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
@@ -253,9 +255,7 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
-  const double up = 1.0 < s ? s : 1.0;
-  const double down = s < 1.0 ? s : 1.0;
+  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double enlarged_0 = q->w * up;
   const double enlarged_1 = q->x * up;
   const double enlarged_2 = q->y * up;
@@ -1312,11 +1312,11 @@ static inline void ksl_quaternionf_normalize_accurate(ksl_quaternionf_t *self) {
   const double y_1 = (double)self->x * s;
   const double y_2 = (double)self->y * s;
   const double y_3 = (double)self->z * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = (double)self->w * up;
   const double enlarged_1 = (double)self->x * up;
   const double enlarged_2 = (double)self->y * up;
@@ -1353,11 +1353,11 @@ static inline void ksl_quaternionf_normalized_accurate(const ksl_quaternionf_t *
   const double y_1 = (double)q->x * s;
   const double y_2 = (double)q->y * s;
   const double y_3 = (double)q->z * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = (double)q->w * up;
   const double enlarged_1 = (double)q->x * up;
   const double enlarged_2 = (double)q->y * up;

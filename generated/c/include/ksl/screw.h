@@ -259,11 +259,11 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = self->m0 * up;
   const double enlarged_1 = self->m1 * up;
   const double enlarged_2 = self->m2 * up;
@@ -310,11 +310,11 @@ static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) 
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = si->m0 * up;
   const double enlarged_1 = si->m1 * up;
   const double enlarged_2 = si->m2 * up;
@@ -1347,11 +1347,11 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   const float y_0 = p_0 * s;
   const float y_1 = p_1 * s;
   const float y_2 = p_2 * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
-  const float divisor = n == 0.0f ? 1.0f : n;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
+  const float divisor = n == 0.0f ? up : n;
   const float enlarged_0 = self->m0 * up;
   const float enlarged_1 = self->m1 * up;
   const float enlarged_2 = self->m2 * up;
@@ -1398,11 +1398,11 @@ static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *s
   const float y_0 = p_0 * s;
   const float y_1 = p_1 * s;
   const float y_2 = p_2 * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
-  const float divisor = n == 0.0f ? 1.0f : n;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
+  const float divisor = n == 0.0f ? up : n;
   const float enlarged_0 = si->m0 * up;
   const float enlarged_1 = si->m1 * up;
   const float enlarged_2 = si->m2 * up;

@@ -213,11 +213,11 @@ static inline void ksl_vec3_normalize(ksl_vec3_t *self) {
   const double y_0 = self->x * s;
   const double y_1 = self->y * s;
   const double y_2 = self->z * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = self->x * up;
   const double enlarged_1 = self->y * up;
   const double enlarged_2 = self->z * up;
@@ -246,11 +246,11 @@ static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double y_0 = v->x * s;
   const double y_1 = v->y * s;
   const double y_2 = v->z * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = v->x * up;
   const double enlarged_1 = v->y * up;
   const double enlarged_2 = v->z * up;
@@ -665,11 +665,11 @@ static inline void ksl_vec3f_normalize(ksl_vec3f_t *self) {
   const float y_0 = self->x * s;
   const float y_1 = self->y * s;
   const float y_2 = self->z * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
-  const float divisor = n == 0.0f ? 1.0f : n;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
+  const float divisor = n == 0.0f ? up : n;
   const float enlarged_0 = self->x * up;
   const float enlarged_1 = self->y * up;
   const float enlarged_2 = self->z * up;
@@ -698,11 +698,11 @@ static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float y_0 = v->x * s;
   const float y_1 = v->y * s;
   const float y_2 = v->z * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
-  const float divisor = n == 0.0f ? 1.0f : n;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrtf(n_e);
+  const float divisor = n == 0.0f ? up : n;
   const float enlarged_0 = v->x * up;
   const float enlarged_1 = v->y * up;
   const float enlarged_2 = v->z * up;

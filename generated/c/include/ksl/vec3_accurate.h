@@ -238,6 +238,8 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
   const double y_0 = self->x * s;
   const double y_1 = self->y * s;
   const double y_2 = self->z * s;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
       n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
@@ -251,9 +253,7 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
-  const double up = 1.0 < s ? s : 1.0;
-  const double down = s < 1.0 ? s : 1.0;
+  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double enlarged_0 = self->x * up;
   const double enlarged_1 = self->y * up;
   const double enlarged_2 = self->z * up;
@@ -349,6 +349,8 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
   const double y_0 = v->x * s;
   const double y_1 = v->y * s;
   const double y_2 = v->z * s;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
       n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
@@ -362,9 +364,7 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
-  const double up = 1.0 < s ? s : 1.0;
-  const double down = s < 1.0 ? s : 1.0;
+  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
   const double enlarged_0 = v->x * up;
   const double enlarged_1 = v->y * up;
   const double enlarged_2 = v->z * up;
@@ -936,11 +936,11 @@ static inline void ksl_vec3f_normalize_accurate(ksl_vec3f_t *self) {
   const double y_0 = (double)self->x * s;
   const double y_1 = (double)self->y * s;
   const double y_2 = (double)self->z * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = (double)self->x * up;
   const double enlarged_1 = (double)self->y * up;
   const double enlarged_2 = (double)self->z * up;
@@ -969,11 +969,11 @@ static inline void ksl_vec3f_normalized_accurate(const ksl_vec3f_t *v, ksl_vec3f
   const double y_0 = (double)v->x * s;
   const double y_1 = (double)v->y * s;
   const double y_2 = (double)v->z * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
-  const double divisor = n == 0.0 ? 1.0 : n;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n = sqrt(n_e);
+  const double divisor = n == 0.0 ? up : n;
   const double enlarged_0 = (double)v->x * up;
   const double enlarged_1 = (double)v->y * up;
   const double enlarged_2 = (double)v->z * up;

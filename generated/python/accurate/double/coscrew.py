@@ -301,6 +301,8 @@ def coscrew_normalize(self):
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
     n_a = y_0 * y_0
     n_b = y_1 * y_1
     n_c = n_a + n_b
@@ -318,10 +320,8 @@ def coscrew_normalize(self):
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor = where(n == 0, 1, n)
+    divisor = where(n == 0, up, n)
     divisor_lo = where(n == 0, 0, n_lo)
-    up = where(1 < s, s, 1)
-    down = where(s < 1, s, 1)
     enlarged_0 = self_0 * up
     enlarged_1 = self_1 * up
     enlarged_2 = self_2 * up
@@ -476,6 +476,8 @@ def coscrew_normalized(ci):
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
     n_a = y_0 * y_0
     n_b = y_1 * y_1
     n_c = n_a + n_b
@@ -493,10 +495,8 @@ def coscrew_normalized(ci):
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor = where(n == 0, 1, n)
+    divisor = where(n == 0, up, n)
     divisor_lo = where(n == 0, 0, n_lo)
-    up = where(1 < s, s, 1)
-    down = where(s < 1, s, 1)
     enlarged_0 = ci_0 * up
     enlarged_1 = ci_1 * up
     enlarged_2 = ci_2 * up

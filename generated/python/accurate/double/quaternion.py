@@ -106,6 +106,8 @@ def quaternion_normalize(self):
     y_1 = self_1 * s
     y_2 = self_2 * s
     y_3 = self_3 * s
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
     n_a = y_0 * y_0
     n_b = y_1 * y_1
     n_c = n_a + n_b
@@ -128,10 +130,8 @@ def quaternion_normalize(self):
     n_exact = n_of_n_g - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor = where(n == 0, 1, n)
+    divisor = where(n == 0, up, n)
     divisor_lo = where(n == 0, 0, n_lo)
-    up = where(1 < s, s, 1)
-    down = where(s < 1, s, 1)
     enlarged_0 = self_0 * up
     enlarged_1 = self_1 * up
     enlarged_2 = self_2 * up
@@ -243,6 +243,8 @@ def quaternion_normalized(q):
     y_1 = q_1 * s
     y_2 = q_2 * s
     y_3 = q_3 * s
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
     n_a = y_0 * y_0
     n_b = y_1 * y_1
     n_c = n_a + n_b
@@ -265,10 +267,8 @@ def quaternion_normalized(q):
     n_exact = n_of_n_g - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor = where(n == 0, 1, n)
+    divisor = where(n == 0, up, n)
     divisor_lo = where(n == 0, 0, n_lo)
-    up = where(1 < s, s, 1)
-    down = where(s < 1, s, 1)
     enlarged_0 = q_0 * up
     enlarged_1 = q_1 * up
     enlarged_2 = q_2 * up

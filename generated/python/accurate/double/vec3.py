@@ -239,6 +239,8 @@ def vec3_normalize(self):
     y_0 = self_0 * s
     y_1 = self_1 * s
     y_2 = self_2 * s
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
     n_a = y_0 * y_0
     n_b = y_1 * y_1
     n_c = n_a + n_b
@@ -256,10 +258,8 @@ def vec3_normalize(self):
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor = where(n == 0, 1, n)
+    divisor = where(n == 0, up, n)
     divisor_lo = where(n == 0, 0, n_lo)
-    up = where(1 < s, s, 1)
-    down = where(s < 1, s, 1)
     enlarged_0 = self_0 * up
     enlarged_1 = self_1 * up
     enlarged_2 = self_2 * up
@@ -348,6 +348,8 @@ def vec3_normalized(v):
     y_0 = v_0 * s
     y_1 = v_1 * s
     y_2 = v_2 * s
+    up = where(1 < s, s, 1)
+    down = where(s < 1, s, 1)
     n_a = y_0 * y_0
     n_b = y_1 * y_1
     n_c = n_a + n_b
@@ -365,10 +367,8 @@ def vec3_normalized(v):
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor = where(n == 0, 1, n)
+    divisor = where(n == 0, up, n)
     divisor_lo = where(n == 0, 0, n_lo)
-    up = where(1 < s, s, 1)
-    down = where(s < 1, s, 1)
     enlarged_0 = v_0 * up
     enlarged_1 = v_1 * up
     enlarged_2 = v_2 * up
