@@ -57,7 +57,7 @@ $(VENV)/test-ready: $(VENV)/ready
 
 # The tests take generated/ as it is: `check` fails first if it is not what the generator makes.
 test: $(VENV)/test-ready check build
-	$(PYTHON) -m pytest
+	$(PYTHON) -m pytest -n auto --dist loadfile
 
 bench: $(VENV)/test-ready build
 	$(PYTHON) -m tests.benchmarks
