@@ -15,7 +15,7 @@ from coscrew_codegen.targets.c import c_type, parameters
 from coscrew_codegen.targets.c_storage import TYPES
 from coscrew_codegen.targets.precision import Precision
 from coscrew_codegen.tiers.table import TIERS
-from tests.attack import TIERED
+from tests.attack import plain_program
 from tests.c_harness import call_of, distinct, is_array
 
 # Where a quantity can lie inside another: whole → part → C members.
@@ -99,8 +99,9 @@ hold({stem}_alloc(-1) == NULL, "{stem}_alloc(-1)");"""
 
 def program(precision: Precision, tier: str = "") -> str:
     """The program for one precision: plain kernels and storage, or the kernels of a tier."""
-    made = [t.operation for t in TIERS if t.name == tier]
-    operations = [made[0](op) for op in TIERED] if made else OPERATIONS
+    made = [t for t in TIERS if t.name == tier]
+    operations = [made[0].operation(op) for op in OPERATIONS
+                  if made[0].has(plain_program(op))] if made else OPERATIONS
     tests = [(op.name, lines) for op in operations
              for lines in (_alone(op, precision, tier), *_aliased(op, precision, tier))]
     tests += [] if tier else _storage(precision)
