@@ -73,6 +73,12 @@ class Operation:
         inputs = ",".join(a.quantity.core for a in self.inputs)
         return f"{inputs}->{','.join(a.quantity.core for a in self.outputs)}"
 
+    @property
+    def tested_bounds(self) -> str:
+        """`normwise` in words; empty where there is none."""
+        parts = ", ".join(f"{name}: {k} u" for name, k in self.normwise)
+        return f"Error <= {parts} of its largest component; searched, not proved." if parts else ""
+
     def truth(self) -> tuple[sp.Expr, ...]:
         """`formula` on the inputs' symbols: every component of every output, row by row."""
         return components(self.formula(*(a.value for a in self.inputs)))

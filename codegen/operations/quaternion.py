@@ -148,7 +148,7 @@ _CONVERSIONS = (
     _op("quaternion_slerp", "qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; "
         "|q1| = |q2| = 1", (_q1, _q2, _k), (_qo,), 
         lambda p, q, k: vector(special.slerp, 4, *p, *q, k),
-        _slerp, (("qo", 10),)),
+        _slerp, (("qo", 12),)),
 )
 
 OPERATIONS = (*(op for op in linear_space(FAMILY, QUATERNION, "q")

@@ -149,7 +149,7 @@ class _Writer:
         return comment_of([f"{self.operation.statement}.{remark}",
                            f"{in_words(parameters(self.operation))}.",
                            f"{counts_in_words(self.program).capitalize()}.",
-                           bounds.in_words(self.program)])
+                           bounds.in_words(self.program) or self.operation.tested_bounds])
 
     def _parameter(self, argument: Argument) -> str:
         kind = c_type(argument.quantity, self.precision)

@@ -74,7 +74,8 @@ def docstring_of(operation: Operation, program: Program) -> str:
     """Equation, shapes, units, cost: the docstring of the operation in Python."""
     arguments = tuple({a.name: a for a in (*operation.inputs, *operation.outputs)}.values())
     remark = f"  {operation.remark}" if operation.remark else ""
-    cost = f"{counts_in_words(program).capitalize()}.  {bounds.in_words(program)}".rstrip()
+    bound = bounds.in_words(program) or operation.tested_bounds
+    cost = f"{counts_in_words(program).capitalize()}.  {bound}".rstrip()
     shapes = f"{operation.signature}.  {in_words(arguments)}."
     paragraphs = (f"{operation.statement}.{remark}", "", shapes, cost)
     return "\n".join(row for paragraph in paragraphs

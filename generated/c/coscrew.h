@@ -10010,7 +10010,8 @@ static inline void ksl_product_qconjv(const ksl_quaternion_t *q, const ksl_vec3_
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-   20 mul, 16 add, 1 div. */
+   20 mul, 16 add, 1 div.
+   Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
   const double squares_0 = q->w * q->w;
   const double squares_1 = q->x * q->x;
@@ -10056,7 +10057,8 @@ static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-   4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select. */
+   4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
+   Error <= qo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quaternion_t *qo) {
   const double p_0 = R->m21 - R->m12;
   const double p_1 = R->m02 - R->m20;
@@ -10105,7 +10107,8 @@ static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quatern
 
 /* qo = (cos angle/2; axis sin angle/2); axis of length 1.
    axis: vector; angle: number; qo: quaternion (w; x, y, z), the scalar first.
-   4 mul, 1 sin, 1 cos. */
+   4 mul, 1 sin, 1 cos.
+   Error <= qo: 3 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const double angle,
     ksl_quaternion_t *qo) {
   const double half = 0.5 * angle;
@@ -10123,7 +10126,8 @@ static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const 
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where angle
      = 0; any multiple of a quaternion.
    q: quaternion (w; x, y, z), the scalar first; axis: vector.
-   8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select. */
+   8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
+   Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
 static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, ksl_vec3_t *axis) {
   const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
   const double upper_1a = -q->x, upper_1 = q->w < 0.0 ? upper_1a : q->x;
@@ -10159,7 +10163,8 @@ static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, k
 
 /* qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the rotation vector v.
    v: vector; qo: quaternion (w; x, y, z), the scalar first.
-   34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select. */
+   34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.
+   Error <= qo: 7 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo) {
   const double h_0 = 0.5 * v->x;
   const double h_1 = 0.5 * v->y;
@@ -10199,7 +10204,8 @@ static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo)
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (w; x, y, z), the scalar first; vo: vector.
-   11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select. */
+   11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.
+   Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
   const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
   const double upper_1a = -q->x, upper_1 = q->w < 0.0 ? upper_1a : q->x;
@@ -10235,7 +10241,8 @@ static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo)
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (w; x, y, z), the scalar first; k: number.
    76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16
-     select. */
+     select.
+   Error <= qo: 12 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
     const double k, ksl_quaternion_t *qo) {
   const double between_0a = q1->w * q2->w, between_0b = q1->x * q2->x, between_0c = q1->y * q2->y,
@@ -10618,7 +10625,8 @@ static inline void ksl_product_qconjvf(const ksl_quaternionf_t *q, const ksl_vec
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-   20 mul, 16 add, 1 div. */
+   20 mul, 16 add, 1 div.
+   Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_mat3x3f_t *R) {
   const float squares_0 = q->w * q->w;
   const float squares_1 = q->x * q->x;
@@ -10664,7 +10672,8 @@ static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_m
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-   4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select. */
+   4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
+   Error <= qo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quaternionf_t *qo) {
   const float p_0 = R->m21 - R->m12;
   const float p_1 = R->m02 - R->m20;
@@ -10713,7 +10722,8 @@ static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quate
 
 /* qo = (cos angle/2; axis sin angle/2); axis of length 1.
    axis: vector; angle: number; qo: quaternion (w; x, y, z), the scalar first.
-   4 mul, 1 sin, 1 cos. */
+   4 mul, 1 sin, 1 cos.
+   Error <= qo: 3 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
     ksl_quaternionf_t *qo) {
   const float half = 0.5f * angle;
@@ -10731,7 +10741,8 @@ static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, cons
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where angle
      = 0; any multiple of a quaternion.
    q: quaternion (w; x, y, z), the scalar first; axis: vector.
-   8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select. */
+   8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
+   Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
 static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, ksl_vec3f_t *axis) {
   const float upper_0a = -q->w, upper_0 = q->w < 0.0f ? upper_0a : q->w;
   const float upper_1a = -q->x, upper_1 = q->w < 0.0f ? upper_1a : q->x;
@@ -10766,7 +10777,8 @@ static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, 
 
 /* qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the rotation vector v.
    v: vector; qo: quaternion (w; x, y, z), the scalar first.
-   34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select. */
+   34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.
+   Error <= qo: 7 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *qo) {
   const float h_0 = 0.5f * v->x;
   const float h_1 = 0.5f * v->y;
@@ -10804,7 +10816,8 @@ static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (w; x, y, z), the scalar first; vo: vector.
-   11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select. */
+   11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.
+   Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *vo) {
   const float upper_0a = -q->w, upper_0 = q->w < 0.0f ? upper_0a : q->w;
   const float upper_1a = -q->x, upper_1 = q->w < 0.0f ? upper_1a : q->x;
@@ -10839,7 +10852,8 @@ static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (w; x, y, z), the scalar first; k: number.
    76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16
-     select. */
+     select.
+   Error <= qo: 12 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_slerp(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
     const float k, ksl_quaternionf_t *qo) {
   const float between_0a = q1->w * q2->w, between_0b = q1->x * q2->x, between_0c = q1->y * q2->y,
@@ -10956,7 +10970,8 @@ static inline ksl_quaternionf_t *ksl_quaternionf_alloc(int n) {
 
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   48 mul, 67 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select. */
+   48 mul, 67 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select.
+   Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double shifted_0 = v->x + 1610612736.0;
   const double shifted_1 = v->y + 1610612736.0;
@@ -11051,7 +11066,8 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   11 mul, 26 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select. */
+   11 mul, 26 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
+   Error <= vo: 8 u of its largest component; searched, not proved. */
 static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double p_0 = R->m21 - R->m12;
   const double p_1 = R->m02 - R->m20;
@@ -11114,7 +11130,8 @@ static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
 
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 11 select. */
+   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 11 select.
+   Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double shifted_0 = v->x + 1610612736.0;
   const double shifted_1 = v->y + 1610612736.0;
@@ -11220,7 +11237,8 @@ static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 5 less, 11 select. */
+   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 5 less, 11 select.
+   Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double shifted_0 = v->x + 1610612736.0;
   const double shifted_1 = v->y + 1610612736.0;
@@ -11327,7 +11345,8 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
-   42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 6 less, 11 select. */
+   42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 6 less, 11 select.
+   Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double shifted_0 = v->x + 1610612736.0;
   const double shifted_1 = v->y + 1610612736.0;
@@ -11421,7 +11440,8 @@ static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
-   42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 6 less, 11 select. */
+   42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 6 less, 11 select.
+   Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double shifted_0 = v->x + 1610612736.0;
   const double shifted_1 = v->y + 1610612736.0;
@@ -11514,7 +11534,8 @@ static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_
 
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
-   15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select. */
+   15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
+   Error <= R: 8 u of its largest component; searched, not proved. */
 static inline void ksl_mat3x3_from_axis_angle(const ksl_vec3_t *axis, const double angle,
     ksl_mat3x3_t *R) {
   const double half = 0.5 * angle;
@@ -11560,7 +11581,8 @@ static inline void ksl_mat3x3_from_axis_angle(const ksl_vec3_t *axis, const doub
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
    R: rotation or other 3×3 matrix; axis: vector.
-   8 mul, 26 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select. */
+   8 mul, 26 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
+   Error <= angle: 8 u, axis: 5 u of its largest component; searched, not proved. */
 static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
   const double p_0 = R->m21 - R->m12;
   const double p_1 = R->m02 - R->m20;
@@ -11760,7 +11782,8 @@ static inline void ksl_mat3x3_orthonormalized(const ksl_mat3x3_t *R, ksl_mat3x3_
 
 /* D = exp s = [exp ω~ | J_l(ω) v].
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-   79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 12 select. */
+   79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 12 select.
+   Error <= R: 5 u, t: 8 u of its largest component; searched, not proved. */
 static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
   const double shifted_0 = s->m3 + 1610612736.0;
   const double shifted_1 = s->m4 + 1610612736.0;
@@ -11888,7 +11911,8 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
 
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   50 mul, 55 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select. */
+   50 mul, 55 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select.
+   Error <= lin: 14 u, ang: 8 u of its largest component; searched, not proved. */
 static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double p_0 = D->m21 - D->m12;
   const double p_1 = D->m02 - D->m20;
@@ -11992,7 +12016,8 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 5 less, 13 select. */
+   120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 5 less, 13 select.
+   Error <= M: 20 u of its largest component; searched, not proved. */
 static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double shifted_0 = s->m3 + 1610612736.0;
   const double shifted_1 = s->m4 + 1610612736.0;
@@ -12187,7 +12212,8 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
 
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 5 less, 13 select. */
+   120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 5 less, 13 select.
+   Error <= M: 20 u of its largest component; searched, not proved. */
 static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double shifted_0 = s->m3 + 1610612736.0;
   const double shifted_1 = s->m4 + 1610612736.0;
@@ -12382,7 +12408,8 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
 
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 6 less, 16 select. */
+   181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 6 less, 16 select.
+   Error <= M: 22 u of its largest component; searched, not proved. */
 static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double shifted_0 = s->m3 + 1610612736.0;
   const double shifted_1 = s->m4 + 1610612736.0;
@@ -12623,7 +12650,8 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
 
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 6 less, 16 select. */
+   181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 6 less, 16 select.
+   Error <= M: 22 u of its largest component; searched, not proved. */
 static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double shifted_0 = s->m3 + 1610612736.0;
   const double shifted_1 = s->m4 + 1610612736.0;
@@ -12865,7 +12893,8 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
 /* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
    207 mul, 200 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 17 less, 1 equal, 39
-     select. */
+     select.
+   Error <= R: 12 u, t: 20 u of its largest component; searched, not proved. */
 static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2, const double k,
     ksl_SE3_t *Do) {
   const double apart_0 = D2->m03 - D1->m03;
@@ -13194,7 +13223,8 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
 
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   48 mul, 67 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select. */
+   48 mul, 67 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select.
+   Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float shifted_0 = v->x + 49152.0f;
   const float shifted_1 = v->y + 49152.0f;
@@ -13286,7 +13316,8 @@ static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   11 mul, 26 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select. */
+   11 mul, 26 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
+   Error <= vo: 8 u of its largest component; searched, not proved. */
 static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const float p_0 = R->m21 - R->m12;
   const float p_1 = R->m02 - R->m20;
@@ -13348,7 +13379,8 @@ static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
 
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 11 select. */
+   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 11 select.
+   Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float shifted_0 = v->x + 49152.0f;
   const float shifted_1 = v->y + 49152.0f;
@@ -13449,7 +13481,8 @@ static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
 
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 5 less, 11 select. */
+   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 5 less, 11 select.
+   Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float shifted_0 = v->x + 49152.0f;
   const float shifted_1 = v->y + 49152.0f;
@@ -13551,7 +13584,8 @@ static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
-   42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 6 less, 11 select. */
+   42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 6 less, 11 select.
+   Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float shifted_0 = v->x + 49152.0f;
   const float shifted_1 = v->y + 49152.0f;
@@ -13643,7 +13677,8 @@ static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
-   42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 6 less, 11 select. */
+   42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 6 less, 11 select.
+   Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float shifted_0 = v->x + 49152.0f;
   const float shifted_1 = v->y + 49152.0f;
@@ -13734,7 +13769,8 @@ static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x
 
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
-   15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select. */
+   15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
+   Error <= R: 8 u of its largest component; searched, not proved. */
 static inline void ksl_mat3x3f_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
     ksl_mat3x3f_t *R) {
   const float half = 0.5f * angle;
@@ -13780,7 +13816,8 @@ static inline void ksl_mat3x3f_from_axis_angle(const ksl_vec3f_t *axis, const fl
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
    R: rotation or other 3×3 matrix; axis: vector.
-   8 mul, 26 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select. */
+   8 mul, 26 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
+   Error <= angle: 8 u, axis: 5 u of its largest component; searched, not proved. */
 static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *axis) {
   const float p_0 = R->m21 - R->m12;
   const float p_1 = R->m02 - R->m20;
@@ -13979,7 +14016,8 @@ static inline void ksl_mat3x3f_orthonormalized(const ksl_mat3x3f_t *R, ksl_mat3x
 
 /* D = exp s = [exp ω~ | J_l(ω) v].
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-   79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 12 select. */
+   79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 12 select.
+   Error <= R: 5 u, t: 8 u of its largest component; searched, not proved. */
 static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
   const float shifted_0 = s->m3 + 49152.0f;
   const float shifted_1 = s->m4 + 49152.0f;
@@ -14102,7 +14140,8 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
 
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   50 mul, 55 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select. */
+   50 mul, 55 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select.
+   Error <= lin: 14 u, ang: 8 u of its largest component; searched, not proved. */
 static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float p_0 = D->m21 - D->m12;
   const float p_1 = D->m02 - D->m20;
@@ -14203,7 +14242,8 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 5 less, 13 select. */
+   120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 5 less, 13 select.
+   Error <= M: 20 u of its largest component; searched, not proved. */
 static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float shifted_0 = s->m3 + 49152.0f;
   const float shifted_1 = s->m4 + 49152.0f;
@@ -14389,7 +14429,8 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
 
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 5 less, 13 select. */
+   120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 5 less, 13 select.
+   Error <= M: 20 u of its largest component; searched, not proved. */
 static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float shifted_0 = s->m3 + 49152.0f;
   const float shifted_1 = s->m4 + 49152.0f;
@@ -14575,7 +14616,8 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
 
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 6 less, 16 select. */
+   181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 6 less, 16 select.
+   Error <= M: 22 u of its largest component; searched, not proved. */
 static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float shifted_0 = s->m3 + 49152.0f;
   const float shifted_1 = s->m4 + 49152.0f;
@@ -14806,7 +14848,8 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
 
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 6 less, 16 select. */
+   181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 6 less, 16 select.
+   Error <= M: 22 u of its largest component; searched, not proved. */
 static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float shifted_0 = s->m3 + 49152.0f;
   const float shifted_1 = s->m4 + 49152.0f;
@@ -15038,7 +15081,8 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
 /* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
    207 mul, 200 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 17 less, 1 equal, 39
-     select. */
+     select.
+   Error <= R: 12 u, t: 20 u of its largest component; searched, not proved. */
 static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     const float k, ksl_SE3f_t *Do) {
   const float apart_0 = D2->m03 - D1->m03;

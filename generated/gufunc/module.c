@@ -74,7 +74,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "6ca6251de89d902a") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "08ac65e9f50f5a6f") < 0) {
     Py_DECREF(module);
     return NULL;
   }

@@ -12,7 +12,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "6ca6251de89d902a")
+COMPILED: bool = is_compiled("coscrew._gufunc", "08ac65e9f50f5a6f")
 
 if COMPILED:
     from coscrew._gufunc import (

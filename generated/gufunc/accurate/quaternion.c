@@ -1115,14 +1115,15 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.\n"
     "\n"
     "(4)->(3,3).  q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.\n"
-    "41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.\n",
+    "41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.  Error <= R: 5\n"
+    "u of its largest component; searched, not proved.\n",
    1, 1, mat3x3_from_quaternion_loops},
   {"quaternion_from_mat3x3", "(3,3)->(4)",
     "qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.\n"
     "\n"
     "(3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.\n"
     "21 mul, 248 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37\n"
-    "select.\n",
+    "select.  Error <= qo: 5 u of its largest component; searched, not proved.\n",
    1, 1, quaternion_from_mat3x3_loops},
   {"axis_angle_from_quaternion", "(4)->(),(3)",
     "angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where\n"
@@ -1130,7 +1131,8 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "\n"
     "(4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.\n"
     "23 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8\n"
-    "less, 8 equal, 23 select.\n",
+    "less, 8 equal, 23 select.  Error <= angle: 5 u, axis: 4 u of its largest component;\n"
+    "searched, not proved.\n",
    1, 2, axis_angle_from_quaternion_loops},
   {"quaternion_log", "(4)->(3)",
     "vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of\n"
@@ -1138,7 +1140,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "\n"
     "(4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.\n"
     "25 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8\n"
-    "less, 7 equal, 20 select.\n",
+    "less, 7 equal, 20 select.  Error <= vo: 5 u of its largest component; searched, not proved.\n",
    1, 1, quaternion_log_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

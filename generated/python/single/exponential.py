@@ -13,7 +13,8 @@ def SO3_exp(v):
     """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    48 mul, 67 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select.
+    48 mul, 67 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select.  Error <= R: 5 u of its
+    largest component; searched, not proved.
     """
     v_0, v_1, v_2 = v
     shifted_0 = v_0 + 49152
@@ -119,7 +120,8 @@ def SO3_log(R):
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    11 mul, 26 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
+    11 mul, 26 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.  Error <=
+    vo: 8 u of its largest component; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -182,7 +184,8 @@ def SO3_leftJacobian(v):
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 11 select.
+    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 11 select.  Error <= R: 5 u of its
+    largest component; searched, not proved.
     """
     v_0, v_1, v_2 = v
     shifted_0 = v_0 + 49152
@@ -309,7 +312,8 @@ def SO3_rightJacobian(v):
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 5 less, 11 select.
+    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 5 less, 11 select.  Error <= R: 5 u of
+    its largest component; searched, not proved.
     """
     v_0, v_1, v_2 = v
     shifted_0 = v_0 + 49152
@@ -437,7 +441,8 @@ def SO3_leftJacobianInverse(v):
     but 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 6 less, 11 select.
+    42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 6 less, 11 select.  Error <= R: 5 u of
+    its largest component; searched, not proved.
     """
     v_0, v_1, v_2 = v
     shifted_0 = v_0 + 49152
@@ -536,7 +541,8 @@ def SO3_rightJacobianInverse(v):
     but 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 6 less, 11 select.
+    42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 6 less, 11 select.  Error <= R: 5 u of its
+    largest component; searched, not proved.
     """
     v_0, v_1, v_2 = v
     shifted_0 = v_0 + 49152
@@ -634,7 +640,8 @@ def mat3x3_from_axis_angle(axis, angle):
     """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
 
     (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
-    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
+    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 8 u of its largest component;
+    searched, not proved.
     """
     axis_0, axis_1, axis_2 = axis
     half = 0.5 * angle
@@ -674,7 +681,8 @@ def axis_angle_from_mat3x3(R):
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    8 mul, 26 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
+    8 mul, 26 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.  Error <=
+    angle: 8 u, axis: 5 u of its largest component; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -807,7 +815,8 @@ def SE3_exp(s):
     """D = exp s = [exp ω~ | J_l(ω) v].
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-    79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 12 select.
+    79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 12 select.  Error <= R: 5 u, t: 8 u of
+    its largest component; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     shifted_0 = s_3 + 49152
@@ -952,7 +961,8 @@ def SE3_log(D):
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    50 mul, 55 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select.
+    50 mul, 55 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select.  Error <=
+    lin: 14 u, ang: 8 u of its largest component; searched, not proved.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     p_0 = D_21 - D_12
@@ -1067,7 +1077,8 @@ def SE3_leftJacobian(s):
     """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 5 less, 13 select.
+    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 5 less, 13 select.  Error <= M: 20 u of its
+    largest component; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     shifted_0 = s_3 + 49152
@@ -1270,7 +1281,8 @@ def SE3_rightJacobian(s):
     """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 5 less, 13 select.
+    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 5 less, 13 select.  Error <= M: 20 u
+    of its largest component; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     shifted_0 = s_3 + 49152
@@ -1473,7 +1485,8 @@ def SE3_leftJacobianInverse(s):
     """M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 6 less, 16 select.
+    181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 6 less, 16 select.  Error <= M: 22 u
+    of its largest component; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     shifted_0 = s_3 + 49152
@@ -1709,7 +1722,8 @@ def SE3_rightJacobianInverse(s):
     """M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 6 less, 16 select.
+    181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 6 less, 16 select.  Error <= M: 22 u
+    of its largest component; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     shifted_0 = s_3 + 49152
@@ -1946,7 +1960,7 @@ def SE3_interpolated(D1, D2, k):
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
     207 mul, 200 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 17 less, 1 equal, 39
-    select.
+    select.  Error <= R: 12 u, t: 20 u of its largest component; searched, not proved.
     """
     D1_00, D1_01, D1_02, D1_03, D1_10, D1_11, D1_12, D1_13, D1_20, D1_21, D1_22, D1_23 = D1
     D2_00, D2_01, D2_02, D2_03, D2_10, D2_11, D2_12, D2_13, D2_20, D2_21, D2_22, D2_23 = D2

@@ -296,7 +296,8 @@ static inline void ksl_product_qconjv(const ksl_quaternion_t *q, const ksl_vec3_
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-   20 mul, 16 add, 1 div. */
+   20 mul, 16 add, 1 div.
+   Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
   const double squares_0 = q->w * q->w;
   const double squares_1 = q->x * q->x;
@@ -342,7 +343,8 @@ static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-   4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select. */
+   4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
+   Error <= qo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quaternion_t *qo) {
   const double p_0 = R->m21 - R->m12;
   const double p_1 = R->m02 - R->m20;
@@ -391,7 +393,8 @@ static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quatern
 
 /* qo = (cos angle/2; axis sin angle/2); axis of length 1.
    axis: vector; angle: number; qo: quaternion (w; x, y, z), the scalar first.
-   4 mul, 1 sin, 1 cos. */
+   4 mul, 1 sin, 1 cos.
+   Error <= qo: 3 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const double angle,
     ksl_quaternion_t *qo) {
   const double half = 0.5 * angle;
@@ -409,7 +412,8 @@ static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const 
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where angle
      = 0; any multiple of a quaternion.
    q: quaternion (w; x, y, z), the scalar first; axis: vector.
-   8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select. */
+   8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
+   Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
 static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, ksl_vec3_t *axis) {
   const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
   const double upper_1a = -q->x, upper_1 = q->w < 0.0 ? upper_1a : q->x;
@@ -445,7 +449,8 @@ static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, k
 
 /* qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the rotation vector v.
    v: vector; qo: quaternion (w; x, y, z), the scalar first.
-   34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select. */
+   34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.
+   Error <= qo: 7 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo) {
   const double h_0 = 0.5 * v->x;
   const double h_1 = 0.5 * v->y;
@@ -485,7 +490,8 @@ static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo)
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (w; x, y, z), the scalar first; vo: vector.
-   11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select. */
+   11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.
+   Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
   const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
   const double upper_1a = -q->x, upper_1 = q->w < 0.0 ? upper_1a : q->x;
@@ -521,7 +527,8 @@ static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo)
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (w; x, y, z), the scalar first; k: number.
    76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16
-     select. */
+     select.
+   Error <= qo: 12 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
     const double k, ksl_quaternion_t *qo) {
   const double between_0a = q1->w * q2->w, between_0b = q1->x * q2->x, between_0c = q1->y * q2->y,
@@ -904,7 +911,8 @@ static inline void ksl_product_qconjvf(const ksl_quaternionf_t *q, const ksl_vec
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-   20 mul, 16 add, 1 div. */
+   20 mul, 16 add, 1 div.
+   Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_mat3x3f_t *R) {
   const float squares_0 = q->w * q->w;
   const float squares_1 = q->x * q->x;
@@ -950,7 +958,8 @@ static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_m
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-   4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select. */
+   4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
+   Error <= qo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quaternionf_t *qo) {
   const float p_0 = R->m21 - R->m12;
   const float p_1 = R->m02 - R->m20;
@@ -999,7 +1008,8 @@ static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quate
 
 /* qo = (cos angle/2; axis sin angle/2); axis of length 1.
    axis: vector; angle: number; qo: quaternion (w; x, y, z), the scalar first.
-   4 mul, 1 sin, 1 cos. */
+   4 mul, 1 sin, 1 cos.
+   Error <= qo: 3 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
     ksl_quaternionf_t *qo) {
   const float half = 0.5f * angle;
@@ -1017,7 +1027,8 @@ static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, cons
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where angle
      = 0; any multiple of a quaternion.
    q: quaternion (w; x, y, z), the scalar first; axis: vector.
-   8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select. */
+   8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
+   Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
 static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, ksl_vec3f_t *axis) {
   const float upper_0a = -q->w, upper_0 = q->w < 0.0f ? upper_0a : q->w;
   const float upper_1a = -q->x, upper_1 = q->w < 0.0f ? upper_1a : q->x;
@@ -1052,7 +1063,8 @@ static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, 
 
 /* qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the rotation vector v.
    v: vector; qo: quaternion (w; x, y, z), the scalar first.
-   34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select. */
+   34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.
+   Error <= qo: 7 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *qo) {
   const float h_0 = 0.5f * v->x;
   const float h_1 = 0.5f * v->y;
@@ -1090,7 +1102,8 @@ static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (w; x, y, z), the scalar first; vo: vector.
-   11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select. */
+   11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.
+   Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *vo) {
   const float upper_0a = -q->w, upper_0 = q->w < 0.0f ? upper_0a : q->w;
   const float upper_1a = -q->x, upper_1 = q->w < 0.0f ? upper_1a : q->x;
@@ -1125,7 +1138,8 @@ static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (w; x, y, z), the scalar first; k: number.
    76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16
-     select. */
+     select.
+   Error <= qo: 12 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_slerp(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
     const float k, ksl_quaternionf_t *qo) {
   const float between_0a = q1->w * q2->w, between_0b = q1->x * q2->x, between_0c = q1->y * q2->y,

@@ -704,7 +704,8 @@ static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const 
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-   41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select. */
+   41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.
+   Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
   const double squares_0 = q->w * q->w;
   const double squares_1 = q->x * q->x;
@@ -851,7 +852,8 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
    21 mul, 248 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
-     select. */
+     select.
+   Error <= qo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
     ksl_quaternion_t *qo) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
@@ -1067,7 +1069,8 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
      = 0; any multiple of a quaternion.
    q: quaternion (w; x, y, z), the scalar first; axis: vector.
    23 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
-     less, 8 equal, 23 select. */
+     less, 8 equal, 23 select.
+   Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
 static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternion_t *q,
     ksl_vec3_t *axis) {
   const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
@@ -1165,7 +1168,8 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (w; x, y, z), the scalar first; vo: vector.
    25 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8 less,
-     7 equal, 20 select. */
+     7 equal, 20 select.
+   Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
   const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
   const double upper_1a = -q->x, upper_1 = q->w < 0.0 ? upper_1a : q->x;
@@ -1513,7 +1517,8 @@ static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *q, cons
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-   20 mul, 16 add, 1 div. */
+   20 mul, 16 add, 1 div.
+   Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t *q,
     ksl_mat3x3f_t *R) {
   const double squares_0 = (double)q->w * (double)q->w;
@@ -1563,7 +1568,8 @@ static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t 
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-   4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select. */
+   4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
+   Error <= qo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
     ksl_quaternionf_t *qo) {
   const double p_0 = (double)R->m21 - (double)R->m12;
@@ -1614,7 +1620,8 @@ static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where angle
      = 0; any multiple of a quaternion.
    q: quaternion (w; x, y, z), the scalar first; axis: vector.
-   8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select. */
+   8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
+   Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
 static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternionf_t *q,
     ksl_vec3f_t *axis) {
   const double upper_0a = -(double)q->w, upper_0 = (double)q->w < 0.0 ? upper_0a : (double)q->w;
@@ -1651,7 +1658,8 @@ static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternio
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (w; x, y, z), the scalar first; vo: vector.
-   11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select. */
+   11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.
+   Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_vec3f_t *vo) {
   const double upper_0a = -(double)q->w, upper_0 = (double)q->w < 0.0 ? upper_0a : (double)q->w;
   const double upper_1a = -(double)q->x, upper_1 = (double)q->w < 0.0 ? upper_1a : (double)q->x;

@@ -1191,7 +1191,8 @@ def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.float64] | None = ...) 
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
-    41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.
+    41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.  Error <= R: 5
+    u of its largest component; searched, not proved.
     """
 
 def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1199,7 +1200,7 @@ def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) 
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
     21 mul, 248 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
-    select.
+    select.  Error <= qo: 5 u of its largest component; searched, not proved.
     """
 
 def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -1208,7 +1209,8 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float64] | No
 
     (4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.
     23 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
-    less, 8 equal, 23 select.
+    less, 8 equal, 23 select.  Error <= angle: 5 u, axis: 4 u of its largest component;
+    searched, not proved.
     """
 
 def quaternion_log(q: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1217,7 +1219,7 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArr
 
     (4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.
     25 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
-    less, 7 equal, 20 select.
+    less, 7 equal, 20 select.  Error <= vo: 5 u of its largest component; searched, not proved.
     """
 
 def SO3_log(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1225,7 +1227,7 @@ def SO3_log(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.f
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
     40 mul, 261 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
-    less, 10 equal, 51 select.
+    less, 10 equal, 51 select.  Error <= vo: 8 u of its largest component; searched, not proved.
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -1233,7 +1235,8 @@ def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float64] | None, 
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
     35 mul, 258 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
-    less, 11 equal, 54 select.
+    less, 11 equal, 54 select.  Error <= angle: 8 u, axis: 5 u of its largest component;
+    searched, not proved.
     """
 
 def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
