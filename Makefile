@@ -68,7 +68,7 @@ attack: $(VENV)/test-ready build
 
 # Errors and times of everything on this machine, in about two minutes: build/report/.
 report: $(VENV)/test-ready build
-	$(PYTHON) -m coscrew_codegen report
+	$(PYTHON) -m coscrew_codegen report --hard-cases tests/hard_cases
 
 clean:
 	rm -rf $(VENV) build *.egg-info
