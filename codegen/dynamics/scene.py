@@ -1,0 +1,67 @@
+"""Scene: a model, the effects it calls for, and what to do with it.  Frozen data, no arithmetic."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from coscrew_codegen.dynamics.formulas import Formula
+from coscrew_codegen.dynamics.model import Model, Parameter, Scalar
+from coscrew_codegen.effects.effect import Effect
+
+Setting = Scalar | tuple[Scalar, ...] | Formula | str | None
+
+
+@dataclass(frozen=True)
+class Applied:
+    """An effect where it acts: on a joint, on a body, or under a label of its own (a spring between
+    two bodies); gravity and other effects on everything act on "".  `values` has an entry for each of
+    the effect's parameters."""
+
+    effect: Effect
+    on: str
+    values: Mapping[str, Setting]
+
+
+@dataclass(frozen=True)
+class Expectation:
+    """What a run must reach: |quantity(at) - value| <= rtol |value| + atol."""
+
+    quantity: str  # "q.elbow", "energy", "reaction.elbow.2": as in `record`, one component
+    at: float
+    value: float
+    rtol: float
+    atol: float
+
+
+@dataclass(frozen=True)
+class Run:
+    """How to integrate: `step` is of the emitted integrators, the tolerances of SciPy's."""
+
+    duration: float = 1.0
+    integrator: str = "semi-implicit-euler"
+    step: float = 1e-3
+    rtol: float = 1e-9
+    atol: float = 1e-9
+
+
+@dataclass(frozen=True)
+class Scene:
+    """All that a scene file says."""
+
+    name: str  # a C and Python identifier
+    model: Model
+    effects: tuple[Applied, ...] = ()
+    parameters: tuple[Parameter, ...] = ()  # what stays an argument, in the order of `runtime`
+    precision: str = "double"  # double, single, both
+    start_q: Mapping[str, tuple[float, ...]] = field(default_factory=dict)  # by joint
+    start_v: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
+    record: tuple[str, ...] = ("q", "v")
+    every: float = 0.01
+    run: Run = Run()
+    expectations: tuple[Expectation, ...] = ()
+    unused: tuple[str, ...] = ()  # physical numbers of the model that nothing here uses, one a line
+
+
+def zero(value: Setting) -> bool:
+    """Whether this is the number zero."""
+    return isinstance(value, Fraction) and value == 0

@@ -1,0 +1,81 @@
+"""What an effect is: its catalogue entry, and the slots of the dynamics it fills.
+
+An effect's file knows no other effect and no algorithm: it gets the state where it acts as Numbers, and
+answers with accelerations, forces and inertias.  Slots it leaves None cost nothing.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from enum import Enum
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from coscrew_codegen.dynamics.record import Number
+    from coscrew_codegen.dynamics.states import BodyState, JointState
+
+Values = Mapping[str, object]  # parameter → Number, tuple of Numbers, Formula's Number, str or None
+
+
+class Place(Enum):
+    """What an effect acts on."""
+
+    SCENE = "the whole scene"
+    JOINT = "a joint with one coordinate"
+    BODY = "a body"
+    PAIR = "two bodies"
+
+
+@dataclass(frozen=True)
+class ParameterOf:
+    """A parameter of an effect, as scene files write it."""
+
+    name: str
+    unit: str
+    words: str
+    kind: str = "number"  # number, vector (three numbers), formula (number or function of t), formulas
+    # (three of them), choice, body
+    default: object = None  # a number or a tuple of numbers as int or Fraction, or a word; None: none
+    required: bool = True  # without default; if not, the value may stay None
+    model: str = ""  # the joint's field that "model" stands for: damping, friction, effort, …
+    choices: tuple[str, ...] = ()
+    positive: bool = False  # refused if zero or below
+    nonnegative: bool = False
+
+
+@dataclass(frozen=True)
+class Torque:
+    """What acts on a joint: force or torque; -∂/∂v and -∂/∂q of it, both at least 0, for implicit
+    steps; its potential energy, where it has one."""
+
+    torque: "Number"
+    damping: "Number | None" = None
+    stiffness: "Number | None" = None
+    energy: "Number | None" = None
+
+
+@dataclass(frozen=True)
+class Force:
+    """What acts on a body: force and moment about the body's origin, in the body's frame; its potential
+    energy, where it has one."""
+
+    force: tuple["Number", "Number", "Number"]
+    moment: tuple["Number", "Number", "Number"]
+    energy: "Number | None" = None
+
+
+@dataclass(frozen=True)
+class Effect:
+    """One entry of the catalogue."""
+
+    name: str
+    words: str  # one line
+    equation: str
+    place: Place
+    parameters: tuple[ParameterOf, ...]
+    base_acceleration: Callable[[Values], tuple["Number", ...]] | None = None  # -g, world frame
+    joint_torque: Callable[["JointState", Values], Torque] | None = None
+    joint_inertia: Callable[[Values], "Number"] | None = None
+    body_force: Callable[["BodyState", Values], Force] | None = None
+    pair_force: Callable[["BodyState", "BodyState", Values], tuple[Force, Force]] | None = None
+    reaction: bool = False  # asks for the joint's reaction function
+    mimic: bool = False  # lets followers follow
