@@ -1,0 +1,81 @@
+"""Plan and trajectory: what a run is asked to do, and what it returns.  Frozen data."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from coscrew_codegen.dynamics.names import did_you_mean
+from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.simulate.system import System
+
+MOST_SAMPLES = 10_000_000
+ADAPTIVE = ("dop853", "radau")
+"""SciPy's integrators, by the names scenes call them."""
+
+
+@dataclass(frozen=True)
+class Plan:
+    """How long to integrate, when to sample (s), how: `step` is of emitted integrators, rtol and atol
+    of SciPy's."""
+
+    until: float
+    every: float
+    integrator: str
+    step: float
+    rtol: float
+    atol: float
+
+    @property
+    def adaptive(self) -> bool:
+        """Whether SciPy integrates."""
+        return self.integrator in ADAPTIVE
+
+    @property
+    def samples(self) -> np.ndarray:
+        """The times of the samples: multiples of `every`, and the end."""
+        count = math.floor(self.until / self.every * (1 + 1e-12))
+        times = self.every * np.arange(count + 1)
+        if self.until - times[-1] > 1e-6 * self.every:
+            return np.append(times, self.until)
+        times[-1] = self.until
+        return times
+
+
+@dataclass(frozen=True)
+class Trajectory:
+    """States at the times of samples; `stopped` says why and where, if before the end."""
+
+    t: np.ndarray  # (n)
+    q: np.ndarray  # (n, nq)
+    v: np.ndarray  # (n, nv)
+    steps: int
+    seconds: float  # that integrating took
+    stopped: str = ""
+    interrupted: bool = False
+
+
+def plan(system: System, until: float | None = None, step: float | None = None,
+         integrator: str | None = None, every: float | None = None) -> Plan:
+    """The scene's plan, with what is given here instead.  Raises SimulateError."""
+    run = system.scene.run
+    every = system.scene.every if every is None else every
+    made = Plan(run.duration if until is None else until, every, integrator or run.integrator,
+                run.step if step is None else step, *_tolerances(system))
+    known = (*(name.replace("_", "-") for name in system.functions.steps), *ADAPTIVE)
+    if made.integrator not in known:
+        raise SimulateError(f"integrator {made.integrator!r}: {did_you_mean(made.integrator, known)}")
+    for name, value in (("until", made.until), ("step", made.step), ("every", made.every)):
+        if not (math.isfinite(value) and value > 0):
+            raise SimulateError(f"{name}: wanted a positive number of seconds; got {value}")
+    if made.until / made.every > MOST_SAMPLES:
+        raise SimulateError(f"{made.until:g} s are {made.until / made.every:.3g} samples, one every "
+                            f"{made.every:g} s; wanted at most {MOST_SAMPLES}")
+    return made
+
+
+def _tolerances(system: System) -> tuple[float, float]:
+    """The scene's, but no finer than 32 roundings of the precision: below, estimates of errors are
+    noise, and the steps would shrink without end."""
+    least = 16 * float(np.finfo(system.dtype).eps)
+    return max(system.scene.run.rtol, least), max(system.scene.run.atol, least)
