@@ -9,6 +9,7 @@ from coscrew_codegen.dynamics.names import did_you_mean
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.system import System
 
+_SAME = 1e-6  # of `every`: times closer than that are the same
 MOST_SAMPLES = 10_000_000
 ADAPTIVE = ("dop853", "radau")
 """SciPy's integrators, by the names scenes call them."""
@@ -17,7 +18,7 @@ ADAPTIVE = ("dop853", "radau")
 @dataclass(frozen=True)
 class Plan:
     """How long to integrate, when to sample (s), how: `step` is of emitted integrators, rtol and atol
-    of SciPy's."""
+    of SciPy's; `also` are further times to sample at."""
 
     until: float
     every: float
@@ -25,6 +26,7 @@ class Plan:
     step: float
     rtol: float
     atol: float
+    also: tuple[float, ...] = ()
 
     @property
     def adaptive(self) -> bool:
@@ -33,13 +35,13 @@ class Plan:
 
     @property
     def samples(self) -> np.ndarray:
-        """The times of the samples: multiples of `every`, and the end."""
-        count = math.floor(self.until / self.every * (1 + 1e-12))
-        times = self.every * np.arange(count + 1)
-        if self.until - times[-1] > 1e-6 * self.every:
-            return np.append(times, self.until)
-        times[-1] = self.until
-        return times
+        """The times of the samples: 0, multiples of `every`, those besides, and the end."""
+        grid = self.every * np.arange(math.floor(self.until / self.every) + 2)
+        also = [t for t in self.also if 0 < t < self.until]
+        inner = np.sort(np.concatenate((grid[1:], also)))
+        inner = inner[inner < self.until - _SAME * self.every]
+        apart = np.diff(inner, prepend=0) > _SAME * self.every
+        return np.concatenate(([0.0], inner[apart], [self.until]))
 
 
 @dataclass(frozen=True)
@@ -56,12 +58,13 @@ class Trajectory:
 
 
 def plan(system: System, until: float | None = None, step: float | None = None,
-         integrator: str | None = None, every: float | None = None) -> Plan:
+         integrator: str | None = None, every: float | None = None,
+         also: tuple[float, ...] = ()) -> Plan:
     """The scene's plan, with what is given here instead.  Raises SimulateError."""
     run = system.scene.run
     every = system.scene.every if every is None else every
     made = Plan(run.duration if until is None else until, every, integrator or run.integrator,
-                run.step if step is None else step, *_tolerances(system))
+                run.step if step is None else step, *tolerances(system), also)
     known = (*(name.replace("_", "-") for name in system.functions.steps), *ADAPTIVE)
     if made.integrator not in known:
         raise SimulateError(f"integrator {made.integrator!r}: {did_you_mean(made.integrator, known)}")
@@ -74,8 +77,8 @@ def plan(system: System, until: float | None = None, step: float | None = None,
     return made
 
 
-def _tolerances(system: System) -> tuple[float, float]:
-    """The scene's, but no finer than 32 roundings of the precision: below, estimates of errors are
-    noise, and the steps would shrink without end."""
-    least = 16 * float(np.finfo(system.dtype).eps)
+def tolerances(system: System) -> tuple[float, float]:
+    """The scene's, but no finer than 16 spacings of the precision: below, estimates of errors are
+    noise, and the steps would shrink without end.  SciPy takes no rtol below 100 spacings in double."""
+    least = max(16 * float(np.finfo(system.dtype).eps), 100 * float(np.finfo(float).eps))
     return max(system.scene.run.rtol, least), max(system.scene.run.atol, least)
