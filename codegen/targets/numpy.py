@@ -13,7 +13,7 @@ from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import (Constant, Input, Instruction, NotANumber, Op, Operand, Program,
                                      Ref, counts_in_words)
 from coscrew_codegen.quantity import Argument, in_words
-from coscrew_codegen.targets.c import WIDTH, listed
+from coscrew_codegen.targets.c_statements import WIDTH, listed
 from coscrew_codegen.targets.precision import DOUBLE, Precision
 
 # spelling, and how tightly it binds
@@ -24,13 +24,14 @@ _SPELLING = {
     Op.PRODUCT_REST: ("product_rest({}, {}, {}, {})", 4),
     Op.ABS: ("absolute({})", 4), Op.SQRT: ("sqrt({})", 4),
     Op.SIN: ("sin({})", 4), Op.COS: ("cos({})", 4), Op.ATAN2: ("arctan2({}, {})", 4),
-    Op.SCALE: ("{} * {}", 2), Op.LESS: ("{} < {}", 0), Op.EQUAL: ("{} == {}", 0),
+    Op.EXP: ("exp({})", 4), Op.TANH: ("tanh({})", 4), Op.SCALE: ("{} * {}", 2),
+    Op.LESS: ("{} < {}", 0), Op.EQUAL: ("{} == {}", 0),
     Op.SELECT: ("where({}, {}, {})", 4),
 }
 _CALLS = 4
 
 _NUMPY = {Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SIN: "sin", Op.COS: "cos", Op.ATAN2: "arctan2",
-          Op.SELECT: "where"}
+          Op.EXP: "exp", Op.TANH: "tanh", Op.SELECT: "where"}
 _EXACT = {Op.PRODUCT_ERROR: "product_error", Op.PRODUCT_REST: "product_rest"}
 
 
