@@ -74,6 +74,8 @@ class Statements:
     def expression(self, step: Instruction) -> str:
         """The right-hand side of one step."""
         operands = [self.operand(x) for x in step.operands]
+        if step.op is Op.NEG and operands[0].startswith("-"):
+            operands = [f"({operands[0]})"]  # -- is another operator
         return _SPELLING[step.op].format(*operands, f=self.working.suffix)
 
     def operand(self, operand: Operand) -> str:
