@@ -7,6 +7,7 @@ import numpy as np
 from scipy.integrate import cumulative_simpson
 
 from coscrew_codegen.simulate.plan import Trajectory
+from coscrew_codegen.simulate.record import largest
 from coscrew_codegen.simulate.system import System
 
 
@@ -39,7 +40,7 @@ def balance(system: System, trajectory: Trajectory) -> Balance:
         work[1] = (t[1] - t[0]) * power.mean()
     change = energy - energy[0]
     defect = np.abs(change - work)
-    at = int(np.argmax(np.where(np.isnan(defect), np.inf, defect)))
+    at = largest(defect)
     scale = max(np.max(np.abs(x)) for x in (kinetic, change, work))
     return Balance(float(energy[0]), float(energy[-1]), float(work[-1]), float(defect[at]),
                    float(t[at]), float(scale))

@@ -9,7 +9,7 @@ from coscrew_codegen.simulate.balance import Balance, balance
 from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
 from coscrew_codegen.simulate.progress import Progress
 from coscrew_codegen.simulate.provenance import provenance
-from coscrew_codegen.simulate.record import differences, record
+from coscrew_codegen.simulate.record import Difference, differences, record
 from coscrew_codegen.simulate.recording import Recording
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import System, system
@@ -67,10 +67,15 @@ def summary(outcomes: tuple[Outcome, ...]) -> str:
     first = outcomes[0]
     parts = [_heading(first), _states(outcomes), _balances(outcomes)]
     if len(outcomes) == 2:
-        rows = differences(*(x.recording for x in outcomes))
-        parts.append(tabulate(rows, ("quantity", "unit", "max |double - single|", "at t, s"),
-                              floatfmt=("", "", ".3g", "g")))
+        parts.append(gaps(differences(*(x.recording for x in outcomes))))
     return "\n\n".join(parts)
+
+
+def gaps(found: tuple[Difference, ...]) -> str:
+    """The table of how far the precisions are apart."""
+    rows = [(x.quantity, x.unit, x.size, x.apart, x.column, x.t) for x in found]
+    return tabulate(rows, ("quantity", "unit", "max |double|", "max |double - single|", "in",
+                           "at t, s"), floatfmt=("", "", ".3g", ".3g", "", "g"))
 
 
 def _heading(outcome: Outcome) -> str:

@@ -29,6 +29,8 @@ def plot(recordings: Sequence[Recording], path: Path) -> None:
             axes.set_ylabel(f"{quantity} [{unit}]")
             _lines(axes, recordings, columns)
         panels[-1].set_xlabel("t [s]")
+        if len(recordings) > 1:
+            panels[0].set_title("double precision solid, single dashed", fontsize=8)
         kept = {"Date": None, "Creator": None} if path.suffix == ".svg" else {"Software": None}
         figure.savefig(temporary, metadata=kept)
 

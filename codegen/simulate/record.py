@@ -1,6 +1,6 @@
 """What `[outputs] record` asks for, computed along a trajectory: from states, all samples at once."""
 
-from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -77,17 +77,34 @@ def reaction_name(system: System, joint: str) -> str:
     return name
 
 
-def differences(double: Recording, single: Recording) -> list[tuple[str, str, float, float]]:
-    """(column, unit, largest |double - single|, at this t) at the samples that both have."""
+@dataclass(frozen=True)
+class Difference:
+    """Where the columns of a quantity differ most between the precisions."""
+
+    quantity: str
+    unit: str
+    size: float  # of the quantity: its largest |double|
+    apart: float  # the largest |double - single|
+    column: str  # where
+    t: float
+
+
+def differences(double: Recording, single: Recording) -> tuple[Difference, ...]:
+    """By quantity and unit, at the samples that both have."""
     n = min(len(double.t), len(single.t))
-    found = []
+    found: dict[tuple[str, str], Difference] = {}
     for i, column in enumerate(double.columns):
-        apart = np.abs(double.values[:n, i] - single.values[:n, i].astype(float))
-        worst = _largest(apart)
-        found.append((column.name, column.unit, float(apart[worst]), float(double.t[worst])))
-    return found
+        values = double.values[:n, i]
+        apart = np.abs(values - single.values[:n, i].astype(float))
+        worst, key = largest(apart), (column.quantity, column.unit)
+        before = found.get(key)
+        size = max(float(np.max(np.abs(values))), before.size if before else 0)
+        new = Difference(*key, size, float(apart[worst]), column.name, float(double.t[worst]))
+        keep = before and not (new.apart > before.apart or np.isnan(new.apart))
+        found[key] = replace(before, size=size) if keep else new
+    return tuple(found.values())
 
 
-def _largest(values: Sequence[float]) -> int:
+def largest(values: np.ndarray) -> int:
     """Where the largest is; what is not a number counts as the largest."""
     return int(np.argmax(np.where(np.isnan(values), np.inf, values)))
