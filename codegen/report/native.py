@@ -53,7 +53,7 @@ class Library:
         written = [np.full((n, *a.quantity.shape[::-1]), np.nan, variant.precision.numpy_type)
                    for a in variant.operation.outputs]
         getattr(loaded(self.path), f"rows_{variant.name}")(
-            ctypes.c_long(n), _pointers((*read, *written)))
+            ctypes.c_long(n), pointers((*read, *written)))
         return tuple(_transposed(x) for x in written)
 
     def time(self, variant: Variant, layout: str, inputs: Arrays, ns: float) -> tuple[float, float]:
@@ -62,8 +62,8 @@ class Library:
         outputs = [np.ones((n, *a.quantity.shape)) for a in variant.operation.outputs]
         arrange = _as_planes if layout == "planes" else _as_structs
         arguments = [arrange(x[:n].astype(real)) for x in (*inputs, *outputs)]
-        run = functools.partial(_time, loaded(self.path), f"{layout}_{variant.name}", n,
-                                _pointers((*arguments, np.zeros(1, real))))
+        run = functools.partial(timed_calls, loaded(self.path), f"{layout}_{variant.name}", n,
+                                pointers((*arguments, np.zeros(1, real))))
         calls = 1
         while (sample := run(calls, 3).min() * n * calls) < _SAMPLE:
             calls *= 2
@@ -87,7 +87,7 @@ def libraries(variants: Sequence[Variant], found: Sequence[Compiler],
         for compiler in found:
             objects = [job.result() for job in jobs[compiler.name]]
             path = folder / f"{compiler.name}.so"
-            _run(compiler.name, "-shared", *objects, "-o", path, "-lm")
+            run_compiler(compiler.name, "-shared", *objects, "-o", path, "-lm")
             yield Library(compiler, path)
     finally:
         pool.shutdown(cancel_futures=True)
@@ -95,12 +95,13 @@ def libraries(variants: Sequence[Variant], found: Sequence[Compiler],
 
 def _object(compiler: Compiler, source: Path) -> Path:
     path = source.with_name(f"{source.stem}_{compiler.name}.o")
-    _run(compiler.name, *compiler.flags.split(), "-fPIC", "-I", coscrew.get_include(), "-c", source,
-         "-o", path)
+    run_compiler(compiler.name, *compiler.flags.split(), "-fPIC", "-I", coscrew.get_include(), "-c",
+                 source, "-o", path)
     return path
 
 
-def _run(*words: str | Path) -> None:
+def run_compiler(*words: str | Path) -> None:
+    """Raises ReportError with what the compiler said."""
     done = subprocess.run(list(map(str, words)), capture_output=True, text=True)
     if done.returncode:
         raise ReportError(f"{words[0]} cannot compile the kernels:\n{done.stderr.strip()}")
@@ -116,15 +117,16 @@ def loaded(path: Path) -> ctypes.CDLL:
     return ctypes.CDLL(str(path))
 
 
-def _time(library: ctypes.CDLL, name: str, n: int, arguments: ctypes.Array, calls: int,
-          repeats: int) -> np.ndarray:
+def timed_calls(library: ctypes.CDLL, name: str, n: int, arguments: ctypes.Array, calls: int,
+                repeats: int) -> np.ndarray:
+    """ns per element of each repeat, by the driver that the library holds."""
     samples = np.empty(repeats)
     library.time_kernel(getattr(library, name), ctypes.c_long(n), arguments, ctypes.c_long(calls),
                         ctypes.c_long(repeats), samples.ctypes.data_as(ctypes.c_void_p))
     return samples
 
 
-def _pointers(arrays: Sequence[np.ndarray]) -> ctypes.Array:
+def pointers(arrays: Sequence[np.ndarray]) -> ctypes.Array:
     """void *[]; the caller keeps the arrays."""
     array = (ctypes.c_void_p * len(arrays))(*(a.ctypes.data for a in arrays))
     array.kept = tuple(arrays)
