@@ -34,7 +34,7 @@ def _bars(axes: Axes, costs: Costs) -> None:
         axes.barh([n + 0.4 * i for n in range(len(rows))], [x.times[i].minimum for x in rows], 0.38,
                   color=colour, label=precision)
     for n, x in enumerate(rows):
-        axes.annotate(f"{x.flops} flops", (0, n + 0.2), (4, 0), textcoords="offset points",
+        axes.annotate(f"{x.flops} flops", (0, n), (4, 0), textcoords="offset points",
                       va="center", fontsize=7, color="white")
     axes.set_yticks([n + 0.2 for n in range(len(rows))], [x.part for x in rows])
     axes.invert_yaxis()
