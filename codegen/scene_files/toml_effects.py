@@ -1,0 +1,258 @@
+"""The tables [effects.*] of a scene file as Applied effects.
+
+An effect on joints or bodies is given for several at once, with `joints = "all"` or a list of them, or
+by tables of its parameters ({ elbow = 0.1 }); or in tables of its own, [effects.stribeck.elbow].
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from coscrew_codegen.dynamics.model import WORLD, Joint, Kind, Model
+from coscrew_codegen.dynamics.names import did_you_mean
+from coscrew_codegen.dynamics.scene import Applied, Setting
+from coscrew_codegen.effects.effect import Effect, ParameterOf, Place
+from coscrew_codegen.scene_files import settings
+from coscrew_codegen.scene_files.tables import Table, described
+
+ALL = "all"
+
+
+@dataclass
+class Use:
+    """What the effects take from the model: (joint, field), as they are read."""
+
+    of_model: set[tuple[str, str]] = field(default_factory=set)
+
+
+def read_effects(effects: Table, model: Model, catalogue: tuple[Effect, ...], use: Use
+                 ) -> tuple[Applied, ...]:
+    """The effects in the catalogue's order, each on joints or bodies in the model's order.
+
+    Raises SceneError for what is unknown, missing, given twice or out of range."""
+    effects.only(*(effect.name for effect in catalogue))
+    readers = {Place.SCENE: _on_scene, Place.JOINT: _on_several, Place.BODY: _on_several,
+               Place.PAIR: _on_pairs}
+    found: list[Applied] = []
+    for effect in catalogue:
+        if effect.name in effects:
+            reading = _Reading(effect, effects.table(effect.name), model, use)
+            found += readers[effect.place](reading)
+    return tuple(found)
+
+
+@dataclass(frozen=True)
+class _Reading:
+    """One effect's table."""
+
+    effect: Effect
+    table: Table
+    model: Model
+    use: Use
+
+    @cached_property
+    def bodies(self) -> tuple[str, ...]:
+        return tuple(body.name for body in self.model.bodies)
+
+    @cached_property
+    def targets(self) -> Mapping[str, Joint | None]:
+        """What the effect can act on, in the model's order: joints, or bodies."""
+        if self.effect.place is Place.JOINT:
+            return {joint.name: joint for joint in self.model.joints if self.suits(joint)}
+        return dict.fromkeys(self.bodies)
+
+    @property
+    def what(self) -> str:
+        return "joint" if self.effect.place is Place.JOINT else "body"
+
+    @property
+    def several(self) -> str:
+        return "joints" if self.effect.place is Place.JOINT else "bodies"
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        return tuple(parameter.name for parameter in self.effect.parameters)
+
+    def suits(self, joint: Joint) -> bool:
+        if self.effect.mimic:
+            return joint.mimic is not None
+        if self.effect.reaction:
+            return joint.kind is not Kind.FIXED
+        return joint.kind in (Kind.REVOLUTE, Kind.PRISMATIC)
+
+    def target(self, table: Table, key: str, name: str) -> str:
+        """The name, if the effect can act on it."""
+        for joint in self.model.joints if self.what == "joint" else ():
+            if joint.name == name and not self.suits(joint):
+                why = "mimics no other" if self.effect.mimic else f"is {joint.kind.value}"
+                table.refuse(key, f"{self.effect.name} cannot act on joint {name!r}, which {why}")
+        return table.known(key, name, self.what, self.targets)
+
+    def values(self, table: Table, given: Mapping[str, object], target: str,
+               named: bool = True) -> dict[str, Setting] | None:
+        """The parameters' values; None if the model lacks one, and the joint was not named."""
+        joint = self.targets.get(target)
+        values: dict[str, Setting] = {}
+        for parameter in self.effect.parameters:
+            raw = given.get(parameter.name, parameter.default if parameter.default == "model"
+                            else None)
+            if raw == "model" and parameter.model:
+                number = getattr(joint, parameter.model, None)
+                if number is None and not named:
+                    return None
+                if number is None:
+                    table.refuse(parameter.name, f"the model has no {parameter.model} for "
+                                                 f"{self.what} {target!r}; wanted a number")
+                settings.refuse_sign(table, parameter, number, f" of joint {target!r}")
+                values[parameter.name] = number
+            elif parameter.name in given:
+                values[parameter.name] = settings.setting(table, parameter, raw, self.bodies)
+            else:
+                values[parameter.name] = settings.default(table, parameter)
+        if joint:
+            self._note_use(joint, given)
+        return values
+
+    def _note_use(self, joint: Joint, given: Mapping[str, object]) -> None:
+        for parameter in self.effect.parameters:
+            if parameter.model and given.get(parameter.name, parameter.default) == "model":
+                self.use.of_model.add((joint.name, parameter.model))
+        if self.effect.mimic:
+            self.use.of_model.add((joint.name, "mimic"))
+
+
+def _on_scene(reading: _Reading) -> list[Applied]:
+    """[effects.gravity] g = …"""
+    table = reading.table
+    table.only(*reading.parameters)
+    applied = Applied(reading.effect, "", reading.values(table, table.values, ""))
+    if reading.effect.mimic:
+        reading.use.of_model |= {(j.name, "mimic") for j in reading.model.joints if j.mimic}
+    return [applied]
+
+
+def _on_several(reading: _Reading) -> list[Applied]:
+    """[effects.viscous] joints = …, d = …, and [effects.viscous.elbow] d = …"""
+    table = reading.table
+    plain = {key: value for key, value in table.values.items()
+             if key in (*reading.parameters, reading.several)}
+    found = list(_on_named(reading, plain))
+    if not plain and len(table.values) == 0:
+        _refuse_nowhere(reading)
+    for key, value in table.values.items():
+        if key not in plain:
+            found.append(_in_own_table(reading, key, value))
+    order = {name: i for i, name in enumerate(reading.targets)}
+    found.sort(key=lambda applied: (order[applied.on], applied.label))
+    for one, next_one in zip(found, found[1:], strict=False):
+        if (one.on, one.label) == (next_one.on, next_one.label):
+            table.refuse(one.on, f"{reading.effect.name} is given twice for {reading.what} "
+                                 f"{one.on!r}; wanted it once")
+    return found
+
+
+def _in_own_table(reading: _Reading, key: str, value: object) -> Applied:
+    """[effects.viscous.elbow], or under a label [effects.wrench.push] body = "tool"."""
+    table = reading.table
+    if not isinstance(value, dict):
+        known = (*reading.parameters, reading.several, *reading.targets)
+        table.refuse(key, f"unknown key; {did_you_mean(key, known)}")
+    own = table.table(key)
+    if reading.what == "body" and "body" in own:
+        own.only("body", *reading.parameters)
+        on = reading.target(own, "body", own.text("body"))
+        return Applied(reading.effect, on, reading.values(own, own.values, on), key)
+    label = "; or body = … under a label" if reading.what == "body" else ""
+    if key not in reading.targets and key not in {j.name for j in reading.model.joints}:
+        known = (*reading.targets, *reading.parameters, reading.several)
+        table.refuse(key, f"no {reading.what} {key!r}{label}; {did_you_mean(key, known)}")
+    on = reading.target(table, key, key)
+    own.only(*reading.parameters)
+    return Applied(reading.effect, on, reading.values(own, own.values, on))
+
+
+def _on_named(reading: _Reading, plain: Mapping[str, object]) -> Iterator[Applied]:
+    """joints = "all" or a list, or the joints that tables of parameters name."""
+    if not plain:
+        return
+    table, several = reading.table, reading.several
+    by_target = {key: table.table(key) for key, value in plain.items()
+                 if isinstance(value, dict) and key != several}
+    for key, of_each in by_target.items():
+        for name in of_each.values:
+            reading.target(of_each, name, name)
+    chosen, named = _chosen(reading, plain.get(several), by_target)
+    for key, of_each in by_target.items():
+        for name in of_each.values:
+            if name not in chosen:
+                of_each.refuse(name, f"is not among the {several} of {table.key(several)}")
+        for name in chosen:
+            if name not in of_each:
+                of_each.missing(name, f"{key} of {reading.what} {name!r}, as for the others")
+    applied = False
+    for name in chosen:
+        given = {key: by_target[key].values[name] if key in by_target else value
+                 for key, value in plain.items() if key != several}
+        values = reading.values(table, given, name, named)
+        if values is not None:
+            applied = True
+            yield Applied(reading.effect, name, values)
+    if not applied:
+        lacking = ", ".join(p.model for p in reading.effect.parameters
+                            if p.model and plain.get(p.name, p.default) == "model")
+        table.refuse("", f"no {reading.what} of the model has {lacking or 'what it needs'}; "
+                         f"wanted numbers, or no {reading.effect.name}")
+
+
+def _chosen(reading: _Reading, several: object, by_target: Mapping[str, Table]
+            ) -> tuple[tuple[str, ...], bool]:
+    """The targets in the model's order, and whether they were named one by one."""
+    table = reading.table
+    if several is None:
+        names = {name for of_each in by_target.values() for name in of_each.values}
+        if not names:
+            _refuse_nowhere(reading)
+    elif several == ALL:
+        return tuple(reading.targets), False
+    elif isinstance(several, list):
+        names = {reading.target(table, reading.several, name)
+                 for name in table.as_texts(reading.several, several)}
+        if not names:
+            table.refuse(reading.several, f'an empty list; wanted "{ALL}" or names')
+    else:
+        table.refuse(reading.several, f'{described(several)}; wanted "{ALL}" or a list of names')
+    return tuple(name for name in reading.targets if name in names), True
+
+
+def _refuse_nowhere(reading: _Reading) -> None:
+    name = reading.table.where
+    reading.table.missing(reading.several, f'{reading.several} = "{ALL}", a list of names, or '
+                                           f"tables [{name}.{reading.what.upper()}]")
+
+
+def _on_pairs(reading: _Reading) -> list[Applied]:
+    """[effects.tendon.LABEL] bodies = [a, b], …"""
+    found = []
+    if not reading.table.values:
+        reading.table.refuse("", f"is empty; wanted tables [{reading.table.where}.LABEL]")
+    for label, value in reading.table.values.items():
+        if not isinstance(value, dict):
+            reading.table.refuse(label, f"{described(value)}; wanted a table under a label, "
+                                        f"[{reading.table.where}.LABEL], with bodies = [a, b]")
+        own = reading.table.table(label)
+        own.only("bodies", *reading.parameters)
+        pair = own.as_texts("bodies", own.value("bodies", "the two bodies, [a, b]"))
+        if len(pair) != 2:
+            own.refuse("bodies", f"a list of {len(pair)}; wanted two bodies")
+        for name in pair:
+            own.known("bodies", name, "body", (WORLD, *reading.bodies))
+        given = {key: value for key, value in own.values.items() if key != "bodies"}
+        values = {**reading.values(own, given, ""), "bodies": pair}
+        found.append(Applied(reading.effect, label, values, label))
+    return found
+
+
+def of_catalogue(catalogue: tuple[Effect, ...], model_field: str) -> ParameterOf | None:
+    """The first parameter that "model" gives this field."""
+    return next((parameter for effect in catalogue for parameter in effect.parameters
+                 if parameter.model == model_field), None)
