@@ -7,7 +7,8 @@ from coscrew_codegen.program import Program
 from coscrew_codegen.quantity import QUANTITIES
 from coscrew_codegen.render import render
 from coscrew_codegen.selection import Selection
-from coscrew_codegen.targets import c, gufunc, numpy
+from coscrew_codegen.targets import gufunc, numpy
+from coscrew_codegen.targets.c_statements import listed
 
 # NumPy's C names for the precisions: type number, DType.
 _NUMPY_C_NAMES = {"double": ("NPY_DOUBLE", "PyArray_DoubleDType"),
@@ -54,4 +55,4 @@ def _module(selection: Selection, operations: tuple[Operation, ...], families: t
 
 def _table(families: tuple[str, ...], name: str, suffix: str) -> str:
     entries = [f"coscrew_{family}_{suffix}" for family in families]
-    return c.listed(f"static const coscrew_gufunc *const {name}[] = {{", entries, "};")
+    return listed(f"static const coscrew_gufunc *const {name}[] = {{", entries, "};")

@@ -27,6 +27,8 @@ class Op(Enum):
     SIN = "sin"
     COS = "cos"
     ATAN2 = "atan2"
+    EXP = "exp"
+    TANH = "tanh"
     SCALE = "scale"  # a b, b a power of two: exact unless the result over- or underflows
     FMA = "fma"  # a b + c, rounded once
     FMS = "fms"  # a b - c, rounded once
@@ -136,6 +138,6 @@ def counts_in_words(program: Program) -> str:
     for op in (Op.EXACT_ADD, Op.EXACT_SUB):
         counts[Op.ADD] += counts.pop(op, 0)
     order = (Op.MUL, Op.ADD, Op.FMA, Op.PRODUCT_ERROR, Op.PRODUCT_REST, Op.DIV, Op.SQRT, Op.SIN,
-             Op.COS, Op.ATAN2, Op.NEG, Op.ABS, Op.LESS, Op.EQUAL, Op.SELECT)
+             Op.COS, Op.ATAN2, Op.EXP, Op.TANH, Op.NEG, Op.ABS, Op.LESS, Op.EQUAL, Op.SELECT)
     words = [f"{counts[op]} {op.value}" for op in order if counts[op]]
     return ", ".join(words) if words else "no arithmetic"

@@ -6,6 +6,7 @@ targets' business.
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import prod
 
 import sympy as sp
 
@@ -31,8 +32,7 @@ class Quantity:
     @property
     def size(self) -> int:
         """Number of components."""
-        rows, columns = self.rows_columns
-        return rows * columns
+        return prod(self.shape)
 
     @property
     def rows_columns(self) -> tuple[int, int]:

@@ -10,7 +10,7 @@ from enum import Enum
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from coscrew_codegen.dynamics.record import Number
+    from coscrew_codegen.dynamics.numbers import Number, Vector
     from coscrew_codegen.dynamics.states import BodyState, JointState
 
 Values = Mapping[str, object]  # parameter → Number, tuple of Numbers, Formula's Number, str or None
@@ -45,22 +45,30 @@ class ParameterOf:
 @dataclass(frozen=True)
 class Torque:
     """What acts on a joint: force or torque; -∂/∂v and -∂/∂q of it, both at least 0, for implicit
-    steps; its potential energy, where it has one."""
+    steps; its potential energy, where it has one; the power of what has none (left out: all of the
+    torque's power if there is no energy, else none)."""
 
     torque: "Number"
     damping: "Number | None" = None
     stiffness: "Number | None" = None
     energy: "Number | None" = None
+    power: "Number | None" = None
 
 
 @dataclass(frozen=True)
 class Force:
-    """What acts on a body: force and moment about the body's origin, in the body's frame; its potential
-    energy, where it has one."""
+    """What acts on a body: a force at a point of it, and a moment, in the body's frame; energy and power
+    as of Torque.
 
-    force: tuple["Number", "Number", "Number"]
-    moment: tuple["Number", "Number", "Number"]
+    `damping` is a bound of -∂force/∂(the point's velocity), in N s/m: implicit steps take it in as a
+    point mass h · damping there."""
+
+    point: "Vector"
+    force: "Vector"
+    moment: "Vector | None" = None
     energy: "Number | None" = None
+    power: "Number | None" = None
+    damping: "Number | None" = None
 
 
 @dataclass(frozen=True)
@@ -72,7 +80,7 @@ class Effect:
     equation: str
     place: Place
     parameters: tuple[ParameterOf, ...]
-    base_acceleration: Callable[[Values], tuple["Number", ...]] | None = None  # -g, world frame
+    gravity: Callable[[Values], "Vector"] | None = None  # in the world's frame
     joint_torque: Callable[["JointState", Values], Torque] | None = None
     joint_inertia: Callable[[Values], "Number"] | None = None
     body_force: Callable[["BodyState", Values], Force] | None = None

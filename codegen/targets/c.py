@@ -1,22 +1,17 @@
 """The C target: functions, comments and names of both precisions.
 
-One operation a statement (declarators count as statements), so that no compiler that contracts
-within expressions can fuse a product into a sum.  Results are stored last: outputs may alias
-inputs.
+Results are stored last: outputs may alias inputs.
 """
 
 import re
-import textwrap
 from dataclasses import dataclass
 
 from coscrew_codegen import bounds
 from coscrew_codegen.operations import Operation
-from coscrew_codegen.program import (Constant, Input, Instruction, NotANumber, Op, Operand, Program,
-                                     by_component, counts_in_words)
+from coscrew_codegen.program import Input, Op, Operand, Program, by_component, counts_in_words
 from coscrew_codegen.quantity import SCALAR, Argument, Quantity, in_words
+from coscrew_codegen.targets.c_statements import WIDTH, Statements, comment_of, listed
 from coscrew_codegen.targets.precision import DOUBLE, Precision
-
-WIDTH = 100
 
 STRUCTS = ("vec3", "mat3x3", "SE3", "screw", "coscrew", "mat6x6", "quaternion", "inertia")
 
@@ -24,18 +19,6 @@ _MEMBERS = {
     "vec3": tuple("xyz"), "quaternion": tuple("wxyz"),
     "inertia": ("m", "h.x", "h.y", "h.z", "xx", "yy", "zz", "xy", "xz", "yz"),
 }
-
-_SPELLING = {
-    Op.ADD: "{} + {}", Op.SUB: "{} - {}", Op.MUL: "{} * {}", Op.DIV: "{} / {}", Op.NEG: "-{}",
-    Op.FMA: "fma{f}({}, {}, {})", Op.FMS: "fma{f}({}, {}, -{})", Op.FNMA: "fma{f}(-{}, {}, {})",
-    Op.EXACT_ADD: "{} + {}", Op.EXACT_SUB: "{} - {}",
-    Op.PRODUCT_ERROR: "ksl_product_error({}, {}, {})",
-    Op.PRODUCT_REST: "ksl_product_rest({}, {}, {}, {})",
-    Op.ABS: "fabs{f}({})", Op.SQRT: "sqrt{f}({})", Op.SIN: "sin{f}({})", Op.COS: "cos{f}({})",
-    Op.ATAN2: "atan2{f}({}, {})", Op.SCALE: "{} * {}",
-    Op.LESS: "{} < {}", Op.EQUAL: "{} == {}", Op.SELECT: "{} ? {} : {}",
-}
-
 
 @dataclass(frozen=True)
 class CFunction:
@@ -107,26 +90,6 @@ def function(operation: Operation, program: Program, precision: Precision,
     return _Writer(operation, program, precision, tier).function()
 
 
-def comment_of(lines: list[str]) -> str:
-    """A C comment of these paragraphs, wrapped."""
-    wrapped = [row for line in lines
-               for row in textwrap.wrap(line, WIDTH - 6, subsequent_indent="  ")]
-    return "/* " + "\n   ".join(wrapped) + " */"
-
-
-def listed(before: str, items: list[str], after: str, width: int = WIDTH) -> str:
-    """`before`, the items with commas, `after`; broken between items, indented by four."""
-    lines = [before]
-    for number, item in enumerate(items):
-        piece = item + (after if number == len(items) - 1 else ",")
-        glue = "" if number == 0 else " "
-        if number and len(lines[-1]) + len(glue) + len(piece) > width:
-            lines.append(f"    {piece}")
-        else:
-            lines[-1] += glue + piece
-    return "\n".join(lines)
-
-
 class _Writer:
     def __init__(self, operation: Operation, program: Program, precision: Precision, tier: str):
         self.operation, self.program, self.precision = operation, program, precision
@@ -134,8 +97,7 @@ class _Writer:
         self.name = c_name(operation.name, precision) + (f"_{tier}" if tier else "")
         self.written = {a.name for a in operation.outputs}
         self.value = returned(operation)
-        self.inlined = {step.name: step for step in program.instructions
-                        if step.op in (Op.LESS, Op.EQUAL)}
+        self.statements = Statements(program, self.working, self._input)
 
     def function(self) -> CFunction:
         kind = c_type(self.value.quantity, self.precision) if self.value else "void"
@@ -163,26 +125,9 @@ class _Writer:
         lines = [f"(void){a.name};" for n, a in enumerate(self.program.inputs)
                  if a.name not in self.written
                  and not any(x.argument == n for x in self.program.used_inputs())]
-        for steps in by_component(self.program):
-            declarators = [f"{step.name} = {self._expression(step)}" for step in steps
-                           if step.name not in self.inlined]
-            lines.append(listed(f"const {self.working.c_type} ", declarators, ";", WIDTH - 2))
+        lines += [self.statements.declared(steps, WIDTH - 2)
+                  for steps in by_component(self.program)]
         return [f"  {line}".replace("\n", "\n  ") for line in (*lines, *self._stores())]
-
-    def _expression(self, step: Instruction) -> str:
-        operands = [self._operand(x) for x in step.operands]
-        return _SPELLING[step.op].format(*operands, f=self.working.suffix)
-
-    def _operand(self, operand: Operand) -> str:
-        if isinstance(operand, Input):
-            widened = f"({self.working.c_type})" if self.program.wide else ""
-            return widened + self._input(operand)
-        if isinstance(operand, Constant):
-            return self.working.literal(operand) + self.working.suffix
-        if isinstance(operand, NotANumber):
-            return f"({self.working.c_type})NAN"
-        return (self._expression(self.inlined[operand.name]) if operand.name in self.inlined
-                else operand.name)
 
     def _input(self, operand: Input) -> str:
         return self._access(self.program.inputs[operand.argument], operand.index)
@@ -192,7 +137,7 @@ class _Writer:
         if isinstance(operand, Input):
             return self._input(operand)
         narrowed = f"({self.precision.c_type})" if self.program.wide else ""
-        return narrowed + self._operand(operand)
+        return narrowed + self.statements.operand(operand)
 
     def _access(self, argument: Argument, index: int) -> str:
         path = member(argument.quantity, index)

@@ -8,7 +8,8 @@ from fractions import Fraction
 from coscrew_codegen.program import Constant
 from coscrew_codegen.quantity import (COSCREW, INERTIA, MAT3X3, MAT6X6, QUATERNION, SCREW, SE3,
                                       VEC3, Quantity)
-from coscrew_codegen.targets.c import WIDTH, CFunction, comment_of, listed, member, type_name
+from coscrew_codegen.targets.c import CFunction, member, type_name
+from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
 from coscrew_codegen.targets.precision import Precision
 
 _FIELDS = {

@@ -13,24 +13,25 @@ from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import (Constant, Input, Instruction, NotANumber, Op, Operand, Program,
                                      Ref, counts_in_words)
 from coscrew_codegen.quantity import Argument, in_words
-from coscrew_codegen.targets.c import WIDTH, listed
+from coscrew_codegen.targets.c_statements import WIDTH, listed
 from coscrew_codegen.targets.precision import DOUBLE, Precision
 
 # spelling, and how tightly it binds
-_SPELLING = {
+SPELLING = {
     Op.ADD: ("{} + {}", 1), Op.SUB: ("{} - {}", 1), Op.MUL: ("{} * {}", 2), Op.DIV: ("{} / {}", 2),
     Op.EXACT_ADD: ("{} + {}", 1), Op.EXACT_SUB: ("{} - {}", 1), Op.NEG: ("-{}", 3),
     Op.PRODUCT_ERROR: ("product_error({}, {}, {})", 4),
     Op.PRODUCT_REST: ("product_rest({}, {}, {}, {})", 4),
     Op.ABS: ("absolute({})", 4), Op.SQRT: ("sqrt({})", 4),
     Op.SIN: ("sin({})", 4), Op.COS: ("cos({})", 4), Op.ATAN2: ("arctan2({}, {})", 4),
-    Op.SCALE: ("{} * {}", 2), Op.LESS: ("{} < {}", 0), Op.EQUAL: ("{} == {}", 0),
+    Op.EXP: ("exp({})", 4), Op.TANH: ("tanh({})", 4), Op.SCALE: ("{} * {}", 2),
+    Op.LESS: ("{} < {}", 0), Op.EQUAL: ("{} == {}", 0),
     Op.SELECT: ("where({}, {}, {})", 4),
 }
-_CALLS = 4
+CALLS = 4
 
-_NUMPY = {Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SIN: "sin", Op.COS: "cos", Op.ATAN2: "arctan2",
-          Op.SELECT: "where"}
+NUMPY_NAMES = {Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SIN: "sin", Op.COS: "cos", Op.ATAN2: "arctan2",
+          Op.EXP: "exp", Op.TANH: "tanh", Op.SELECT: "where"}
 _EXACT = {Op.PRODUCT_ERROR: "product_error", Op.PRODUCT_REST: "product_rest"}
 
 
@@ -86,7 +87,7 @@ def imports(programs: tuple[Program, ...], precision: Precision) -> list[tuple[s
     """(module, names) of the functions these programs call."""
     called: set[Op | str] = {op for program in programs for op in program.counts}
     called |= {kind for program in programs for kind in _types(program, precision)}
-    found = [("numpy", _NUMPY | {kind: kind for kind in ("float32", "float64", "nan")}),
+    found = [("numpy", NUMPY_NAMES | {kind: kind for kind in ("float32", "float64", "nan")}),
              ("coscrew._exact", _EXACT)]
     return [(module, ", ".join(sorted(names[op] for op in called & set(names))))
             for module, names in found if called & set(names)]
@@ -96,11 +97,12 @@ def _types(program: Program, precision: Precision) -> set[str]:
     """The NumPy names that choices need: the type of one between constants, nan."""
     working = DOUBLE if program.wide else precision
     choices = [step for step in program.instructions if step.op is Op.SELECT]
-    return ({working.numpy_type for step in choices if _is_choice_of_constants(step)}
+    return ({working.numpy_type for step in choices if is_choice_of_constants(step)}
             | {"nan" for step in choices if NotANumber() in step.operands})
 
 
-def _is_choice_of_constants(step: Instruction) -> bool:
+def is_choice_of_constants(step: Instruction) -> bool:
+    """Whether NumPy would choose between numbers that have no type."""
     return step.op is Op.SELECT and all(isinstance(x, Constant) for x in step.operands[1:])
 
 
@@ -164,10 +166,10 @@ class _Writer:
         return f"{step.name} = {self._expression(step)[0]}"
 
     def _expression(self, step: Instruction) -> tuple[str, int]:
-        if _is_choice_of_constants(step):
-            return self._choice_of_constants(step), _CALLS
-        spelling, binding = _SPELLING[step.op]
-        needed = [0] * 4 if binding == _CALLS else [binding, binding + 1]
+        if is_choice_of_constants(step):
+            return self._choice_of_constants(step), CALLS
+        spelling, binding = SPELLING[step.op]
+        needed = [0] * 4 if binding == CALLS else [binding, binding + 1]
         operands = [self._operand(x, n) for x, n in zip(step.operands, needed, strict=False)]
         return spelling.format(*operands), binding
 

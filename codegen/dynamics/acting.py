@@ -1,0 +1,186 @@
+"""What a scene's effects do to a motion: torques at joints, forces on links, energies and powers."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from coscrew_codegen.dynamics import numbers as n
+from coscrew_codegen.dynamics.folding import constant_pi
+from coscrew_codegen.dynamics.formulas import Formula
+from coscrew_codegen.dynamics.model import Parameter
+from coscrew_codegen.dynamics.motion import Motion
+from coscrew_codegen.dynamics.numbers import Number, Vector, add, cross, dot, negative, rotated
+from coscrew_codegen.dynamics.record import Recorder
+from coscrew_codegen.dynamics.scene import Applied, Scene, Setting
+from coscrew_codegen.dynamics.states import BodyState, JointState
+from coscrew_codegen.effects.effect import Effect, Force, Torque
+
+
+@dataclass(frozen=True)
+class Pushed:
+    """A force where it acts."""
+
+    state: BodyState
+    force: Force
+
+    @property
+    def on_link(self) -> tuple[Vector, Vector]:
+        """Force and moment about the link's origin, in its frame."""
+        R = self.state.place[0]
+        force = rotated(R, self.force.force)
+        moment = cross(self.state.in_link(self.force.point), force)
+        return force, add(moment, rotated(R, self.force.moment)) if self.force.moment else moment
+
+    @property
+    def power(self) -> Number:
+        """f·v + τ·ω."""
+        power = dot(self.force.force, self.state.velocity(self.force.point))
+        return power + dot(self.force.moment, self.state.turning) if self.force.moment else power
+
+
+class Acting:
+    """The effects of a scene on one motion; each is evaluated once."""
+
+    def __init__(self, scene: Scene, motion: Motion):
+        self.scene, self.motion = scene, motion
+        recorder = motion.recorder
+        self.recorder = recorder
+        self.t = recorder.argument("t")[0] if recorder.has("t") else recorder.number(0)
+        self.torques: dict[int, list[Torque]] = {}
+        self.pushes: dict[int, list[Pushed]] = {}
+
+    def act(self) -> "Acting":
+        """Evaluates the effects, in the order of their files' names and of the scene."""
+        for number, applied in enumerate(self.scene.effects):
+            name = f"{applied.effect.name}_{number}"
+            with self.recorder.part(name, f"{applied.effect.name}"
+                                    + (f" at {applied.on}" if applied.on else "")):
+                self._apply(applied.effect, applied)
+        return self
+
+    def _apply(self, effect: Effect, applied: Applied) -> None:
+        values = settings(self.recorder, applied.values, self.t)
+        if effect.joint_torque:
+            link = self.motion.tree.links.index(self.motion.tree.link_of(applied.on))
+            state = JointState(self.motion.coordinates(link)[0], self.motion.speeds(link)[0], self.t)
+            self.torques.setdefault(link, []).append(effect.joint_torque(state, values))
+        if effect.body_force:
+            state = self._body(applied.on)
+            self._push(state, effect.body_force(state, values))
+        if effect.pair_force:
+            first, second = (self._body(name) for name in applied.values["bodies"])
+            for state, force in zip((first, second), effect.pair_force(first, second, values),
+                                    strict=True):
+                self._push(state, force)
+
+    def _body(self, name: str) -> BodyState:
+        link, placement = self.motion.tree.seat_of(name)
+        place = self.recorder.numbers(placement.R), self.recorder.numbers(placement.t)
+        return BodyState(self.motion, link, place, self.t)
+
+    def _push(self, state: BodyState, force: Force) -> None:
+        self.pushes.setdefault(state.link, []).append(Pushed(state, force))
+
+    # what comes of it
+
+    def torque(self, link: int) -> Number:
+        """The sum of the torques at the joint before a link with one coordinate."""
+        return self._sum(x.torque for x in self.torques.get(link, ()))
+
+    def damping(self, link: int) -> Number:
+        """-∂/∂v of it."""
+        return self._sum(x.damping for x in self.torques.get(link, ()) if x.damping)
+
+    def stiffness(self, link: int) -> Number:
+        """-∂/∂q of it."""
+        return self._sum(x.stiffness for x in self.torques.get(link, ()) if x.stiffness)
+
+    def force(self, link: int) -> tuple[Vector, Vector]:
+        """The sum of the forces on a link: force, moment about its origin, in its frame."""
+        total = self.motion.zero, self.motion.zero
+        for push in self.pushes.get(link, ()):
+            total = tuple(map(add, total, push.on_link))
+        return total
+
+    def resisting(self, link: int) -> list[tuple[Number, Vector]]:
+        """(damping, point in the link) of the forces that have a damping."""
+        return [(push.force.damping, push.state.in_link(push.force.point))
+                for push in self.pushes.get(link, ()) if push.force.damping]
+
+    def potential(self) -> Number:
+        """The energy of the effects that have one."""
+        torques = [x.energy for link in sorted(self.torques) for x in self.torques[link]]
+        pushes = [x.force.energy for link in sorted(self.pushes) for x in self.pushes[link]]
+        return self._sum(x for x in (*torques, *pushes) if x)
+
+    def power(self) -> Number:
+        """What the effects without potential energy feed in, in W; below zero it is dissipated."""
+        total = self.recorder.number(0)
+        for link in sorted(self.torques):
+            speed = self.motion.speeds(link)[0]
+            for x in self.torques[link]:
+                total = total + _own_power(x, lambda x=x, speed=speed: x.torque * speed)
+        for link in sorted(self.pushes):
+            for push in self.pushes[link]:
+                total = total + _own_power(push.force, lambda push=push: push.power)
+        return total
+
+    def _sum(self, values) -> Number:
+        total = self.recorder.number(0)
+        for value in values:
+            total = total + value
+        return total
+
+
+def _own_power(x: Torque | Force, whole) -> Number | int:
+    if x.power is not None:
+        return x.power
+    return whole() if x.energy is None else 0
+
+
+def gravity(scene: Scene, recorder: Recorder) -> Vector | None:
+    """The sum of what the scene's effects say of gravity, in the world's frame."""
+    total = None
+    for applied in scene.effects:
+        if applied.effect.gravity:
+            values = settings(recorder, applied.values, recorder.number(0))
+            own = applied.effect.gravity(values)
+            total = own if total is None else add(total, own)
+    return total
+
+
+def joint_inertias(scene: Scene, recorder: Recorder) -> dict[str, Number]:
+    """What effects add to the inertias of joints, by joint."""
+    total: dict[str, Number] = {}
+    for applied in scene.effects:
+        if applied.effect.joint_inertia:
+            values = settings(recorder, applied.values, recorder.number(0))
+            own = applied.effect.joint_inertia(values)
+            total[applied.on] = total[applied.on] + own if applied.on in total else own
+    return total
+
+
+def settings(recorder: Recorder, values: Mapping[str, Setting], t: Number) -> dict[str, object]:
+    """The values as Numbers, tuples of them, words."""
+    return {name: _setting(recorder, value, t) for name, value in values.items()}
+
+
+def _setting(recorder: Recorder, value: Setting, t: Number) -> object:
+    if isinstance(value, Formula):
+        return value.value(t, _functions(recorder))
+    if isinstance(value, (Fraction, Parameter)):
+        return recorder.number(value)
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return tuple(_setting(recorder, x, t) for x in value)
+    return value
+
+
+def _functions(recorder: Recorder) -> dict[str, object]:
+    return {"sin": n.sin, "cos": n.cos, "exp": n.exp, "tanh": n.tanh, "sqrt": n.sqrt,
+            "abs": n.absolute, "min": n.minimum, "max": n.maximum, "number": recorder.number,
+            "pi": recorder.number(constant_pi())}
+
+
+def opposite(wrench: tuple[Vector, Vector]) -> tuple[Vector, Vector]:
+    """-f, -τ."""
+    return negative(wrench[0]), negative(wrench[1])

@@ -1,0 +1,410 @@
+"""The functions of a scene: each a recording of its own, which holds what its outputs need."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from coscrew_codegen.dynamics import articulated, composite, coordinates, inverse
+from coscrew_codegen.dynamics.acting import Acting, gravity, joint_inertias
+from coscrew_codegen.dynamics.articulated import Articulated
+from coscrew_codegen.dynamics.bodies import Rigid, kinetic_energy, lumped
+from coscrew_codegen.dynamics.formulas import Formula
+from coscrew_codegen.dynamics.function import Function, SceneFunctions
+from coscrew_codegen.dynamics.identifiers import identifiers
+from coscrew_codegen.dynamics.linear import factored
+from coscrew_codegen.dynamics.motion import Motion
+from coscrew_codegen.dynamics.numbers import Number, add, cross, dot, rotated, scaled
+from coscrew_codegen.dynamics.record import Recorder, array, headings
+from coscrew_codegen.dynamics.scene import Applied, Scene
+from coscrew_codegen.dynamics.tree import Tree, tree_of
+from coscrew_codegen.quantity import Argument
+
+STEPS = ("semi_implicit_euler", "linear_implicit_euler", "rk4")
+
+_BODY_FRAME = "in the frame of the body, at its origin"
+
+
+def derive(scene: Scene) -> SceneFunctions:
+    """All functions of a scene."""
+    return _Derivation(scene).functions()
+
+
+def is_timed(scene: Scene) -> bool:
+    """Whether any effect is a function of time."""
+    def timed(value) -> bool:
+        if isinstance(value, tuple):
+            return any(map(timed, value))
+        return isinstance(value, Formula) and value.timed
+
+    return any(timed(value) for x in scene.effects for value in x.values.values())
+
+
+def tree_for(scene: Scene) -> Tree:
+    """The tree a scene simulates: joints follow others where an effect lets them."""
+    return tree_of(scene.model, any(x.effect.mimic for x in scene.effects))
+
+
+@dataclass
+class _Recording:
+    """One function while it is recorded, and what most functions start from."""
+
+    scene: Scene
+    tree: Tree
+    names: tuple[str, ...]
+    recorder: Recorder
+
+    def motion(self, moving: bool = True, accelerating: bool = True, falling: bool = True) -> Motion:
+        """The motion for the function's inputs; `falling`: in the scene's gravity."""
+        down = gravity(self.scene, self.recorder) if falling else None
+        return Motion(self.recorder, self.tree, self.names, down, moving, accelerating)
+
+    @cached_property
+    def rigids(self) -> list[Rigid]:
+        """The inertia of each link."""
+        found = []
+        for name, link in zip(self.names, self.tree.links, strict=True):
+            with self.recorder.part(f"{name}_inertia", link.name):
+                found.append(lumped(self.recorder, link.seats))
+        return found
+
+    @cached_property
+    def inertias(self) -> dict[str, Number]:
+        """What joints have of their own, by joint."""
+        return joint_inertias(self.scene, self.recorder)
+
+    def torques(self, motion: Motion, acting: Acting | None) -> list[Number]:
+        """Inverse dynamics."""
+        wrenches = inverse.transmitted(motion, inverse.net_wrenches(motion, self.rigids, acting))
+        return inverse.joint_torques(motion, wrenches, acting, self.inertias)
+
+
+class _Derivation:
+    def __init__(self, scene: Scene):
+        self.scene, self.tree = scene, tree_for(scene)
+        self.names = identifiers([link.name for link in self.tree.links])
+        bodies = [body.name for body in scene.model.bodies]
+        self.bodies = dict(zip(bodies, identifiers(bodies), strict=True))
+        nq, nv, units = self.tree.nq, self.tree.nv, "positions in m, angles in rad"
+        self.inputs = {
+            "t": array("t", (), "time in s"), "h": array("h", (), "step in s"),
+            "p": array("p", (len(scene.parameters),), "parameters"),
+            "q": array("q", (nq,), f"coordinates: {units}, unit quaternions (w; x, y, z)"),
+            "v": array("v", (nv,), "speeds in m/s, rad/s"),
+            "a": array("a", (nv,), "accelerations in m/s^2, rad/s^2"),
+            "tau": array("tau", (nv,), "forces and torques of joints in N, N m"),
+            "phi": array("phi", (nv,), "displacements along the speeds, in m, rad"),
+        }
+        self.timed = is_timed(scene)
+
+    def functions(self) -> SceneFunctions:
+        """What targets need."""
+        scene, tree = self.scene, self.tree
+        return SceneFunctions(
+            scene.name, tree.nq, tree.nv, tree.coordinates, tuple(self.bodies),
+            tuple((p.name, float(p.value)) for p in scene.parameters), coordinates.neutral(tree),
+            tuple(self._all()), STEPS)
+
+    def _all(self):
+        yield from (self._inverse(), self._forward(), self._mass(), self._bias(), self._gravity(),
+                    self._energy(), self._power(), self._momentum(), self._poses(), self._twists())
+        moving = [body for body in self.bodies if self.tree.seat_of(body)[0] >= 0]
+        yield from map(self._jacobian, moving)
+        asked = [x.on for x in self.scene.effects if x.effect.reaction]
+        joints = [link.joint.name for link in self.tree.links]
+        yield from (self._reaction(joint, name) for joint, name in
+                    zip(joints, identifiers(joints), strict=True) if joint in asked)
+        yield from (self._integrated(), self._implicit())
+        if any(c.kind in ("spherical", "free") for c in self.tree.coordinates):
+            yield self._chart()
+
+    # one function
+
+    def _function(self, name: str, words: str, inputs: str, outputs: Sequence[Argument],
+                  compute: Callable[[_Recording], Sequence[Sequence[Number]]],
+                  dynamic: bool = True, acted: bool = False, internal: bool = False) -> Function:
+        """A function of these inputs, with p if it is of the dynamics, t if effects act in it."""
+        given = [*(["t"] if acted and self.timed else []), *(["h"] if "h" in inputs.split() else []),
+                 *(["p"] if dynamic and self.scene.parameters else []),
+                 *(x for x in inputs.split() if x != "h")]
+        recorder = Recorder([self.inputs[x] for x in given])
+        results = compute(_Recording(self.scene, self.tree, self.names, recorder))
+        program = recorder.program(name, list(zip(outputs, results, strict=True)))
+        return Function(name, words, program, headings(program), internal)
+
+    def _tau(self) -> Argument:
+        return self.inputs["tau"]
+
+    def _inverse(self) -> Function:
+        def compute(x: _Recording):
+            motion = x.motion()
+            return [x.torques(motion, Acting(self.scene, motion).act())]
+
+        return self._function(
+            "inverse_dynamics", "tau = M(q) a + bias_torques(q, v): what the joints must supply for "
+            "the accelerations a, beside the effects", "q v a", [self._tau()], compute, acted=True)
+
+    def _bias(self) -> Function:
+        def compute(x: _Recording):
+            motion = x.motion(accelerating=False)
+            return [x.torques(motion, Acting(self.scene, motion).act())]
+
+        return self._function(
+            "bias_torques", "tau = inverse_dynamics(q, v, 0): Coriolis, centrifugal, gravity and all "
+            "effects' torques", "q v", [self._tau()], compute, acted=True)
+
+    def _gravity(self) -> Function:
+        def compute(x: _Recording):
+            return [x.torques(x.motion(moving=False, accelerating=False), None)]
+
+        return self._function("gravity_torques", "tau that holds the model still against gravity "
+                              "alone", "q", [self._tau()], compute)
+
+    def _forward(self) -> Function:
+        def compute(x: _Recording):
+            motion = x.motion(accelerating=False)
+            acting = Acting(self.scene, motion).act()
+            return [_accelerations(x, motion, acting, x.recorder.argument("tau"))]
+
+        return self._function(
+            "forward_dynamics", "a with M(q) a + bias_torques(q, v) = tau", "q v tau",
+            [self.inputs["a"]], compute, acted=True)
+
+    def _implicit(self) -> Function:
+        def compute(x: _Recording):
+            motion = x.motion(accelerating=False)
+            acting = Acting(self.scene, motion).act()
+            zero = [x.recorder.number(0)] * self.tree.nv
+            return [_accelerations(x, motion, acting, zero, x.recorder.argument("h")[0])]
+
+        return self._function(
+            "implicit_acceleration", "a with (M + h d + h^2 k) a = -bias_torques(q, v) - h k v, where "
+            "d, k are how the effects' torques fall with v and q", "h q v", [self.inputs["a"]],
+            compute, acted=True, internal=True)
+
+    def _mass(self) -> Function:
+        def compute(x: _Recording):
+            M = composite.mass_matrix(x.motion(False, False, False), x.rigids, x.inertias)
+            return [[entry for row in M for entry in row]]
+
+        nv = self.tree.nv
+        return self._function("mass_matrix", "M(q), row by row; symmetric, positive definite", "q",
+                              [array("M", (nv, nv), "masses in kg, kg m, kg m^2")], compute)
+
+    def _energy(self) -> Function:
+        def compute(x: _Recording):
+            motion = x.motion(accelerating=False)
+            acting = Acting(self.scene, motion).act()
+            return [[_kinetic(x, motion), _potential(x, motion) + acting.potential()]]
+
+        return self._function(
+            "energy", "e = (kinetic, potential) energy; of gravity zero where centres of mass are at "
+            "the world's origin", "q v", [array("e", (2,), "energies in J")], compute, acted=True)
+
+    def _power(self) -> Function:
+        def compute(x: _Recording):
+            motion = x.motion(accelerating=False)
+            return [[Acting(self.scene, motion).act().power()]]
+
+        return self._function(
+            "power", "P, what effects without potential energy feed in; negative where they dissipate",
+            "q v", [array("P", (), "power in W")], compute, acted=True)
+
+    def _momentum(self) -> Function:
+        def compute(x: _Recording):
+            return [_momentum(x, x.motion(accelerating=False))]
+
+        return self._function(
+            "momentum", "c = (p; L): linear momentum, angular momentum about the world's origin, in the "
+            "world's frame", "q v", [array("c", (6,), "in kg m/s, kg m^2/s")], compute)
+
+    def _poses(self) -> Function:
+        def compute(x: _Recording):
+            motion, found = x.motion(), []
+            for body in self.bodies:
+                R, t = _seat_pose(x, motion, body)
+                found += [R[3 * i + j] if j < 3 else t[i] for i in range(3) for j in range(4)]
+            return [found]
+
+        return self._function("body_poses", "D[i] = [R | t] of each body in the world, row by row", "q",
+                              [array("D", (len(self.bodies), 3, 4), "displacements, t in m")],
+                              compute, dynamic=False)
+
+    def _twists(self) -> Function:
+        def compute(x: _Recording):
+            motion, found = x.motion(accelerating=False), []
+            for body, name in self.bodies.items():
+                number, placement = self.tree.seat_of(body)
+                with x.recorder.part(f"{name}_twist", body):
+                    screw = (*motion.velocity(number), *motion.turning(number))
+                    found += x.recorder.call("product_Adinvs", _row_by_row(x, placement), screw)
+            return [found]
+
+        return self._function(
+            "body_twists", f"s[i] = (v; w) of each body {_BODY_FRAME}", "q v",
+            [array("s", (len(self.bodies), 6), "screws in m/s, rad/s")], compute, dynamic=False)
+
+    def _jacobian(self, body: str) -> Function:
+        def compute(x: _Recording):
+            with x.recorder.part(f"{self.bodies[body]}_J", body):
+                columns = _jacobian(x, x.motion(False, False), body)
+            return [[columns[j][i] for i in range(6) for j in range(self.tree.nv)]]
+
+        return self._function(
+            f"jacobian_{self.bodies[body]}", f"J with J v = (v; w) of {body} {_BODY_FRAME}", "q",
+            [array("J", (6, self.tree.nv), "screws of the speeds")], compute, dynamic=False)
+
+    def _reaction(self, joint: str, name: str) -> Function:
+        def compute(x: _Recording):
+            motion = x.motion()
+            acting = Acting(self.scene, motion).act()
+            wrenches = inverse.transmitted(
+                motion, inverse.net_wrenches(motion, x.rigids, acting))
+            force, moment = wrenches[self.tree.links.index(self.tree.link_of(joint))]
+            return [(*force, *moment)]
+
+        return self._function(
+            f"reaction_{name}", f"f = (force; moment) that {joint} exerts on the body behind it, "
+            f"{_BODY_FRAME}, while it accelerates with a", "q v a",
+            [array("f", (6,), "coscrew in N, N m")], compute, acted=True)
+
+    def _integrated(self) -> Function:
+        def compute(x: _Recording):
+            return [coordinates.integrated(x.recorder, self.tree, self.names)]
+
+        return self._function(
+            "integrated", "qo = q moved by phi: by exponentials where there are quaternions, else "
+            "q + phi", "q phi", [array("qo", (self.tree.nq,), "coordinates")], compute, dynamic=False)
+
+    def _chart(self) -> Function:
+        def compute(x: _Recording):
+            return [coordinates.chart_rate(x.recorder, self.tree, self.names)]
+
+        return self._function(
+            "chart_rate", "u = phi' while q = integrated(q0, phi) moves with v: v + [phi, v]/2 + "
+            "[phi, [phi, v]]/12, enough for four orders", "v phi",
+            [array("u", (self.tree.nv,), "in m/s, rad/s")], compute, dynamic=False, internal=True)
+
+
+def _accelerations(x: _Recording, motion: Motion, acting: Acting, tau: Sequence[Number],
+                   h: Number | None = None) -> list[Number]:
+    """Forward dynamics; with a step h linearly implicit in what effects say of their slopes."""
+    tree, zero = x.tree, x.recorder.number(0)
+    own, implied, bodies = [zero] * tree.nv, [zero] * tree.nv, list(x.rigids)
+    for number, link in enumerate(tree.links):
+        with x.recorder.part(f"{x.names[number]}_own", link.name):
+            if link.joint.name in x.inertias:
+                inverse.gather(motion, number, [x.inertias[link.joint.name] * _square(link)], own)
+            if h is not None and number in acting.torques:
+                stiff, v = acting.stiffness(number) * h, motion.speeds(number)[0]
+                slope = (acting.damping(number) + stiff) * h
+                inverse.gather(motion, number, [slope * _square(link)], own)
+                inverse.gather(motion, number, [stiff * v], implied)
+            if h is not None:
+                for damping, point in acting.resisting(number):
+                    bodies[number] = _with_mass(bodies[number], h * damping, point)
+    wrenches = inverse.net_wrenches(motion, x.rigids, acting)
+    if not tree.follows:
+        torques = [t - i + _effects(acting, tree, k)
+                   for k, (t, i) in enumerate(zip(tau, implied, strict=True))]
+        return articulated.accelerations(motion, [Articulated.of(body) for body in bodies],
+                                         wrenches, torques, own)
+    M = composite.mass_matrix(motion, bodies, {})
+    for k, inertia in enumerate(own):
+        M[k][k] = M[k][k] + inertia
+    bias = inverse.joint_torques(motion, inverse.transmitted(motion, wrenches), acting, {})
+    with x.recorder.part("solution", "M a = tau"):
+        return factored(M).solve([t - i - b for t, i, b in zip(tau, implied, bias, strict=True)])
+
+
+def _square(link) -> object:
+    """A follower's multiplier once: `gather` supplies the second."""
+    return link.driver.multiplier if link.driver else 1
+
+
+def _effects(acting: Acting, tree: Tree, speed: int) -> Number:
+    """What effects do at the joint with this speed."""
+    number = next(n for n, link in enumerate(tree.links) if speed in link.v)
+    return acting.torque(number)
+
+
+def _with_mass(body: Rigid, mass: Number, point) -> Rigid:
+    """The body with a point mass."""
+    zero = mass.like(0)
+    total = add(body.numbers, mass.recorder.call(
+        "inertia_from_com", mass, point, [zero] * 9))
+    return Rigid(total[0], tuple(total[1:4]), tuple(total[4:]))
+
+
+def _kinetic(x: _Recording, motion: Motion) -> Number:
+    total = x.recorder.number(0)
+    for number, (rigid, link) in enumerate(zip(x.rigids, x.tree.links, strict=True)):
+        with x.recorder.part(f"{x.names[number]}_kinetic", link.name):
+            if not rigid.vanishes:
+                total = total + kinetic_energy(rigid, motion.velocity(number),
+                                               motion.turning(number))
+            if link.joint.name in x.inertias:
+                v = motion.speeds(number)[0]
+                total = total + x.inertias[link.joint.name] * (v * v) / 2
+    return total
+
+
+def _potential(x: _Recording, motion: Motion) -> Number:
+    """-Σ g·(m t + R h)."""
+    total = x.recorder.number(0)
+    for number, (rigid, link) in enumerate(zip(x.rigids, x.tree.links, strict=True)):
+        with x.recorder.part(f"{x.names[number]}_potential", link.name):
+            R, t = motion.pose(number)
+            moment = add(scaled(rigid.m, t), rotated(R, rigid.h))
+            total = total - dot(motion.gravity, moment)
+    return total
+
+
+def _momentum(x: _Recording, motion: Motion) -> tuple[Number, ...]:
+    total = (*motion.zero, *motion.zero)
+    for number, rigid in enumerate(x.rigids):
+        with x.recorder.part(f"{x.names[number]}_momentum", x.tree.links[number].name):
+            screw = (*motion.velocity(number), *motion.turning(number))
+            own = x.recorder.call("product_Bs", rigid.numbers, screw)
+            R, t = motion.pose(number)
+            force = rotated(R, tuple(own[:3]))
+            total = add(total, (*force, *add(rotated(R, tuple(own[3:])), cross(t, force))))
+    return total
+
+
+def _row_by_row(x: _Recording, placement) -> tuple[Number, ...]:
+    R, t = x.recorder.numbers(placement.R), x.recorder.numbers(placement.t)
+    return tuple(R[3 * i + j] if j < 3 else t[i] for i in range(3) for j in range(4))
+
+
+def _seat_pose(x: _Recording, motion: Motion, body: str):
+    """R and t of a body in the world."""
+    number, placement = x.tree.seat_of(body)
+    R, t = motion.pose(number)
+    with x.recorder.part(f"{x.names[number] if number >= 0 else 'world'}_seat", body):
+        own = x.recorder.numbers(placement.R), x.recorder.numbers(placement.t)
+        return x.recorder.call("product_drdr", R, own[0]), add(t, rotated(R, own[1]))
+
+
+def _jacobian(x: _Recording, motion: Motion, body: str) -> list[Sequence[Number]]:
+    """A column a speed: the joint's screw as the body sees it."""
+    number, placement = x.tree.seat_of(body)
+    R, t = x.recorder.numbers(placement.R), x.recorder.numbers(placement.t)
+    columns: list[Sequence[Number]] = [(*motion.zero, *motion.zero)] * x.tree.nv
+    while number >= 0:
+        link = x.tree.links[number]
+        D = tuple(R[3 * i + j] if j < 3 else t[i] for i in range(3) for j in range(4))
+        for freedom, screw in enumerate(articulated.freedoms(motion, number)):
+            column, place = x.recorder.call("product_Adinvs", D, screw), link.v.start + freedom
+            if link.driver:
+                place = x.tree.links[link.driver.link].v.start
+                column = scaled(column[0].like(link.driver.multiplier), column)
+            columns[place] = add(columns[place], column)
+        own = motion.frame(number)
+        R, t = x.recorder.call("product_drdr", own[0], R), add(own[1], rotated(own[0], t))
+        number = link.parent
+    return columns
+
+
+def effects_of(scene: Scene, name: str) -> tuple[Applied, ...]:
+    """The places where the effect of this name acts."""
+    return tuple(x for x in scene.effects if x.effect.name == name)

@@ -1,0 +1,18 @@
+"""Names of joints and bodies as identifiers of C and Python."""
+
+import re
+from collections.abc import Sequence
+
+
+def identifiers(names: Sequence[str]) -> tuple[str, ...]:
+    """One identifier a name, in order, all different: other characters become underscores."""
+    found: list[str] = []
+    for name in names:
+        stem = re.sub(r"_{2,}", "_", re.sub(r"[^A-Za-z0-9_]", "_", name)).strip("_") or "x"
+        stem = f"x{stem}" if stem[0].isdigit() else stem
+        identifier, count = stem, 1
+        while identifier in found:
+            count += 1
+            identifier = f"{stem}_{count}"
+        found.append(identifier)
+    return tuple(found)

@@ -1,0 +1,11 @@
+"""Gravity: the base accelerates against it."""
+
+from fractions import Fraction
+
+from coscrew_codegen.effects.effect import Effect, ParameterOf, Place
+
+EFFECT = Effect(
+    "gravity", "every body falls with g", "a_0 = -g", Place.SCENE,
+    (ParameterOf("g", "m/s^2", "acceleration of free fall, in the world's frame", "vector",
+                 (Fraction(0), Fraction(0), Fraction(-981, 100))),),
+    gravity=lambda values: values["g"])

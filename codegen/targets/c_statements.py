@@ -1,0 +1,91 @@
+"""How C writes a Program's instructions, and comments; shared by all that emits C.
+
+One operation a statement (declarators count as statements), so that no compiler that contracts
+within expressions can fuse a product into a sum.  Knows no operation, no scene, and not how
+arguments are stored.
+"""
+
+import textwrap
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from coscrew_codegen.program import Constant, Input, Instruction, NotANumber, Op, Operand, Program
+from coscrew_codegen.targets.precision import Precision
+
+WIDTH = 100
+
+_SPELLING = {
+    Op.ADD: "{} + {}", Op.SUB: "{} - {}", Op.MUL: "{} * {}", Op.DIV: "{} / {}", Op.NEG: "-{}",
+    Op.FMA: "fma{f}({}, {}, {})", Op.FMS: "fma{f}({}, {}, -{})", Op.FNMA: "fma{f}(-{}, {}, {})",
+    Op.EXACT_ADD: "{} + {}", Op.EXACT_SUB: "{} - {}",
+    Op.PRODUCT_ERROR: "ksl_product_error({}, {}, {})",
+    Op.PRODUCT_REST: "ksl_product_rest({}, {}, {}, {})",
+    Op.ABS: "fabs{f}({})", Op.SQRT: "sqrt{f}({})", Op.SIN: "sin{f}({})", Op.COS: "cos{f}({})",
+    Op.ATAN2: "atan2{f}({}, {})", Op.EXP: "exp{f}({})", Op.TANH: "tanh{f}({})",
+    Op.SCALE: "{} * {}", Op.LESS: "{} < {}", Op.EQUAL: "{} == {}", Op.SELECT: "{} ? {} : {}",
+}
+
+
+def comment_of(lines: Sequence[str]) -> str:
+    """A C comment of these paragraphs, wrapped."""
+    wrapped = [row for line in lines
+               for row in textwrap.wrap(line, WIDTH - 6, subsequent_indent="  ")]
+    return "/* " + "\n   ".join(wrapped) + " */"
+
+
+def listed(before: str, items: Sequence[str], after: str, width: int = WIDTH) -> str:
+    """`before`, the items with commas, `after`; broken between items, indented by four."""
+    lines = [before]
+    for number, item in enumerate(items):
+        piece = item + (after if number == len(items) - 1 else ",")
+        glue = "" if number == 0 else " "
+        if number and len(lines[-1]) + len(glue) + len(piece) > width:
+            lines.append(f"    {piece}")
+        else:
+            lines[-1] += glue + piece
+    return "\n".join(lines)
+
+
+@dataclass(frozen=True)
+class Statements:
+    """The instructions of `program`, computed in the precision `working`; `access` writes how an
+    input is read.  Comparisons stand inside the choices they decide."""
+
+    program: Program
+    working: Precision
+    access: Callable[[Input], str]
+
+    @cached_property
+    def inlined(self) -> dict[str, Instruction]:
+        """The comparisons, by name."""
+        return {step.name: step for step in self.program.instructions
+                if step.op in (Op.LESS, Op.EQUAL)}
+
+    def declarators(self, steps: Sequence[Instruction]) -> list[str]:
+        """name = expression, for each of the steps that is declared."""
+        return [f"{step.name} = {self.expression(step)}" for step in steps
+                if step.name not in self.inlined]
+
+    def declared(self, steps: Sequence[Instruction], width: int) -> str:
+        """const double x = …, y = …; for the steps of a component."""
+        return listed(f"const {self.working.c_type} ", self.declarators(steps), ";", width)
+
+    def expression(self, step: Instruction) -> str:
+        """The right-hand side of one step."""
+        operands = [self.operand(x) for x in step.operands]
+        if step.op is Op.NEG and operands[0].startswith("-"):
+            operands = [f"({operands[0]})"]  # -- is another operator
+        return _SPELLING[step.op].format(*operands, f=self.working.suffix)
+
+    def operand(self, operand: Operand) -> str:
+        """What stands for an operand, in the working precision."""
+        if isinstance(operand, Input):
+            widened = f"({self.working.c_type})" if self.program.wide else ""
+            return widened + self.access(operand)
+        if isinstance(operand, Constant):
+            return self.working.literal(operand) + self.working.suffix
+        if isinstance(operand, NotANumber):
+            return f"({self.working.c_type})NAN"
+        return (self.expression(self.inlined[operand.name]) if operand.name in self.inlined
+                else operand.name)

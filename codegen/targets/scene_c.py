@@ -1,0 +1,206 @@
+"""A scene's functions as C: arm.h and arm.c, both precisions in the same two files.
+
+Arrays are plain and matrices row by row.  Results are stored last, when everything has been read:
+outputs may alias inputs, also in part.
+"""
+
+import textwrap
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+from coscrew_codegen.dynamics.function import Function, SceneFunctions
+from coscrew_codegen.program import Input, Instruction, Operand
+from coscrew_codegen.quantity import Argument
+from coscrew_codegen.render import render
+from coscrew_codegen.targets import scene_text
+from coscrew_codegen.targets.c_statements import WIDTH, Statements, comment_of, listed
+from coscrew_codegen.targets.precision import PRECISIONS, Precision
+from coscrew_codegen.targets.scene_text import INTEGRATED, RATE, STEPS, function_named, size
+
+
+@dataclass(frozen=True)
+class CText:
+    """A function's text: comment, head without semicolon, body lines."""
+
+    name: str
+    comment: str
+    head: str
+    body: str
+    internal: bool = False
+
+
+def header(scene: SceneFunctions, banner: str) -> str:
+    """The text of arm.h."""
+    sections = [{"precision": p, "functions": [f for f in _functions(scene, p) if not f.internal]}
+                for p in PRECISIONS]
+    macros = [("NQ", str(scene.nq)), ("NV", str(scene.nv))]
+    if scene.parameters:
+        macros.append(("NP", str(len(scene.parameters))))
+    macros += [entry for p in PRECISIONS for entry in _defaults(scene, p)]
+    return render("scene/scene.h", banner=banner, name=scene.name, upper=scene.name.upper(),
+                  about=comment_of(_about(scene)), sections=sections, macros=macros)
+
+
+def source(scene: SceneFunctions, banner: str) -> str:
+    """The text of arm.c."""
+    sections = [{"precision": p, "functions": _functions(scene, p)} for p in PRECISIONS]
+    return render("scene/scene.c", banner=banner, name=scene.name, upper=scene.name.upper(),
+                  sections=sections)
+
+
+def c_name(scene: SceneFunctions, name: str, precision: Precision) -> str:
+    """arm_forward_dynamics, arm_forward_dynamicsf."""
+    return f"{scene.name}_{name}{precision.suffix}"
+
+
+def _about(scene: SceneFunctions) -> list[str]:
+    return [
+        f"{scene.name}: dynamics of a scene, in double and (names that end in f) single precision.",
+        "SI units.  Arrays are plain, matrices row by row.  Pointers must be valid and "
+        "quaternions of norm 1; numbers that are not finite give results that are not.  Outputs may "
+        "alias inputs, also in part.  No heap, no state: every function may run in many threads at "
+        "once.",
+        *scene_text.order_in_words(scene)]
+
+
+def _defaults(scene: SceneFunctions, precision: Precision) -> Iterator[tuple[str, str]]:
+    """Initialisers: q where joints are in their placements, and the parameters' values."""
+    lists = {"NEUTRAL_Q": scene.neutral, "DEFAULT_P": [value for _, value in scene.parameters]}
+    for name, values in lists.items():
+        if values:
+            numbers = [scene_text.literal(x, precision) + precision.suffix for x in values]
+            text = listed("{", numbers, "}", WIDTH - 2).replace("\n", " \\\n")
+            yield f"{name}{precision.suffix.upper()}", text
+
+
+def _functions(scene: SceneFunctions, precision: Precision) -> list[CText]:
+    """All functions that are emitted, in the order in which they call each other."""
+    functions = [_Writer(scene, f, precision).text() for f in scene_text.used_functions(scene)]
+    return functions + [_step(scene, name, precision) for name in scene.steps]
+
+
+def _parameter(argument: Argument, precision: Precision, const: str) -> str:
+    if argument.quantity.shape:
+        return f"{const}{precision.c_type} {argument.name}[{size(argument)}]"
+    return f"{precision.c_type} {'' if const else '*'}{argument.name}"
+
+
+def _head(scene: SceneFunctions, name: str, precision: Precision, parameters: Sequence[str],
+          internal: bool = False) -> str:
+    static = "static " if internal else ""
+    return listed(f"{static}void {c_name(scene, name, precision)}(", parameters, ")", WIDTH - 2)
+
+
+class _Writer:
+    def __init__(self, scene: SceneFunctions, function: Function, precision: Precision):
+        self.scene, self.function, self.precision = scene, function, precision
+        self.program = function.program
+        self.outputs = scene_text.outputs(function)
+        self.statements = Statements(self.program, precision, self._access)
+
+    def text(self) -> CText:
+        parameters = [*(_parameter(a, self.precision, "const ") for a in self.program.inputs),
+                      *(_parameter(a, self.precision, "") for a in self.outputs)]
+        head = _head(self.scene, self.function.name, self.precision, parameters,
+                     self.function.internal)
+        words = [scene_text.printable(scene_text.sentence(self.function.words)),
+                 *self._shapes(), scene_text.cost(self.function)]
+        return CText(self.function.name, comment_of(words), head, self._body(),
+                     self.function.internal)
+
+    def _shapes(self) -> list[str]:
+        return [f"{a.name}: {' × '.join(map(str, a.quantity.shape))}, row by row."
+                for a in self.outputs if len(a.quantity.shape) > 1]
+
+    def _body(self) -> str:
+        used = {x.argument for x in self.program.used_inputs()}
+        lines = [f"(void){a.name};" for n, a in enumerate(self.program.inputs) if n not in used]
+        for heading, steps in _sections(self.function):
+            if heading:
+                lines.append(f"/* {scene_text.printable(heading)} */")
+            if any(step.name not in self.statements.inlined for step in steps):
+                lines.append(_within_width(self.statements.declared(steps, WIDTH - 2)))
+        lines += self._stores()
+        return "\n".join(f"  {row}" for line in lines for row in line.split("\n"))
+
+    def _access(self, operand: Input) -> str:
+        argument = self.program.inputs[operand.argument]
+        return f"{argument.name}[{operand.index}]" if argument.quantity.shape else argument.name
+
+    def _stores(self) -> Iterator[str]:
+        """Inputs that are results as they are get read before anything is written."""
+        names = {step.name for step in self.program.instructions}
+        saved: dict[Operand, str] = {}
+        for x in self.program.results:
+            if isinstance(x, Input) and x not in saved and "[" in self._access(x):
+                name = self._access(x).replace("[", "_").rstrip("]")
+                while name in names:
+                    name += "_"
+                saved[x] = name
+                yield f"const {self.precision.c_type} {name} = {self._access(x)};"
+        targets = [f"{a.name}[{i}]" if a.quantity.shape else f"*{a.name}"
+                   for a in self.outputs for i in range(size(a))]
+        for target, x in zip(targets, self.program.results, strict=True):
+            yield f"{target} = {saved.get(x) or self.statements.operand(x)};"
+
+
+def _sections(function: Function) -> Iterator[tuple[str, list[Instruction]]]:
+    """(heading or "", the steps towards one component), headings above their instruction."""
+    headings = dict(function.headings)
+    steps: list[Instruction] = []
+    above = ""
+    for number, step in enumerate(function.program.instructions):
+        if steps and (number in headings or step.component != steps[-1].component):
+            yield above, steps
+            above, steps = "", []
+        above = headings.get(number, above)
+        steps.append(step)
+    if steps:
+        yield above, steps
+
+
+def _within_width(text: str) -> str:
+    """The statement, lines that are too long broken at blanks."""
+    rows = []
+    for row in text.split("\n"):
+        indent = row[:len(row) - len(row.lstrip())]
+        rows += [row] if len(row) <= WIDTH - 2 else textwrap.wrap(
+            row, WIDTH - 2, subsequent_indent=indent + "    ", break_long_words=False,
+            break_on_hyphens=False)
+    return "\n".join(rows)
+
+
+def _step(scene: SceneFunctions, name: str, precision: Precision) -> CText:
+    """A step, which moves q and v in place."""
+    step, real = STEPS[name], precision.c_type
+    declared = {"t": f"{real} t", "h": f"{real} h",
+                "p": f"const {real} p[{len(scene.parameters)}]",
+                "q": f"{real} q[{scene.nq}]", "v": f"{real} v[{scene.nv}]"}
+    inputs = scene_text.step_inputs(scene)
+    accelerated = function_named(scene, step.acceleration)
+    call = partial(_call, scene, precision)
+    body = render(
+        f"scene/{step.template}.c", real=real, nq=scene.nq, nv=scene.nv,
+        timed=scene_text.takes(accelerated, "t"), pushed=scene_text.takes(accelerated, "tau"),
+        unused=[x for x in inputs if x in ("t", "p") and not scene_text.takes(accelerated, x)],
+        accelerate=partial(call, accelerated),
+        integrate=partial(call, function_named(scene, INTEGRATED)),
+        rate=partial(_rate, scene, precision)).rstrip("\n")
+    return CText(f"step_{name}", comment_of([f"{step.words}.  In place."]),
+                 _head(scene, f"step_{name}", precision, [declared[x] for x in inputs]), body)
+
+
+def _call(scene: SceneFunctions, precision: Precision, function: Function, out: str,
+          **values: str) -> str:
+    """A call of the function, with variables for inputs, which else go by their own names."""
+    arguments = [values.get(a.name, a.name) for a in function.program.inputs]
+    return f"{c_name(scene, function.name, precision)}({', '.join((*arguments, out))});"
+
+
+def _rate(scene: SceneFunctions, precision: Precision, out: str, **values: str) -> str:
+    """φ' for the speeds v; without quaternions that is v."""
+    found = next((f for f in scene.functions if f.name == RATE), None)
+    if found is None:
+        return f"memcpy({out}, {values['v']}, sizeof {out});"
+    return _call(scene, precision, found, out, **values)

@@ -1,0 +1,160 @@
+"""What the languages say alike of a scene's functions: order of coordinates, steps, names allowed.
+
+Knows functions and words; nothing of how a language writes statements.
+"""
+
+import keyword
+import re
+from dataclasses import dataclass
+from fractions import Fraction
+from math import prod
+
+from coscrew_codegen.dynamics.function import Function, SceneFunctions
+from coscrew_codegen.program import Constant, counts_in_words
+from coscrew_codegen.quantity import Argument
+from coscrew_codegen.targets.precision import Precision
+
+_UNITS = {
+    "revolute": "q in rad; v in rad/s",
+    "prismatic": "q in m; v in m/s",
+    "spherical": "q: quaternion (w, x, y, z); v: angular velocity in rad/s in the body's frame",
+    "free": "q: position in m, then quaternion (w, x, y, z); v: velocity in m/s, then angular "
+            "velocity in rad/s, both in the body's frame",
+}
+
+_C = """auto break case char const continue default do double else enum extern float for goto if inline
+int long register restrict return short signed sizeof static struct switch typedef union unsigned
+void volatile while"""
+_CPP = """alignas alignof and and_eq asm bitand bitor bool catch char16_t char32_t char8_t class compl
+concept const_cast consteval constexpr constinit co_await co_return co_yield decltype delete
+dynamic_cast explicit export false friend mutable namespace new noexcept not not_eq nullptr operator
+or or_eq private protected public reinterpret_cast requires static_assert static_cast template this
+thread_local throw true try typeid typename using virtual wchar_t xor xor_eq linux unix"""
+_CALLED = """fabs sqrt sin cos atan2 exp tanh fma fabsf sqrtf sinf cosf atan2f expf tanhf fmaf memcpy
+NAN absolute arctan2 where nan float32 float64 np errstate arrays array zeros_like newaxis range
+lead"""
+RESERVED = frozenset((*_C.split(), *_CPP.split(), *_CALLED.split(), *keyword.kwlist))
+"""Names that no instruction may have: keywords of C, C++ and Python, and what kernels call."""
+
+RATE = "chart_rate"
+INTEGRATED = "integrated"
+FORWARD = "forward_dynamics"
+
+
+@dataclass(frozen=True)
+class Step:
+    """An integrator's step, composed of calls of the scene's functions."""
+
+    words: str
+    template: str  # its shape, in templates/scene
+    acceleration: str = FORWARD
+
+
+STEPS = {
+    "semi_implicit_euler": Step(
+        "v' = v + h a(t, q, v); q' = q ⊕ h v': one step of the semi-implicit Euler method, of first "
+        "order, with a of forward_dynamics at tau = 0", "euler"),
+    "linear_implicit_euler": Step(
+        "v' = v + h a(t, q, v); q' = q ⊕ h v': one step of the linearly implicit Euler method, of "
+        "first order, with a from dynamics in which damping and stiffness of joints act at the "
+        "step's end", "euler", "implicit_acceleration"),
+    "rk4": Step(
+        "(q, v)' after h: one step of the classical Runge–Kutta method, of fourth order, with a of "
+        "forward_dynamics at tau = 0; q moves by q ⊕ φ", "rk4"),
+}
+
+
+def size(argument: Argument) -> int:
+    """How many numbers an argument has."""
+    return prod(argument.quantity.shape)
+
+
+def outputs(function: Function) -> tuple[Argument, ...]:
+    """The outputs, those that bear an input's name with an o behind it: q → qo."""
+    taken = {a.name for a in function.program.inputs}
+    return tuple(Argument(f"{a.name}o", a.quantity) if a.name in taken else a
+                 for a in function.program.outputs)
+
+
+def step_inputs(scene: SceneFunctions) -> tuple[str, ...]:
+    """The names of what a step takes: t where forces depend on it, h, p where there are any, q, v."""
+    return (*(["t"] if scene.timed else []), "h", *(["p"] if scene.parameters else []), "q", "v")
+
+
+def function_named(scene: SceneFunctions, name: str) -> Function:
+    """The function of this name; a ValueError if there is none."""
+    found = next((f for f in scene.functions if f.name == name), None)
+    if found is None:
+        raise ValueError(f"scene {scene.name!r} has no function {name!r}, which a step needs")
+    return found
+
+
+def used_functions(scene: SceneFunctions) -> tuple[Function, ...]:
+    """The functions to emit: internal ones only if a step calls them.  Checks all names."""
+    called = {STEPS[name].acceleration for name in scene.steps}
+    called |= {RATE} if "rk4" in scene.steps else set()
+    used = tuple(f for f in scene.functions if not f.internal or f.name in called)
+    for function in used:
+        _check(function)
+    return used
+
+
+def _check(function: Function) -> None:
+    """Raises ValueError for names that are no variables' or are taken."""
+    program = function.program
+    arguments = {a.name for a in (*program.inputs, *outputs(function))}
+    seen = set(arguments)
+    for name in (function.name, *arguments, *(step.name for step in program.instructions)):
+        if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name) or name in RESERVED:
+            raise ValueError(f"{function.name}: {name!r} cannot be a name in C and Python")
+    for step in program.instructions:
+        if step.name in seen:
+            raise ValueError(f"{function.name}: the name {step.name!r} is given twice")
+        seen.add(step.name)
+
+
+def literal(value: float, precision: Precision) -> str:
+    """The shortest decimal that rounds to the value in this precision."""
+    return precision.literal(Constant(Fraction(value), Fraction(value)))
+
+
+def printable(text: str) -> str:
+    """The text for comments: it neither ends nor opens one, and holds no control characters."""
+    clean = "".join(c if c.isprintable() else " " for c in text)
+    return clean.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
+
+
+def sentence(words: str) -> str:
+    """The words with one full stop."""
+    return words.rstrip(". ") + "."
+
+
+def takes(function: Function, name: str) -> bool:
+    """Whether an input has this name."""
+    return any(a.name == name for a in function.program.inputs)
+
+
+def cost(function: Function) -> str:
+    """'24 mul, 18 add.'"""
+    return f"{counts_in_words(function.program).capitalize()}."
+
+
+def order_in_words(scene: SceneFunctions) -> list[str]:
+    """The order of q and v joint by joint, units by kind of joint, bodies, parameters: paragraphs."""
+    rows = [(_places("q", x.q), _places("v", x.v), x.kind, printable(x.joint))
+            for x in scene.coordinates]
+    widths = [max(len(row[i]) for row in rows) for i in range(3)] if rows else []
+    table = ["  " + "  ".join((*map(str.ljust, row[:3], widths), row[3])) for row in rows]
+    kinds = [f"  {kind}: {_UNITS[kind]}." for kind in _UNITS
+             if any(x.kind == kind for x in scene.coordinates)]
+    bodies = ", ".join(f"{n} {printable(name)}" for n, name in enumerate(scene.bodies))
+    parameters = ", ".join(f"{n} {printable(name)} = {value!r}"
+                           for n, (name, value) in enumerate(scene.parameters))
+    return ["Coordinates q and speeds v, joint by joint:", *table, *kinds,
+            *([f"Bodies, as body_poses orders them: {bodies}."] if bodies else []),
+            *([f"Parameters p: {parameters}."] if parameters else [])]
+
+
+def _places(name: str, places: range) -> str:
+    last = f"-{places.stop - 1}" if len(places) > 1 else ""
+    return f"{name} {places.start}{last}"
