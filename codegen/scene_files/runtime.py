@@ -5,7 +5,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from coscrew_codegen.dynamics.formulas import Formula
-from coscrew_codegen.dynamics.model import Body, Joint, Model, Parameter, Scalar
+from coscrew_codegen.dynamics.model import Body, Model, Parameter, Scalar
 from coscrew_codegen.dynamics.scene import Applied, Setting
 from coscrew_codegen.scene_files.tables import Table
 
@@ -68,8 +68,7 @@ def _candidates(model: Model, effects: tuple[Applied, ...]) -> tuple[_Numbers, d
 
 
 def _swapped_model(model: Model, swap: _Swap) -> Model:
-    return replace(model, bodies=tuple(_swapped_body(body, swap) for body in model.bodies),
-                   joints=tuple(_swapped_joint(joint, swap) for joint in model.joints))
+    return replace(model, bodies=tuple(_swapped_body(body, swap) for body in model.bodies))
 
 
 def _swapped_body(body: Body, swap: _Swap) -> Body:
@@ -80,12 +79,6 @@ def _swapped_body(body: Body, swap: _Swap) -> Body:
         inertia, mass=swap(f"{body.name}.mass", inertia.mass),
         com=_each(f"{body.name}.com", _XYZ, inertia.com, swap),
         moments=_each(f"{body.name}.inertia", _MOMENTS, inertia.moments, swap)))
-
-
-def _swapped_joint(joint: Joint, swap: _Swap) -> Joint:
-    placement = joint.placement
-    origin = _each(f"{joint.name}.origin", _XYZ, placement.t, swap)
-    return replace(joint, placement=replace(placement, t=origin))
 
 
 def _swapped(applied: Applied, swap: _Swap) -> Applied:

@@ -6,16 +6,18 @@ by tables of its parameters ({ elbow = 0.1 }); or in tables of its own, [effects
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from fractions import Fraction
 from functools import cached_property
 
 from coscrew_codegen.dynamics.model import WORLD, Joint, Kind, Model
 from coscrew_codegen.dynamics.names import did_you_mean
-from coscrew_codegen.dynamics.scene import Applied, Setting
+from coscrew_codegen.dynamics.quantities import expected, recorded
+from coscrew_codegen.dynamics.scene import Applied, Scene, Setting
 from coscrew_codegen.effects.effect import Effect, ParameterOf, Place
 from coscrew_codegen.scene_files import settings
 from coscrew_codegen.scene_files.tables import Table, described
 
-ALL = "all"
+ALL, MODEL = "all", "model"
 
 
 @dataclass
@@ -90,35 +92,54 @@ class _Reading:
 
     def values(self, table: Table, given: Mapping[str, object], target: str,
                named: bool = True) -> dict[str, Setting] | None:
-        """The parameters' values; None if the model lacks one, and the joint was not named."""
-        joint = self.targets.get(target)
+        """The parameters' values; None if the model lacks one, and the target was not named."""
+        kind = self._kind(table, given)
         values: dict[str, Setting] = {}
+        read: set[tuple[str, str]] = set()
         for parameter in self.effect.parameters:
-            raw = given.get(parameter.name, parameter.default if parameter.default == "model"
-                            else None)
-            if raw == "model" and parameter.model:
-                number = getattr(joint, parameter.model, None)
-                if number is None and not named:
+            name = parameter.name
+            if parameter.of and kind not in parameter.of:
+                if name in given:
+                    table.refuse(name, f"is for kind = {' or '.join(map(repr, parameter.of))}; "
+                                       f"the kind is {kind!r}")
+                values[name] = None
+            elif parameter.model and given.get(name, parameter.default) == MODEL:
+                number = self._of_model(table, parameter, target, named)
+                if number is None and parameter.required:
                     return None
-                if number is None:
-                    table.refuse(parameter.name, f"the model has no {parameter.model} for "
-                                                 f"{self.what} {target!r}; wanted a number")
-                settings.refuse_sign(table, parameter, number, f" of joint {target!r}")
-                values[parameter.name] = number
-            elif parameter.name in given:
-                values[parameter.name] = settings.setting(table, parameter, raw, self.bodies)
+                values[name] = number
+                read.add((target, parameter.model))
+            elif name in given:
+                values[name] = settings.setting(table, parameter, given[name], self.bodies)
             else:
-                values[parameter.name] = settings.default(table, parameter)
-        if joint:
-            self._note_use(joint, given)
+                values[name] = settings.default(table, parameter)
+        if self.effect.any_of and all(values[name] is None for name in self.effect.any_of):
+            if named:
+                table.missing(self.effect.any_of[0], f"{' or '.join(self.effect.any_of)}")
+            return None
+        self.use.of_model |= read | ({(target, "mimic")} if self.effect.mimic else set())
         return values
 
-    def _note_use(self, joint: Joint, given: Mapping[str, object]) -> None:
+    def _kind(self, table: Table, given: Mapping[str, object]) -> str:
+        """The choice that parameters belong to."""
         for parameter in self.effect.parameters:
-            if parameter.model and given.get(parameter.name, parameter.default) == "model":
-                self.use.of_model.add((joint.name, parameter.model))
-        if self.effect.mimic:
-            self.use.of_model.add((joint.name, "mimic"))
+            if parameter.name == "kind" and any(other.of for other in self.effect.parameters):
+                if "kind" in given:
+                    return settings.setting(table, parameter, given["kind"], ())
+                return settings.default(table, parameter)
+        return ""
+
+    def _of_model(self, table: Table, parameter: ParameterOf, target: str, named: bool
+                  ) -> Fraction | None:
+        """The model's number for a parameter; None if there is none, which for a joint that was
+        named is an error where the effect needs it."""
+        number = getattr(self.targets.get(target), parameter.model, None)
+        if number is not None:
+            settings.refuse_sign(table, parameter, number, f" of {self.what} {target!r}")
+        elif named and parameter.required:
+            table.refuse(parameter.name, f"the model has no {parameter.model} for {self.what} "
+                                         f"{target!r}; wanted a number")
+        return number
 
 
 def _on_scene(reading: _Reading) -> list[Applied]:
@@ -199,7 +220,7 @@ def _on_named(reading: _Reading, plain: Mapping[str, object]) -> Iterator[Applie
             yield Applied(reading.effect, name, values)
     if not applied:
         lacking = ", ".join(p.model for p in reading.effect.parameters
-                            if p.model and plain.get(p.name, p.default) == "model")
+                            if p.model and plain.get(p.name, p.default) == MODEL)
         table.refuse("", f"no {reading.what} of the model has {lacking or 'what it needs'}; "
                          f"wanted numbers, or no {reading.effect.name}")
 
@@ -252,7 +273,15 @@ def _on_pairs(reading: _Reading) -> list[Applied]:
     return found
 
 
-def of_catalogue(catalogue: tuple[Effect, ...], model_field: str) -> ParameterOf | None:
-    """The first parameter that "model" gives this field."""
-    return next((parameter for effect in catalogue for parameter in effect.parameters
-                 if parameter.model == model_field), None)
+def with_reactions(scene: Scene, catalogue: tuple[Effect, ...]) -> tuple[Applied, ...]:
+    """The effects of a scene, and the reaction where it is only recorded or expected."""
+    effect = next((effect for effect in catalogue if effect.reaction), None)
+    asked = {recorded(text, scene) for text in scene.record}
+    asked |= {expected(x.quantity, scene) for x in scene.expectations}
+    there = {applied.on for applied in scene.effects if applied.effect is effect}
+    joints = {x.target for x in asked if x.quantity == "reaction"} - there
+    if effect is None or not joints:
+        return scene.effects
+    found = [*scene.effects, *(Applied(effect, joint.name, {}) for joint in scene.model.joints
+                               if joint.name in joints)]
+    return tuple(sorted(found, key=lambda applied: catalogue.index(applied.effect)))

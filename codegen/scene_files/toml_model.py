@@ -3,6 +3,7 @@
 from fractions import Fraction
 
 from coscrew_codegen.dynamics import rotations
+from coscrew_codegen.dynamics.assembly import ModelError, assembled
 from coscrew_codegen.dynamics.mimics import without_chains
 from coscrew_codegen.dynamics.model import (
     HERE,
@@ -16,7 +17,6 @@ from coscrew_codegen.dynamics.model import (
     Placement,
 )
 from coscrew_codegen.dynamics.possible import refuse_impossible
-from coscrew_codegen.dynamics.trees import ModelError, tree
 from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_files.tables import Table
 
@@ -34,7 +34,7 @@ def read_model(file: Table, name: str, base: Kind) -> Model:
     bodies = tuple(_body(name, table) for name, table in file.tables("bodies"))
     joints = tuple(_joint(name, table) for name, table in file.tables("joints"))
     try:
-        model = tree(name, bodies, without_chains(joints), base)
+        model = assembled(name, bodies, without_chains(joints), base)
         refuse_impossible(model)
     except ModelError as error:
         raise SceneError(file.file, error.element, error.problem) from None

@@ -16,7 +16,7 @@ from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.identifiers import identifier, refused
 from coscrew_codegen.scene_files.runtime import with_parameters
 from coscrew_codegen.scene_files.tables import Table, described, read_toml
-from coscrew_codegen.scene_files.toml_effects import Use, read_effects
+from coscrew_codegen.scene_files.toml_effects import Use, read_effects, with_reactions
 from coscrew_codegen.scene_files.toml_model import read_model, refuse_not_unit
 from coscrew_codegen.scene_files.unused import unused
 from coscrew_codegen.scene_files.urdf import read_urdf
@@ -57,19 +57,19 @@ def _scene(file: Table, catalogue: tuple[Effect, ...]) -> Scene:
     model = _model(file, name)
     use = Use()
     effects = read_effects(file.table("effects"), model, catalogue, use)
-    with_effects = Scene(name, model, effects)
-    _refuse_unmoved(file.file, model, with_effects)
-    start = file.table("start")
+    scene = Scene(name, model, effects, precision=file.choice("precision", PRECISIONS, "double"),
+                  run=_run(file.table("run")), unused=unused(model, use.of_model, catalogue))
+    _refuse_unmoved(file.file, model, scene)
+    start, outputs = file.table("start"), file.table("outputs")
     start.only("q", "v")
-    outputs = file.table("outputs")
     outputs.only("record", "every")
-    run = _run(file.table("run"))
-    swapped_model, swapped, parameters = with_parameters(file, model, effects)
-    return Scene(
-        name, swapped_model, swapped, parameters, file.choice("precision", PRECISIONS, "double"),
-        _start_q(start.table("q"), with_effects), _start_v(start.table("v"), with_effects),
-        _record(outputs, with_effects), float(outputs.positive("every", Fraction(1, 100))),
-        run, _expectations(file, with_effects, run), unused(model, use.of_model, catalogue))
+    scene = replace(scene, start_q=_start_q(start.table("q"), scene),
+                    start_v=_start_v(start.table("v"), scene), record=_record(outputs, scene),
+                    every=float(outputs.positive("every", Fraction(1, 100))),
+                    expectations=_expectations(file, scene))
+    effects = with_reactions(scene, catalogue)
+    model, effects, parameters = with_parameters(file, model, effects)
+    return replace(scene, model=model, effects=effects, parameters=parameters)
 
 
 def _name(file: Table) -> str:
@@ -106,7 +106,9 @@ def _refuse_unmoved(file: Path, model: Model, scene: Scene) -> None:
     """Refuse models without motion, and joints whose forces nothing resists."""
     if all(joint.kind is Kind.FIXED for joint in model.joints):
         raise SceneError(file, "model", 'has no joint that moves; base = "free" frees its root')
-    carried = {a.on for a in scene.effects if a.effect.joint_inertia} | set(followers(scene))
+    follow = followers(scene)
+    carried = {applied.on for applied in scene.effects if applied.effect.joint_inertia}
+    carried |= {*follow, *(joint.mimic.joint for joint in follow.values())}
     found = unmoved_mass(model, carried)
     if found:
         joint, reason = found
@@ -169,7 +171,7 @@ def _run(table: Table) -> Run:
     return Run(duration, table.choice("integrator", INTEGRATORS, run.integrator), step, rtol, atol)
 
 
-def _expectations(file: Table, scene: Scene, run: Run) -> tuple[Expectation, ...]:
+def _expectations(file: Table, scene: Scene) -> tuple[Expectation, ...]:
     """[expect]: a table for each quantity, or a list of tables."""
     expectations = []
     outer = file.table("expect")
@@ -180,9 +182,9 @@ def _expectations(file: Table, scene: Scene, run: Run) -> tuple[Expectation, ...
             outer.refuse(quantity, str(error))
         for given in value if isinstance(value, list) else [value]:
             if not isinstance(given, dict):
-                outer.refuse(quantity, f"{described(given)}; wanted a table with at, value and rtol")
+                outer.refuse(quantity, f"{described(given)}; wanted a table: at, value, rtol")
             expectations.append(_expectation(Table(file.file, outer.key(quantity), given), quantity,
-                                             run.duration))
+                                             scene.run.duration))
     return tuple(expectations)
 
 
