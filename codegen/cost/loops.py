@@ -5,7 +5,6 @@ import functools
 import timeit
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
@@ -13,9 +12,9 @@ from coscrew_codegen.cost.leaving_out import Part
 from coscrew_codegen.dynamics.function import Function
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
-from coscrew_codegen.report.native import loaded, pointers, run_compiler, timed_calls
-from coscrew_codegen.report.schema import Compiler
-from coscrew_codegen.scene_layout import scene_files
+from coscrew_codegen.report.native import pointers, timed_calls
+from coscrew_codegen.scene_layout import banner_of, c_files
+from coscrew_codegen.simulate.native import Compiler, library
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from coscrew_codegen.targets.scene_c import c_name
 from coscrew_codegen.targets.scene_text import outputs, size, step_inputs
@@ -38,14 +37,14 @@ class Compiled:
     """The library of a part of a scene."""
 
     part: Part
-    path: Path
+    library: ctypes.PyDLL
 
     def time(self, function: Function, precision: Precision, inputs: Sequence[np.ndarray],
              seconds: float) -> Timed:
         """A function's time per call over `inputs`, ELEMENTS of each, measured for about `seconds`."""
         given = [np.ascontiguousarray(x, precision.numpy_type) for x in inputs]
         made = [np.zeros((ELEMENTS, size(a)), precision.numpy_type) for a in outputs(function)]
-        run = functools.partial(timed_calls, loaded(self.path), _loop(function.name, precision),
+        run = functools.partial(timed_calls, self.library, _loop(function.name, precision),
                                 ELEMENTS, pointers((*given, *made)))
         calls = 1
         while (sample := run(calls, 3).min() * ELEMENTS * calls) < _SAMPLE:
@@ -58,26 +57,20 @@ class Compiled:
         """q and v after this many steps of h from `start` at t = 0, and the seconds they took."""
         q, v = (np.array(x, precision.numpy_type) for x in start)
         parameters = np.array([*p, 0], precision.numpy_type)
-        function = getattr(loaded(self.path), _run(step, precision))
+        function = getattr(self.library, _run(step, precision))
         arguments = [ctypes.c_void_p(x.ctypes.data) for x in (parameters, q, v)]
         began = timeit.default_timer()
         function(ctypes.c_long(steps), ctypes.c_double(h), *arguments)
         return q, v, timeit.default_timer() - began
 
 
-def compiled(part: Part, functions: Sequence[Function], compiler: Compiler, folder: Path) -> Compiled:
-    """Compile a part's loops over these functions into `folder`.  Raises ReportError."""
-    folder.mkdir()
+def compiled(part: Part, functions: Sequence[Function], compiler: Compiler) -> Compiled:
+    """A part's loops over these functions, compiled as load_scene does.  Raises CompilationError."""
     name = part.functions.name
-    files = scene_files(part.scene, part.functions)
-    sources = {f"{name}.h": files[f"{name}.h"], f"{name}.c": files[f"{name}.c"],
-               f"{name}_loops.c": text(part, functions), f"{name}_driver.c": render("report/driver.c")}
-    for file, content in sources.items():
-        (folder / file).write_text(content, encoding="utf-8")
-    path = folder / "costs.so"
-    run_compiler(compiler.name, *compiler.flags.split(), "-fPIC", "-shared",
-                 *(folder / file for file in sources if file.endswith(".c")), "-o", path, "-lm")
-    return Compiled(part, path)
+    files = {**c_files(part.functions, banner_of(name)), "loops.c": text(part, functions),
+             "driver.c": render("report/driver.c")}
+    units = {"scene": (f"{name}.c",), "loops": ("loops.c",), "driver": ("driver.c",)}
+    return Compiled(part, library(units, files, compiler))
 
 
 def text(part: Part, functions: Sequence[Function]) -> str:

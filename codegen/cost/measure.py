@@ -1,12 +1,8 @@
 """Measures a scene: operations and times of its functions, in parts; accuracy against time."""
 
-import os
 import sys
-import tempfile
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TypeVar
 
 import numpy as np
@@ -18,9 +14,8 @@ from coscrew_codegen.cost.loops import ELEMENTS, Compiled, Timed, compiled
 from coscrew_codegen.cost.work_precision import Point, Reference, reference, work_precision
 from coscrew_codegen.dynamics.function import Function
 from coscrew_codegen.program import counts_in_words
-from coscrew_codegen.report.native import compilers
-from coscrew_codegen.report.schema import Compiler
 from coscrew_codegen.report.variants import flops
+from coscrew_codegen.simulate import native
 from coscrew_codegen.simulate.outcome import Asked
 from coscrew_codegen.simulate.plan import Trajectory, plan
 from coscrew_codegen.simulate.progress import Progress
@@ -50,7 +45,7 @@ class Costs:
     """What a scene costs, on this machine."""
 
     scene: str
-    compiler: Compiler
+    compiler: str  # its version and flags
     rows: tuple[Row, ...]
     reference: Reference | None
     points: tuple[Point, ...]
@@ -58,27 +53,22 @@ class Costs:
 
 def measure(kernels: object, asked: Asked, digits: int | None) -> Costs:
     """Measure; with `digits` the reference is computed with that many.  Raises CostError."""
-    with tempfile.TemporaryDirectory(prefix="coscrew-") as name:
-        found = compilers(Path(name))
-        if not found:
-            raise CostError("cost times C, and no C compiler works here; gcc or clang is wanted")
+    try:
+        using = native.compiler()
         chosen = parts(kernels.scene)
-        built = tuple(_progress(_libraries(chosen, found[0], Path(name)), "compiling", len(chosen)))
-        states = _states(kernels, asked)
-        rows = tuple(_progress(_rows(built, states), "timing",
-                               sum(len(_functions(x.part)) for x in built)))
-        its = system(kernels, "double", dict(asked.settings))
-        planned = plan(its, asked.until, asked.step, asked.integrator)
-        truth = reference(its, planned.until, digits)
-        points = work_precision(kernels, built[0], planned, asked, truth) if truth else ()
-        return Costs(kernels.scene.name, found[0], rows, truth, tuple(
-            _progress(points, "integrating", None)))
-
-
-def _libraries(chosen: Sequence[Part], compiler: Compiler, folder: Path) -> Iterator[Compiled]:
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        yield from pool.map(lambda x: compiled(x[1], _functions(x[1]), compiler, folder / str(x[0])),
-                            enumerate(chosen))
+        built = tuple(_progress((compiled(x, _functions(x), using) for x in chosen), "compiling",
+                                len(chosen)))
+    except native.CompilationError as error:
+        raise CostError(f"cost times C, and that cannot be compiled: {error}") from None
+    states = _states(kernels, asked)
+    rows = tuple(_progress(_rows(built, states), "timing",
+                           sum(len(_functions(x.part)) for x in built)))
+    its = system(kernels, "double", dict(asked.settings))
+    planned = plan(its, asked.until, asked.step, asked.integrator)
+    truth = reference(its, planned.until, digits)
+    points = work_precision(kernels, built[0], planned, asked, truth) if truth else ()
+    return Costs(kernels.scene.name, str(using), rows, truth,
+                 tuple(_progress(points, "integrating", None)))
 
 
 def _functions(part: Part) -> tuple[Function, ...]:

@@ -11,8 +11,7 @@ from coscrew_codegen.cost.work_precision import Point
 
 def table(costs: Costs) -> str:
     """What costs.svg shows, and more: functions, effects, accuracy."""
-    compiler = costs.compiler
-    parts = [f"{costs.scene}: {compiler.version}, {compiler.flags}; ns per call in C, the shortest",
+    parts = [f"{costs.scene}: {costs.compiler}; ns per call in C, the shortest",
              _functions(costs), _effects(costs), _accuracy(costs)]
     return "\n\n".join(x for x in parts if x)
 

@@ -87,7 +87,7 @@ def libraries(variants: Sequence[Variant], found: Sequence[Compiler],
         for compiler in found:
             objects = [job.result() for job in jobs[compiler.name]]
             path = folder / f"{compiler.name}.so"
-            run_compiler(compiler.name, "-shared", *objects, "-o", path, "-lm")
+            _run(compiler.name, "-shared", *objects, "-o", path, "-lm")
             yield Library(compiler, path)
     finally:
         pool.shutdown(cancel_futures=True)
@@ -95,13 +95,12 @@ def libraries(variants: Sequence[Variant], found: Sequence[Compiler],
 
 def _object(compiler: Compiler, source: Path) -> Path:
     path = source.with_name(f"{source.stem}_{compiler.name}.o")
-    run_compiler(compiler.name, *compiler.flags.split(), "-fPIC", "-I", coscrew.get_include(), "-c",
-                 source, "-o", path)
+    _run(compiler.name, *compiler.flags.split(), "-fPIC", "-I", coscrew.get_include(), "-c", source,
+         "-o", path)
     return path
 
 
-def run_compiler(*words: str | Path) -> None:
-    """Raises ReportError with what the compiler said."""
+def _run(*words: str | Path) -> None:
     done = subprocess.run(list(map(str, words)), capture_output=True, text=True)
     if done.returncode:
         raise ReportError(f"{words[0]} cannot compile the kernels:\n{done.stderr.strip()}")

@@ -76,7 +76,11 @@ def run(options: argparse.Namespace) -> int:
                           (options.view, (".html",))):
         if path:
             write.check_target(path, endings)
-    outcomes = outcome.simulated(load_scene(options.scene), outcome.Asked(
+    kernels = load_scene(options.scene)
+    if unused := len(kernels.scene.unused):
+        print(f"coscrew: {unused} numbers of the model are not used; `coscrew generate "
+              f"{options.scene} -o DIR` lists them", file=sys.stderr)
+    outcomes = outcome.simulated(kernels, outcome.Asked(
         options.until, options.step, options.integrator, options.precision,
         tuple(options.settings)))
     recordings = [x.recording for x in outcomes]

@@ -53,13 +53,8 @@ def _run(kernels: object, precision: str, asked: Asked, also: tuple[float, ...])
     planned = plan(its, asked.until, asked.step, asked.integrator, also=also)
     with Progress(its, planned.until) as watch:
         trajectory = integrate(its, planned, watch)
-    told = provenance(its, planned, trajectory, compiled_in_words(kernels))
+    told = provenance(its, planned, trajectory, kernels.compiler or "none: NumPy")
     return Outcome(its, planned, trajectory, record(its, trajectory, told))
-
-
-def compiled_in_words(kernels: object) -> str:
-    """The compiler and its flags, or that there was none."""
-    return str(kernels.compiled) if kernels.compiled else "none: NumPy"
 
 
 def summary(outcomes: tuple[Outcome, ...]) -> str:

@@ -50,16 +50,22 @@ class System:
         arguments = [np.asarray(given[x], self.dtype) for x in self.inputs[name]]
         return getattr(self.kernels, name)(*arguments)
 
-    def stepper(self, name: str) -> Callable[[float, float, np.ndarray, np.ndarray], State]:
-        """The integrator as a function of t, h, q, v, whichever of these it takes."""
-        function, p, real = getattr(self.kernels, name), self._p, self.dtype.type
-        if self.functions.timed and self.functions.parameters:
-            return lambda t, h, q, v: function(real(t), real(h), p, q, v)
-        if self.functions.timed:
-            return lambda t, h, q, v: function(real(t), real(h), q, v)
-        if self.functions.parameters:
-            return lambda t, h, q, v: function(real(h), p, q, v)
-        return lambda t, h, q, v: function(real(h), q, v)
+    def stepper(self, name: str) -> Callable[[int, float, float, np.ndarray, np.ndarray], State]:
+        """The integrator as (n, t, h, q, v) -> q and v after n steps of h: in one call of C where the
+        functions are compiled."""
+        function, p = getattr(self.kernels, name), self._p
+        if repeated := getattr(function, "repeated", None):
+            return lambda n, t, h, q, v: repeated(n, t, h, p, q, v)
+        real = self.dtype.type
+        timed, parameters = self.functions.timed, [p] if self.functions.parameters else []
+
+        def steps(n: int, t: float, h: float, q: np.ndarray, v: np.ndarray) -> State:
+            for k in range(n):
+                now = [real(t + k * h)] if timed else []
+                q, v = function(*now, real(h), *parameters, q, v)
+            return q, v
+
+        return steps
 
     def energies(self, t: object, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Kinetic and potential energy in J.  (…), (…, nq), (…, nv)->(…), (…), in double."""
