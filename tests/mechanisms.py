@@ -84,10 +84,12 @@ def slider(mass: object = 1, axis: tuple = X) -> Model:
 
 def pendulum(mass: object = 1, length: object = 1) -> Model:
     """A point mass hung up by a massless rod, which turns about y: at rest it hangs along -z."""
-    return chain((Kind.REVOLUTE, Y, HERE, inertia(mass, (0, 0, -Fraction(length)))), name="pendulum")
+    return chain((Kind.REVOLUTE, Y, HERE, inertia(mass, (0, 0, -Fraction(length)))),
+                 name="pendulum")
 
 
-def free_body(mass: object = 1, com: tuple = (0, 0, 0), moments: tuple = (1, 1, 1, 0, 0, 0)) -> Model:
+def free_body(mass: object = 1, com: tuple = (0, 0, 0),
+              moments: tuple = (1, 1, 1, 0, 0, 0)) -> Model:
     """A body that nothing holds."""
     return chain((Kind.FREE, Z, HERE, inertia(mass, com, moments)), name="free_body")
 

@@ -1,4 +1,4 @@
-"""Evaluates Programs of scenes directly: on floats, 50-digit numbers or Fractions; no compiler needed.
+"""Evaluates Programs of scenes directly, on floats, 50-digit numbers or Fractions.
 
 Shares nothing with the targets but the Program itself.
 """
@@ -64,7 +64,7 @@ MULTIPRECISE = Arithmetic(
 
 
 def exact(circle: Mapping[Fraction, tuple[Fraction, Fraction]]) -> Arithmetic:
-    """Fractions, with (sin, cos) of the angles that occur as they are given: points of the circle."""
+    """Fractions, with (sin, cos) of the angles that occur: rational points of the circle."""
     return Arithmetic(lambda x: x.double, {**_RATIONAL, Op.SIN: lambda q: circle[q][0],
                                            Op.COS: lambda q: circle[q][1]})
 
@@ -74,7 +74,8 @@ class Evaluated:
 
     What a function does not take is left out; p is, unless given, what the scene says."""
 
-    def __init__(self, scene: Scene, arithmetic: Arithmetic = DOUBLE, number: Callable = np.float64):
+    def __init__(self, scene: Scene, arithmetic: Arithmetic = DOUBLE,
+                 number: Callable = np.float64):
         self.scene, self.arithmetic, self.number = scene, arithmetic, number
         self.functions: SceneFunctions = derive(scene)
         self.programs = {f.name: f.program for f in self.functions.functions}
@@ -82,11 +83,16 @@ class Evaluated:
     def __call__(self, name: str, **values: object) -> object:
         """A list of components; of a scalar, the number."""
         program = self.programs[name]
-        given = {"t": 0, "p": [self.number(float(p.value)) for p in self.scene.parameters], **values}
+        given = {"t": 0, "p": [p.value for p in self.scene.parameters], **values}
         found = self.arithmetic.evaluate(program, [
-            [self.number(x) for x in np.ravel(np.array(given[a.name], dtype=object))]
+            [self._number(x) for x in np.ravel(np.array(given[a.name], dtype=object))]
             for a in program.inputs])
         return found if program.outputs[0].quantity.shape else found[0]
+
+    def _number(self, x: object) -> object:
+        if isinstance(x, Fraction):
+            return self.number(x.numerator) / self.number(x.denominator)
+        return self.number(x)
 
 
 def multiprecise(scene: Scene) -> Evaluated:

@@ -78,6 +78,17 @@ class Force:
 
 
 @dataclass(frozen=True)
+class Line:
+    """How the pull between two points grows along the line from the first to the second, for
+    implicit steps: with the rate l' at which they part, and with their distance l."""
+
+    direction: "Vector"  # of length 1, in the world's frame
+    rate: "Number"  # l'
+    damping: "Number"  # ∂pull/∂l', at least 0
+    stiffness: "Number"  # ∂pull/∂l, at least 0
+
+
+@dataclass(frozen=True)
 class Effect:
     """One entry of the catalogue."""
 
@@ -91,6 +102,7 @@ class Effect:
     joint_torque: Callable[["JointState", Values], Torque] | None = None
     joint_inertia: Callable[[Values], "Number"] | None = None
     body_force: Callable[["BodyState", Values], Force] | None = None
-    pair_force: Callable[["BodyState", "BodyState", Values], tuple[Force, Force]] | None = None
+    pair_force: Callable[["BodyState", "BodyState", Values],
+                         tuple[Force, Force, Line | None]] | None = None
     reaction: bool = False  # asks for the joint's reaction function
     mimic: bool = False  # lets followers follow

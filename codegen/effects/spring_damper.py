@@ -3,13 +3,13 @@
 from fractions import Fraction
 
 from coscrew_codegen.dynamics.numbers import (dot, maximum, negative, scaled, sqrt, subtract)
-from coscrew_codegen.effects.effect import Effect, Force, ParameterOf, Place, Values
+from coscrew_codegen.effects.effect import Effect, Force, Line, ParameterOf, Place, Values
 
 CLOSEST = Fraction(1, 10**12)
 """Below this distance, in m, the direction of the line fades to zero: where points meet is none."""
 
 
-def _forces(first, second, values: Values) -> tuple[Force, Force]:
+def _forces(first, second, values: Values) -> tuple[Force, Force, Line]:
     """±[k (l - length) + d l'] e, e = x / max(l, CLOSEST) x from the first point to the second."""
     a, b, k, d = (values[x] for x in ("first", "second", "k", "d"))
     x = first.apart(a, second, b)
@@ -21,8 +21,9 @@ def _forces(first, second, values: Values) -> tuple[Force, Force]:
     pull = scaled(k * longer + d * rate, e)
     zero = rate.like(0)
     return (Force(a, first.own_direction(pull), energy=k / 2 * (longer * longer),
-                  power=-(d * (rate * rate)), damping=d),
-            Force(b, second.own_direction(negative(pull)), power=zero, damping=d))
+                  power=-(d * (rate * rate))),
+            Force(b, second.own_direction(negative(pull)), power=zero),
+            Line(e, rate, d, k))
 
 
 EFFECT = Effect(
