@@ -20,9 +20,9 @@ class Place(Enum):
     """What an effect acts on."""
 
     SCENE = "the whole scene"
-    JOINT = "a joint with one coordinate"
+    JOINT = "a joint with one coordinate; of `reaction`, any that is not fixed"
     BODY = "a body"
-    PAIR = "two bodies"
+    PAIR = "two bodies, named by the value `bodies`"
 
 
 @dataclass(frozen=True)
@@ -35,18 +35,24 @@ class ParameterOf:
     kind: str = "number"  # number, vector (three numbers), formula (number or function of t), formulas
     # (three of them), choice, body
     default: object = None  # a number or a tuple of numbers as int or Fraction, or a word; None: none
-    required: bool = True  # without default; if not, the value may stay None
+    required: bool = True  # without default; if not, the value may stay None, also where the model
+    # has no such number
     model: str = ""  # the joint's field that "model" stands for: damping, friction, effort, …
     choices: tuple[str, ...] = ()
+    of: tuple[str, ...] = ()  # choices of the effect's `kind` it belongs to; with others it may not be
+    # given, and its value is None; (): to all
     positive: bool = False  # refused if zero or below
     nonnegative: bool = False
 
 
 @dataclass(frozen=True)
 class Torque:
-    """What acts on a joint: force or torque; -∂/∂v and -∂/∂q of it, both at least 0, for implicit
-    steps; its potential energy, where it has one; the power of what has none (left out: all of the
-    torque's power if there is no energy, else none)."""
+    """What acts on a joint: force or torque; -∂/∂v and -∂/∂q of it, or bounds of these, all at least
+    0, for implicit steps; its potential energy, where it has one; the power of what has none (left
+    out: all of the torque's power if there is no energy, else none).
+
+    A bound may be larger than the slope where the torque saturates: |torque| / |v| keeps a step from
+    leaping across the point where the torque changes sign, a vanishing slope would not."""
 
     torque: "Number"
     damping: "Number | None" = None
@@ -80,6 +86,7 @@ class Effect:
     equation: str
     place: Place
     parameters: tuple[ParameterOf, ...]
+    any_of: tuple[str, ...] = ()  # one of these parameters, at least, must have a value
     gravity: Callable[[Values], "Vector"] | None = None  # in the world's frame
     joint_torque: Callable[["JointState", Values], Torque] | None = None
     joint_inertia: Callable[[Values], "Number"] | None = None
