@@ -10,3 +10,11 @@ Each stage is a function from one frozen value to the next; imports run one way,
     targets/           Program → text of one language and precision
     emit, __main__     text → templates → files; the command line
 """
+
+
+def __getattr__(name: str) -> object:
+    """`load_scene` is imported when it is used: to import this package costs nothing."""
+    if name == "load_scene":
+        from coscrew_codegen.simulate.load import load_scene
+        return load_scene
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

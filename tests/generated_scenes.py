@@ -16,7 +16,7 @@ from types import ModuleType
 from coscrew_codegen.dynamics.function import Coordinate, Function, SceneFunctions
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.quantity import Argument, Part, Quantity
-from coscrew_codegen.scene_layout import function_files
+from coscrew_codegen.scene_layout import c_files, python_files
 
 BANNER = "Made by `coscrew generate scene.toml`; changes are overwritten."
 
@@ -238,9 +238,14 @@ CASES: dict[str, Callable[[], SceneFunctions]] = {
     "slider": slider, "pendulum": pendulum, "spinner": spinner}
 
 
+def files(functions: SceneFunctions) -> dict[str, str]:
+    """All files of the functions, by path."""
+    return c_files(functions, BANNER) | python_files(functions, BANNER)
+
+
 def written(functions: SceneFunctions, folder: Path) -> Path:
     """The folder, with the scene's files in it."""
-    for path, text in function_files(functions, BANNER).items():
+    for path, text in files(functions).items():
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         (folder / path).write_text(text, encoding="utf-8")
     return folder

@@ -5,6 +5,7 @@ A formula is read once and kept in the order of evaluation, so that it is evalua
 """
 
 import ast
+import math
 import operator
 import re
 from collections.abc import Callable, Iterator, Mapping
@@ -27,6 +28,9 @@ _DECIMAL = re.compile(r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{1,4})?")
 _GLUED = re.compile(r"(?<![\w.])[0-9.]++(?:[eE][+-]?[0-9]+)?+[A-Za-z_]\w*")  # 2t
 _WANTED = f"numbers, t, pi, + - * / **, parentheses and {', '.join(FUNCTIONS)}"
 
+_DOUBLES = {"sin": math.sin, "cos": math.cos, "exp": math.exp, "tanh": math.tanh, "sqrt": math.sqrt,
+            "abs": abs, "min": min, "max": max, "pi": math.pi, "number": float}
+
 
 class FormulaError(ValueError):
     """What stands there is no formula."""
@@ -47,7 +51,8 @@ class Formula:
     """A function of the time t in s.
 
     Raises FormulaError, naming what came and what was wanted, for anything else than numbers, t, pi,
-    + - * /, ** (with a constant integer or half-integer), sin, cos, exp, tanh, sqrt, abs, min, max."""
+    + - * /, ** (with a constant integer or half-integer), sin, cos, exp, tanh, sqrt,
+    abs, min, max."""
 
     text: str
     _steps: tuple[_Step, ...] = field(init=False, repr=False, compare=False)
@@ -71,6 +76,14 @@ class Formula:
             del stack[len(stack) - step.operands:]
             stack.append(_evaluated(step, operands, t, functions))
         return stack.pop()
+
+    def at(self, t: float) -> float:
+        """The formula at the time t in doubles; NaN where it is not finite."""
+        try:
+            result = self.value(t, _DOUBLES)
+        except (ArithmeticError, ValueError):
+            return math.nan
+        return result if math.isfinite(result) else math.nan
 
 
 def _evaluated(step: _Step, operands: list, t: object, functions: Mapping) -> object:
@@ -168,7 +181,8 @@ class _Reading:
             return _Step(name)
         if name in FUNCTIONS:
             raise self._error(f"{name!r} lacks its argument; wanted {name}(…)")
-        raise self._error(f"unknown name {_short(name)!r}; {did_you_mean(name, ('t', 'pi', *FUNCTIONS))}")
+        hint = did_you_mean(name, ("t", "pi", *FUNCTIONS))
+        raise self._error(f"unknown name {_short(name)!r}; {hint}")
 
     def _call(self, node: ast.Call, nesting: int, power: int) -> Iterator[_Step]:
         name = self._part(node.func)
@@ -177,7 +191,8 @@ class _Reading:
         wanted, came = FUNCTIONS[name], len(node.args) + len(node.keywords)
         if node.keywords or came < wanted or (wanted == 1 and came > 1):
             count = "one argument" if wanted == 1 else "two arguments or more"
-            raise self._error(f"{_short(self._part(node))!r} has {came} arguments; {name} takes {count}")
+            raise self._error(f"{_short(self._part(node))!r} has {came} arguments; "
+                              f"{name} takes {count}")
         for i, argument in enumerate(node.args):
             yield from self._of(argument, nesting - 1, power)
             if i >= wanted - 1:
@@ -186,7 +201,7 @@ class _Reading:
     def _number(self, node: ast.Constant) -> Fraction:
         digits = self._part(node)
         if not _DECIMAL.fullmatch(digits):
-            raise self._error(f"unexpected {_short(digits)!r}; wanted decimal numbers such as 0.5 or 1e-3")
+            raise self._error(f"unexpected {_short(digits)!r}; wanted decimal numbers such as 1e-3")
         number = Fraction(Decimal(digits))
         if number and not Fraction(10)**-300 <= number <= Fraction(10)**300:
             raise self._error(f"{_short(digits)} is out of range; wanted 0, or 1e-300 to 1e300")

@@ -26,6 +26,11 @@ class Parameter:
 Scalar = Fraction | Parameter
 
 
+def value(x: Scalar) -> Fraction:
+    """The number, or the value of the parameter where nothing else is given."""
+    return x.value if isinstance(x, Parameter) else x
+
+
 class Kind(Enum):
     """How a joint moves; its value is the word files use."""
 

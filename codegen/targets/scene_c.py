@@ -30,23 +30,17 @@ class CText:
     internal: bool = False
 
 
-def header(scene: SceneFunctions, banner: str) -> str:
-    """The text of arm.h."""
-    sections = [{"precision": p, "functions": [f for f in _functions(scene, p) if not f.internal]}
-                for p in PRECISIONS]
+def texts(scene: SceneFunctions, banner: str) -> tuple[str, str]:
+    """The texts of arm.h and arm.c."""
+    sections = [{"precision": p, "functions": _functions(scene, p)} for p in PRECISIONS]
     macros = [("NQ", str(scene.nq)), ("NV", str(scene.nv))]
     if scene.parameters:
         macros.append(("NP", str(len(scene.parameters))))
     macros += [entry for p in PRECISIONS for entry in _defaults(scene, p)]
-    return render("scene/scene.h", banner=banner, name=scene.name, upper=scene.name.upper(),
-                  about=comment_of(_about(scene)), sections=sections, macros=macros)
-
-
-def source(scene: SceneFunctions, banner: str) -> str:
-    """The text of arm.c."""
-    sections = [{"precision": p, "functions": _functions(scene, p)} for p in PRECISIONS]
-    return render("scene/scene.c", banner=banner, name=scene.name, upper=scene.name.upper(),
-                  sections=sections)
+    shared = {"banner": banner, "name": scene.name, "upper": scene.name.upper(),
+              "sections": sections}
+    return (render("scene/scene.h", about=comment_of(_about(scene)), macros=macros, **shared),
+            render("scene/scene.c", **shared))
 
 
 def c_name(scene: SceneFunctions, name: str, precision: Precision) -> str:

@@ -86,11 +86,8 @@ def _function(function: Function, precision: Precision) -> dict[str, str]:
              *expressions.lines]
     made = list(_assembled(outputs, expressions.results, precision))
     lines.append(f"return {made[0]}" if len(made) == 1 else listed("return (", made, ")"))
-    takes, gives = (", ".join(f"{a.name} {_shape(a)}" for a in side)
-                    for side in (program.inputs, outputs))
-    return _text(_name(function), [a.name for a in program.inputs],
-                 [scene_text.sentence(function.words), f"Last axes: {takes} -> {gives}.",
-                  scene_text.cost(function)], lines)
+    return _text(_name(function), [a.name for a in program.inputs], scene_text.words(function),
+                 lines)
 
 
 def _assembled(outputs: Sequence[Argument], results: Sequence[str],
@@ -113,19 +110,15 @@ def _text(name: str, arguments: Sequence[str], words: Sequence[str],
 
 def _step(scene: SceneFunctions, name: str, precision: Precision) -> dict[str, str]:
     step, inputs = STEPS[name], scene_text.step_inputs(scene)
-    shapes = {"t": "()", "h": "()", "p": f"({len(scene.parameters)},)", "q": f"({scene.nq},)",
-              "v": f"({scene.nv},)"}
+    shapes = scene_text.step_shapes(scene)
     accelerated = function_named(scene, step.acceleration)
-    takes = ", ".join(f"{x} {shapes[x]}" for x in inputs)
     body = render(
         f"scene/{step.template}.py", timed=scene_text.takes(accelerated, "t"),
         pushed=scene_text.takes(accelerated, "tau"), accelerate=partial(_call, accelerated),
         integrate=partial(_call, function_named(scene, INTEGRATED)), rate=partial(_rate, scene))
-    lines = [_unpacking("arrays", [(x, shapes[x]) for x in inputs], precision),
+    lines = [_unpacking("arrays", [(x, str(shapes[x])) for x in inputs], precision),
              "q, v = spread(lead, q, v)", *body.rstrip("\n").split("\n")]
-    return _text(f"step_{name}", inputs, [
-        f"{step.words}.  Returns q and v.",
-        f"Last axes: {takes} -> q {shapes['q']}, v {shapes['v']}."], lines)
+    return _text(f"step_{name}", inputs, scene_text.step_words(scene, name), lines)
 
 
 def _name(function: Function) -> str:

@@ -1,0 +1,236 @@
+"""URDF files as models: links, joints, inertias, limits, dynamics, mimics.
+
+What has no part in the dynamics (visual, collision, transmission, simulators' own elements) is not
+read.  Lengths in m, masses in kg, angles in rad.
+"""
+
+from collections.abc import Callable
+from difflib import get_close_matches
+from fractions import Fraction
+from pathlib import Path
+from typing import NoReturn, TypeVar
+
+from coscrew_codegen.dynamics import rotations
+from coscrew_codegen.dynamics.assembly import ModelError, assembled
+from coscrew_codegen.dynamics.mimics import without_chains
+from coscrew_codegen.dynamics.model import (
+    HERE,
+    Body,
+    Inertia,
+    Joint,
+    Kind,
+    Mimic,
+    Model,
+    Placement,
+)
+from coscrew_codegen.dynamics.names import did_you_mean
+from coscrew_codegen.dynamics.possible import refuse_impossible
+from coscrew_codegen.scene_files.decimals import decimal
+from coscrew_codegen.scene_files.errors import SceneError, shown
+from coscrew_codegen.scene_files.xml import Element, read_xml
+
+TYPES = {"revolute": Kind.REVOLUTE, "continuous": Kind.REVOLUTE, "prismatic": Kind.PRISMATIC,
+         "fixed": Kind.FIXED, "floating": Kind.FREE, "spherical": Kind.SPHERICAL}
+
+_IGNORED = frozenset({"visual", "collision", "gazebo", "transmission", "material"})
+_PARTS = {"link": ("inertial",), "inertial": ("origin", "mass", "inertia"),
+          "joint": ("origin", "parent", "child", "axis", "limit", "dynamics", "mimic",
+                    "calibration", "safety_controller")}
+_MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
+
+_T = TypeVar("_T")
+
+
+def read_urdf(path: Path | str, base: Kind = Kind.FIXED) -> Model:
+    """The model in a URDF file, its root joined to the world by a joint of the kind `base`.
+
+    Raises SceneError, naming file, line and element, for files that are no URDF, numbers that are
+    not finite, impossible inertias, unknown names and joints that make no tree."""
+    return _Urdf(Path(path)).model(base)
+
+
+class _Urdf:
+    """One file while it is read."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self.root = read_xml(path, _IGNORED)
+
+    def model(self, base: Kind) -> Model:
+        if self.root.tag != "robot":
+            self._refuse(self.root, "", f"the root element is <{self.root.tag[:60]}>; wanted <robot>")
+        for child in self.root.children:
+            if child.tag.startswith("xacro:"):
+                self._refuse(child, "", f"<{child.tag[:60]}>: expand the file with xacro first")
+        links, joints = self.root.all("link"), self.root.all("joint")
+        lines = {f"body {e.attributes.get('name')!r}": e for e in reversed(links)}
+        lines |= {f"joint {e.attributes.get('name')!r}": e for e in reversed(joints)}
+        try:
+            model = assembled(self.root.attributes.get("name", self.path.stem),
+                         tuple(self._body(link) for link in links),
+                         without_chains(tuple(self._joint(joint) for joint in joints)), base)
+            refuse_impossible(model)
+        except ModelError as error:
+            self._refuse(lines.get(error.element, self.root), error.element, error.problem)
+        return model
+
+    def _body(self, link: Element) -> Body:
+        name = self._name(link)
+        element = f"body {name!r}"
+        self._refuse_misspelt(link, element)
+        inertial = self._only(link, "inertial", element)
+        return Body(name, inertial and self._inertia(inertial, element))
+
+    def _inertia(self, inertial: Element, body: str) -> Inertia | None:
+        """The inertia; None where mass and moments are zero, as in links that are frames only."""
+        self._refuse_misspelt(inertial, body)
+        placement = self._placement(inertial, body)
+        mass_element = self._required(inertial, "mass", body)
+        mass = self._number(mass_element, "value", body)
+        moments = self._moments(inertial, body)
+        if not mass and not any(moments):
+            return None
+        return Inertia(mass, placement.t, rotations.rotated(placement.R, moments))
+
+    def _moments(self, inertial: Element, body: str) -> tuple[Fraction, ...]:
+        element = self._required(inertial, "inertia", body)
+        return tuple(self._number(element, name, body) for name in _MOMENTS)
+
+    def _joint(self, joint: Element) -> Joint:
+        name = self._name(joint)
+        element = f"joint {name!r}"
+        self._refuse_misspelt(joint, element)
+        kind = self._kind(joint, element)
+        continuous = joint.attributes["type"] == "continuous"
+        turns_or_slides = kind in (Kind.REVOLUTE, Kind.PRISMATIC)
+        limits = self._limits(joint, element, continuous) if turns_or_slides else {}
+        dynamics = self._only(joint, "dynamics", element) if turns_or_slides else None
+        mimic = self._only(joint, "mimic", element) if turns_or_slides else None
+        return Joint(
+            name, kind,
+            self._text(self._required(joint, "parent", element), "link", element),
+            self._text(self._required(joint, "child", element), "link", element),
+            self._placement(joint, element),
+            **({"axis": self._axis(joint, element)} if turns_or_slides else {}),
+            **limits,
+            damping=dynamics and self._nonnegative(dynamics, "damping", element),
+            friction=dynamics and self._nonnegative(dynamics, "friction", element),
+            mimic=mimic and self._mimic(mimic, element))
+
+    def _kind(self, joint: Element, element: str) -> Kind:
+        word = self._text(joint, "type", element)
+        if word not in TYPES:
+            wanted = ", ".join(TYPES)
+            hint = "" if word == "planar" else f"; {did_you_mean(word, TYPES)}"
+            self._refuse(joint, element, f"type {shown(word)} is not supported; wanted one of "
+                                         f"{wanted}{hint}")
+        return TYPES[word]
+
+    def _axis(self, joint: Element, element: str) -> tuple[Fraction, Fraction, Fraction]:
+        axis = self._only(joint, "axis", element)
+        if axis is None:
+            return Fraction(1), Fraction(0), Fraction(0)  # what URDF says a missing axis is
+        vector = self._vector(axis, "xyz", element)
+        if not any(vector):
+            self._refuse(axis, element, "the axis is zero; wanted a direction")
+        return rotations.unit(vector)
+
+    def _limits(self, joint: Element, element: str, continuous: bool) -> dict[str, Fraction | None]:
+        """lower, upper, effort, velocity, as far as they are given; continuous joints have no lower
+        and upper, and where one is given, the other is 0."""
+        limit = self._only(joint, "limit", element)
+        if limit is None:
+            return {}
+        limits = {name: self._nonnegative(limit, name, element) for name in ("effort", "velocity")}
+        if continuous or not {"lower", "upper"} & set(limit.attributes):
+            return limits
+        lower, upper = (self._number(limit, name, element, Fraction(0))
+                        for name in ("lower", "upper"))
+        if lower > upper:
+            self._refuse(limit, element, f"lower limit {float(lower):g} is above the upper one, "
+                                         f"{float(upper):g}")
+        return limits | {"lower": lower, "upper": upper}
+
+    def _mimic(self, mimic: Element, element: str) -> Mimic:
+        return Mimic(self._text(mimic, "joint", element),
+                     self._number(mimic, "multiplier", element, Fraction(1)),
+                     self._number(mimic, "offset", element, Fraction(0)))
+
+    def _placement(self, owner: Element, element: str) -> Placement:
+        origin = self._only(owner, "origin", element)
+        if origin is None:
+            return HERE
+        xyz, rpy = (self._vector(origin, name, element, (Fraction(0),) * 3)
+                    for name in ("xyz", "rpy"))
+        return Placement(rotations.from_rpy(*rpy), xyz)
+
+    def _name(self, owner: Element) -> str:
+        name = self._text(owner, "name", f"<{owner.tag}>")
+        if not name.isprintable():
+            self._refuse(owner, f"<{owner.tag}>", f"name {shown(name)}; wanted printable characters")
+        return name
+
+    def _text(self, owner: Element, attribute: str, element: str) -> str:
+        if not owner.attributes.get(attribute, "").strip():
+            self._refuse(owner, element, f"<{owner.tag}> lacks its {attribute!r}")
+        return owner.attributes[attribute]
+
+    def _number(self, owner: Element, attribute: str, element: str,
+                default: Fraction | None = None) -> Fraction:
+        if attribute not in owner.attributes and default is not None:
+            return default
+        return self._read(owner, attribute, element, lambda text: decimal(text.strip()))
+
+    def _nonnegative(self, owner: Element, attribute: str, element: str) -> Fraction | None:
+        if attribute not in owner.attributes:
+            return None
+        number = self._number(owner, attribute, element)
+        if number < 0:
+            self._refuse(owner, element, f"{attribute} {float(number):g}; wanted 0 or more")
+        return number
+
+    def _vector(self, owner: Element, attribute: str, element: str,
+                default: tuple[Fraction, ...] | None = None) -> tuple[Fraction, Fraction, Fraction]:
+        if attribute not in owner.attributes and default is not None:
+            return default
+
+        def three(text: str) -> tuple[Fraction, ...]:
+            words = text.split()
+            if len(words) != 3:
+                raise ValueError(f"{shown(text)}; wanted three numbers")
+            return tuple(decimal(word) for word in words)
+
+        return self._read(owner, attribute, element, three)
+
+    def _read(self, owner: Element, attribute: str, element: str, reader: Callable[[str], _T]) -> _T:
+        text = self._text(owner, attribute, element)
+        try:
+            return reader(text)
+        except ValueError as error:
+            self._refuse(owner, element, f"{attribute!r} of <{owner.tag}>: {error}")
+
+    def _only(self, owner: Element, tag: str, element: str) -> Element | None:
+        """The one child with this tag, if there is one."""
+        found = owner.all(tag)
+        if len(found) > 1:
+            self._refuse(found[1], element, f"<{tag}> occurs twice; wanted it once")
+        return found[0] if found else None
+
+    def _required(self, owner: Element, tag: str, element: str) -> Element:
+        found = self._only(owner, tag, element)
+        if found is None:
+            self._refuse(owner, element, f"<{owner.tag}> lacks <{tag}>")
+        return found
+
+    def _refuse_misspelt(self, owner: Element, element: str) -> None:
+        """Elements of simulators are passed over, but not those that are a slip of the pen."""
+        for child in owner.children:
+            if child.tag not in _PARTS[owner.tag]:
+                near = get_close_matches(child.tag[:60].lower(), _PARTS[owner.tag], n=1, cutoff=0.75)
+                if near:
+                    self._refuse(child, element, f"unknown element <{child.tag[:60]}>; "
+                                                 f"did you mean <{near[0]}>?")
+
+    def _refuse(self, at: Element, element: str, problem: str) -> NoReturn:
+        where = f"line {at.line}, {element}" if element else f"line {at.line}"
+        raise SceneError(self.path, where, problem)

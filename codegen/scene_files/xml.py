@@ -1,0 +1,104 @@
+"""XML files as trees of elements that know their lines.
+
+Parsed by expat through defusedxml: a document type, which is where entity bombs and references to
+other files live, is refused; so are deep nesting and huge files.
+"""
+
+import io
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from xml.sax import SAXException, SAXParseException
+from xml.sax.handler import ContentHandler
+
+from defusedxml import DefusedXmlException
+from defusedxml.sax import make_parser
+
+from coscrew_codegen.scene_files.errors import SceneError, shown
+
+DEPTH = 100  # elements in each other
+SIZE = 64 * 2**20  # bytes
+
+
+@dataclass(frozen=True)
+class Element:
+    """An element: text between elements is not kept."""
+
+    tag: str
+    attributes: Mapping[str, str]
+    line: int
+    children: list["Element"] = field(default_factory=list)
+
+    def all(self, tag: str) -> tuple["Element", ...]:
+        """The children with this tag."""
+        return tuple(child for child in self.children if child.tag == tag)
+
+
+def read_xml(path: Path, ignored: frozenset[str]) -> Element:
+    """The root element of a file, without elements whose tags are `ignored`.
+
+    Raises SceneError, naming the line, if the file cannot be read or is no well-formed XML."""
+    parser = make_parser()
+    parser.forbid_dtd = True
+    handler = _Handler(path, ignored)
+    parser.setContentHandler(handler)
+    try:
+        parser.parse(io.BytesIO(read_bytes(path, SIZE)))
+    except SAXParseException as error:
+        raise SceneError(path, f"line {error.getLineNumber()}",
+                         f"{error.getMessage()}; wanted well-formed XML") from None
+    except DefusedXmlException:
+        raise SceneError(path, f"line {parser.getLineNumber()}", "holds a document type (<!DOCTYPE) "
+                         "or entities; wanted XML without them") from None
+    except (SAXException, LookupError, ValueError) as error:
+        if isinstance(error, SceneError):
+            raise
+        raise SceneError(path, f"line {parser.getLineNumber()}",
+                         f"{shown(error)}; wanted well-formed XML") from None
+    return handler.root.children[0]
+
+
+def read_bytes(path: Path, largest: int) -> bytes:
+    """The contents of a file; SceneError if it cannot be read or is larger than `largest` bytes."""
+    try:
+        with path.open("rb") as file:
+            contents = file.read(largest + 1)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise SceneError(path, "", f"cannot be read ({reason})") from None
+    if len(contents) > largest:
+        raise SceneError(path, "", f"is larger than {largest // 2**20} MiB; wanted a smaller file")
+    return contents
+
+
+class _Handler(ContentHandler):
+    """Builds elements; `root` stands above the file's own root."""
+
+    def __init__(self, file: Path, ignored: frozenset[str]) -> None:
+        super().__init__()
+        self._file, self._ignored = file, ignored
+        self.root = Element("", {}, 0)
+        self._open = [self.root]
+        self._depth = self._ignoring_from = 0  # depth of the ignored element we are in, or 0
+
+    def startElement(self, name: str, attrs: Mapping[str, str]) -> None:  # noqa: N802
+        self._depth += 1
+        line = self._locator.getLineNumber()
+        if self._depth > DEPTH:
+            raise SceneError(self._file, f"line {line}, <{name[:60]}>",
+                             f"elements are nested deeper than {DEPTH}")
+        if self._ignoring_from:
+            return
+        if name in self._ignored:
+            self._ignoring_from = self._depth
+            return
+        element = Element(name, dict(attrs.items()), line)
+        self._open[-1].children.append(element)
+        self._open.append(element)
+
+    def endElement(self, name: str) -> None:  # noqa: N802
+        if not self._ignoring_from:
+            self._open.pop()
+        elif self._ignoring_from == self._depth:
+            self._ignoring_from = 0
+        self._depth -= 1
