@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.programs import evaluated
+from tests import programs
 
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.dynamics.function import SceneFunctions
@@ -164,7 +164,9 @@ ALL = pytest.mark.parametrize("file, free, mimics", ROBOTS, ids=[r[0].split("/")
 
 def _ours(x: Robot, name: str, *arguments: np.ndarray, dtype=np.float64) -> np.ndarray:
     program = next(f.program for f in x.functions.functions if f.name == name)
-    return np.stack(evaluated(program, *(a.astype(dtype) for a in arguments)), -1)
+    arithmetic = programs.SINGLE if dtype == np.float32 else programs.DOUBLE
+    columns = [list(a.astype(dtype).T) for a in arguments]
+    return np.stack(np.broadcast_arrays(*arithmetic.evaluate(program, columns)), -1)
 
 
 def _error(found: np.ndarray, wanted: np.ndarray) -> float:

@@ -100,9 +100,10 @@ def followers(scene: Scene) -> Mapping[str, Joint]:
 def _of_joints(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:
     """Components of q, v or a: of all joints, of one, or one of its."""
     joints = coordinates(scene)
-    names = tuple(joint.name for joint, _, _ in joints)
+    follow = followers(scene)
+    names = (*(joint.name for joint, _, _ in joints), *follow)
     target, index = ("", "") if text == quantity else _target(text, rest, "joint", names)
-    if target in followers(scene):
+    if target in follow:
         raise QuantityError(f"{text!r}: joint {target!r} follows another; it has no coordinates")
     places, columns, units = [], [], []
     for joint, q, v in joints:
