@@ -50,7 +50,7 @@ def page(system: System, trajectory: Trajectory, provenance: Provenance) -> str:
     t, q, v = trajectory.t[frames], trajectory.q[frames], trajectory.v[frames]
     kinetic, potential = system.energies(t, q, v)
     energies = {"kinetic": kinetic, "potential": potential, "total": kinetic + potential}
-    data = {"t": _packed(t, "<f8"), "poses": _packed(_poses(system, t, q), "<f4"),
+    data = {"t": _packed(t, "<f8"), "poses": _packed(poses, "<f4"),
             "energies": {name: _packed(values, "<f8") for name, values in energies.items()},
             "bodies": names, "up": _up(system), **asdict(drawn(system)),
             "labels": _labels(system)}
@@ -74,10 +74,12 @@ def _packed(numbers: np.ndarray, kind: str) -> str:
 
 
 def _poses(system: System, t: np.ndarray, q: np.ndarray) -> np.ndarray:
-    """Position and unit quaternion of each body at each time.  (frames, bodies, 7)."""
+    """Position and unit quaternion of each body at each time, in single precision, of which there is
+    more than pixels show.  (frames, bodies, 7)."""
     D = np.asarray(system.call("body_poses", t=t, q=q), float).reshape(len(q), -1, 3, 4)
     turned = coscrew.double.quaternion_from_mat3x3(D[..., :3])
-    return np.concatenate((D[..., 3], turned), -1)
+    with np.errstate(over="ignore"):
+        return np.concatenate((D[..., 3], turned), -1).astype(np.float32)
 
 
 def _up(system: System) -> list[float]:
