@@ -46,8 +46,7 @@ def view(system: System, trajectory: Trajectory, provenance: Provenance, path: P
 def page(system: System, trajectory: Trajectory, provenance: Provenance) -> str:
     """The page's text."""
     scene, names = system.scene, [body.name for body in system.scene.model.bodies]
-    frames = _frames(trajectory.t, len(names))
-    t, q, v = trajectory.t[frames], trajectory.q[frames], trajectory.v[frames]
+    t, q, v, poses = _shown(system, trajectory)
     kinetic, potential = system.energies(t, q, v)
     energies = {"kinetic": kinetic, "potential": potential, "total": kinetic + potential}
     data = {"t": _packed(t, "<f8"), "poses": _packed(poses, "<f4"),
@@ -61,6 +60,15 @@ def page(system: System, trajectory: Trajectory, provenance: Provenance) -> str:
                   stopped=trajectory.stopped, speeds=_SPEEDS, energies=tuple(energies),
                   provenance=provenance, data=json.dumps(data, allow_nan=False, separators=(
                       ",", ":")).replace("<", "\\u003c"))
+
+
+def _shown(system: System, trajectory: Trajectory) -> tuple[np.ndarray, ...]:
+    """t, q, v and poses of the frames, up to the first whose poses overflow."""
+    frames = _frames(trajectory.t, len(system.scene.model.bodies))
+    t, q, v = (x[frames] for x in (trajectory.t, trajectory.q, trajectory.v))
+    poses = _poses(system, t, q)
+    count = max(1, int(np.argmin([*np.isfinite(poses).all((1, 2)), False])))
+    return t[:count], q[:count], v[:count], poses[:count]
 
 
 def _frames(t: np.ndarray, bodies: int) -> np.ndarray:
