@@ -1,4 +1,4 @@
-"""The command line: `coscrew generate`, `coscrew report`; also `python -m coscrew_codegen`."""
+"""The command line: `coscrew generate`, `simulate`, `check`, `cost`, `report`; also `python -m coscrew_codegen`."""
 
 import argparse
 import sys
@@ -7,15 +7,21 @@ from pathlib import Path
 try:
     from tqdm import tqdm
 
+    from coscrew_codegen.cost import CostError
+    from coscrew_codegen.cost import command as cost
     from coscrew_codegen.documentation import with_table
     from coscrew_codegen.emit import EmitError, differences, read, stale_files, write
     from coscrew_codegen.layout import Files, Programs, generated_files, program_of
     from coscrew_codegen.operations import FAMILIES
     from coscrew_codegen.report import ReportError, command
+    from coscrew_codegen.scene_files.errors import SceneError
     from coscrew_codegen.selection import LANGUAGES, Selection, SelectionError, select
+    from coscrew_codegen.simulate import SimulateError, check_command
+    from coscrew_codegen.simulate import command as simulate
 except ModuleNotFoundError as error:
     sys.exit(f"coscrew: the generator needs {error.name}; run `pip install 'coscrew[codegen]'`")
 
+ERRORS = (SelectionError, EmitError, ReportError, SceneError, SimulateError, CostError)
 DEFAULT_OUTPUT = "generated"
 
 
@@ -24,7 +30,7 @@ def main(arguments: list[str] | None = None) -> int:
     options = _parser().parse_args(arguments)
     try:
         return options.run(options)
-    except (SelectionError, EmitError, ReportError) as error:
+    except ERRORS as error:
         print(f"coscrew: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
@@ -49,7 +55,8 @@ def _parser() -> argparse.ArgumentParser:
     generate.add_argument("--language", metavar="NAME",
                           help=f"{' or '.join(LANGUAGES)} (default: both, and the extension)")
     generate.set_defaults(run=_generate)
-    command.add_parser(commands)
+    for subcommand in (simulate, check_command, cost, command):
+        subcommand.add_parser(commands)
     return parser
 
 
