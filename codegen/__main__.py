@@ -1,4 +1,4 @@
-"""The command line: `coscrew generate`, `coscrew report`; also `python -m coscrew_codegen`."""
+"""The command line: `coscrew generate`, `simulate`, `check`, `cost`, `report`; also `python -m coscrew_codegen`."""
 
 import argparse
 import sys
@@ -7,6 +7,8 @@ from pathlib import Path
 try:
     from tqdm import tqdm
 
+    from coscrew_codegen.cost import CostError
+    from coscrew_codegen.cost import command as cost
     from coscrew_codegen.documentation import with_table
     from coscrew_codegen.dynamics import derive
     from coscrew_codegen.emit import EmitError, differences, read, stale_files, write
@@ -17,9 +19,12 @@ try:
     from coscrew_codegen.scene_files.toml_scene import read_scene
     from coscrew_codegen.scene_layout import scene_files
     from coscrew_codegen.selection import LANGUAGES, Selection, SelectionError, select
+    from coscrew_codegen.simulate import SimulateError, check_command
+    from coscrew_codegen.simulate import command as simulate
 except ModuleNotFoundError as error:
     sys.exit(f"coscrew: the generator needs {error.name}; run `pip install 'coscrew[codegen]'`")
 
+ERRORS = (SelectionError, EmitError, ReportError, SceneError, SimulateError, CostError)
 DEFAULT_OUTPUT = "generated"
 
 
@@ -28,7 +33,7 @@ def main(arguments: list[str] | None = None) -> int:
     options = _parser().parse_args(arguments)
     try:
         return options.run(options)
-    except (SelectionError, EmitError, ReportError, SceneError) as error:
+    except ERRORS as error:
         print(f"coscrew: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
@@ -55,7 +60,8 @@ def _parser() -> argparse.ArgumentParser:
     generate.add_argument("--language", metavar="NAME",
                           help=f"{' or '.join(LANGUAGES)} (default: both, and the extension)")
     generate.set_defaults(run=_generate)
-    command.add_parser(commands)
+    for subcommand in (simulate, check_command, cost, command):
+        subcommand.add_parser(commands)
     return parser
 
 

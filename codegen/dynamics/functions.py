@@ -4,14 +4,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from coscrew_codegen.dynamics import articulated, composite, coordinates, inverse
+from coscrew_codegen.dynamics import articulated, composite, coordinates, forward, inverse
 from coscrew_codegen.dynamics.acting import Acting, gravity, joint_inertias
-from coscrew_codegen.dynamics.articulated import Articulated
 from coscrew_codegen.dynamics.bodies import Rigid, kinetic_energy, lumped
 from coscrew_codegen.dynamics.formulas import Formula
 from coscrew_codegen.dynamics.function import Function, SceneFunctions
 from coscrew_codegen.dynamics.identifiers import identifiers
-from coscrew_codegen.dynamics.linear import factored
 from coscrew_codegen.dynamics.motion import Motion
 from coscrew_codegen.dynamics.numbers import Number, add, cross, dot, rotated, scaled
 from coscrew_codegen.dynamics.record import Recorder, array, headings
@@ -163,7 +161,8 @@ class _Derivation:
         def compute(x: _Recording):
             motion = x.motion(accelerating=False)
             acting = Acting(self.scene, motion).act()
-            return [_accelerations(x, motion, acting, x.recorder.argument("tau"))]
+            return [forward.accelerations(motion, acting, x.rigids, x.inertias,
+                                          x.recorder.argument("tau"))]
 
         return self._function(
             "forward_dynamics", "a with M(q) a + bias_torques(q, v) = tau", "q v tau",
@@ -174,7 +173,8 @@ class _Derivation:
             motion = x.motion(accelerating=False)
             acting = Acting(self.scene, motion).act()
             zero = [x.recorder.number(0)] * self.tree.nv
-            return [_accelerations(x, motion, acting, zero, x.recorder.argument("h")[0])]
+            return [forward.accelerations(motion, acting, x.rigids, x.inertias, zero,
+                                          x.recorder.argument("h")[0])]
 
         return self._function(
             "implicit_acceleration", "a with (M + h d + h^2 k) a = -bias_torques(q, v) - h k v, where "
@@ -283,56 +283,6 @@ class _Derivation:
             "chart_rate", "u = phi' while q = integrated(q0, phi) moves with v: v + [phi, v]/2 + "
             "[phi, [phi, v]]/12, enough for four orders", "v phi",
             [array("u", (self.tree.nv,), "in m/s, rad/s")], compute, dynamic=False, internal=True)
-
-
-def _accelerations(x: _Recording, motion: Motion, acting: Acting, tau: Sequence[Number],
-                   h: Number | None = None) -> list[Number]:
-    """Forward dynamics; with a step h linearly implicit in what effects say of their slopes."""
-    tree, zero = x.tree, x.recorder.number(0)
-    own, implied, bodies = [zero] * tree.nv, [zero] * tree.nv, list(x.rigids)
-    for number, link in enumerate(tree.links):
-        with x.recorder.part(f"{x.names[number]}_own", link.name):
-            if link.joint.name in x.inertias:
-                inverse.gather(motion, number, [x.inertias[link.joint.name] * _square(link)], own)
-            if h is not None and number in acting.torques:
-                stiff, v = acting.stiffness(number) * h, motion.speeds(number)[0]
-                slope = (acting.damping(number) + stiff) * h
-                inverse.gather(motion, number, [slope * _square(link)], own)
-                inverse.gather(motion, number, [stiff * v], implied)
-            if h is not None:
-                for damping, point in acting.resisting(number):
-                    bodies[number] = _with_mass(bodies[number], h * damping, point)
-    wrenches = inverse.net_wrenches(motion, x.rigids, acting)
-    if not tree.follows:
-        torques = [t - i + _effects(acting, tree, k)
-                   for k, (t, i) in enumerate(zip(tau, implied, strict=True))]
-        return articulated.accelerations(motion, [Articulated.of(body) for body in bodies],
-                                         wrenches, torques, own)
-    M = composite.mass_matrix(motion, bodies, {})
-    for k, inertia in enumerate(own):
-        M[k][k] = M[k][k] + inertia
-    bias = inverse.joint_torques(motion, inverse.transmitted(motion, wrenches), acting, {})
-    with x.recorder.part("solution", "M a = tau"):
-        return factored(M).solve([t - i - b for t, i, b in zip(tau, implied, bias, strict=True)])
-
-
-def _square(link) -> object:
-    """A follower's multiplier once: `gather` supplies the second."""
-    return link.driver.multiplier if link.driver else 1
-
-
-def _effects(acting: Acting, tree: Tree, speed: int) -> Number:
-    """What effects do at the joint with this speed."""
-    number = next(n for n, link in enumerate(tree.links) if speed in link.v)
-    return acting.torque(number)
-
-
-def _with_mass(body: Rigid, mass: Number, point) -> Rigid:
-    """The body with a point mass."""
-    zero = mass.like(0)
-    total = add(body.numbers, mass.recorder.call(
-        "inertia_from_com", mass, point, [zero] * 9))
-    return Rigid(total[0], tuple(total[1:4]), tuple(total[4:]))
 
 
 def _kinetic(x: _Recording, motion: Motion) -> Number:

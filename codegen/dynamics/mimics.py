@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from coscrew_codegen.dynamics.model import Joint, Kind, Mimic
 from coscrew_codegen.dynamics.names import did_you_mean
-from coscrew_codegen.dynamics.trees import ModelError
+from coscrew_codegen.dynamics.assembly import ModelError
 
 
 def without_chains(joints: Sequence[Joint]) -> tuple[Joint, ...]:

@@ -6,13 +6,14 @@ All in exact fractions; parameters count with their values.
 from collections.abc import Collection
 from fractions import Fraction
 
-from coscrew_codegen.dynamics import trees
+from coscrew_codegen.dynamics.assembly import ModelError
 from coscrew_codegen.dynamics.model import Joint, Kind, Model, Scalar, value
 from coscrew_codegen.dynamics.rotations import rotated
+from coscrew_codegen.dynamics.tree import Link, tree_of
 
 SLACK = Fraction(1, 10**6)
-"""By how much of xx + yy + zz the inequalities may fail: files round moments to six digits, and thin
-plates, for which xx + yy = zz, are then as often beyond as within."""
+"""By how much of xx + yy + zz the inequalities may fail: files round moments to six digits, and
+thin plates, for which xx + yy = zz, are then as often beyond as within."""
 
 FINEST = Fraction(1, 10**6)
 """Radius of gyration in m below which moments are residues, as those of point masses in files that
@@ -29,18 +30,18 @@ def refuse_impossible(model: Model) -> None:
     rods and plates are allowed: moments that are zero, or of which two sum to the third."""
     for body in model.bodies:
         if body.inertia and value(body.inertia.mass) < 0:
-            raise trees.ModelError(f"body {body.name!r}", f"mass {_shown(value(body.inertia.mass))} "
-                                   "kg; wanted a positive mass")
-    for cluster in trees.clusters(model):
-        heavy = [body.name for body, _ in cluster.bodies if body.inertia]
-        if cluster.joint is None or not heavy:
+            raise ModelError(f"body {body.name!r}",
+                             f"mass {_shown(value(body.inertia.mass))} kg; wanted a positive mass")
+    for link in tree_of(model, False).links:
+        heavy = [seat.body.name for seat in link.seats if seat.body.inertia]
+        if not heavy:
             continue
-        mass, first, moments = _composite(cluster)
+        mass, first, moments = _composite(link)
         problem = "its mass is zero, its moments are not" if not mass else _wrong(
             mass, tuple(a - b / mass for a, b in zip(moments, _steiner(first), strict=True)))
         if problem:
             joined = f" (with what is fixed to it: {', '.join(heavy)})" if len(heavy) > 1 else ""
-            raise trees.ModelError(f"body {heavy[0]!r}", f"{problem}{joined}")
+            raise ModelError(f"body {heavy[0]!r}", f"{problem}{joined}")
 
 
 def _wrong(mass: Fraction, moments: _Six) -> str | None:
@@ -59,22 +60,21 @@ def _wrong(mass: Fraction, moments: _Six) -> str | None:
 def unmoved_mass(model: Model, carried: Collection[str]) -> tuple[Joint, str] | None:
     """The first joint whose forces would move nothing, with the reason; None if there is none.
 
-    Its forward dynamics would divide by zero.  `carried` are names of joints that have an inertia of
-    their own (an armature) or follow others."""
-    clusters = trees.clusters(model)
-    beyond = {joint.parent_cluster for joint in clusters}
+    Its forward dynamics would divide by zero.  `carried` are names of joints that have an inertia
+    of their own (an armature), follow others or are followed."""
+    links = tree_of(model, False).links
+    inner = {link.parent for link in links}
     massive = set()
-    for cluster in reversed(clusters):
-        if cluster.name in massive or any(body.inertia for body, _ in cluster.bodies):
-            massive |= {cluster.name, cluster.parent_cluster}
-    for cluster in clusters:
-        joint = cluster.joint
-        if joint is None or joint.name in carried:
+    for number, link in reversed(tuple(enumerate(links))):
+        if number in massive or any(seat.body.inertia for seat in link.seats):
+            massive |= {number, link.parent}
+    for number, link in enumerate(links):
+        if link.joint.name in carried:
             continue
-        if cluster.name not in massive:
-            return joint, "neither what it moves nor what moves on that has a mass"
-        if cluster.name not in beyond and not _resists(joint, _composite(cluster)[2]):
-            return joint, "what it moves has no inertia against its motion"
+        if number not in massive:
+            return link.joint, "neither what it moves nor what moves on that has a mass"
+        if number not in inner and not _resists(link.joint, _composite(link)[2]):
+            return link.joint, "what it moves has no inertia against its motion"
     return None
 
 
@@ -82,15 +82,15 @@ def _values(numbers: tuple[Scalar, ...]) -> tuple[Fraction, ...]:
     return tuple(value(x) for x in numbers)
 
 
-def _composite(cluster: trees.Cluster) -> tuple[Fraction, tuple[Fraction, ...], _Six]:
-    """Mass, first moments and second moments of a cluster, about its first body's origin."""
+def _composite(link: Link) -> tuple[Fraction, tuple[Fraction, ...], _Six]:
+    """Mass, first moments and second moments of a link, about its origin."""
     mass, first, moments = Fraction(0), (Fraction(0),) * 3, (Fraction(0),) * 6
-    for body, placement in cluster.bodies:
-        if body.inertia:
-            m, R, com = value(body.inertia.mass), placement.R, _values(body.inertia.com)
-            at = tuple(sum((R[3 * i + k] * com[k] for k in range(3)), value(placement.t[i]))
+    for seat in link.seats:
+        if inertia := seat.body.inertia:
+            m, R, com = value(inertia.mass), seat.placement.R, _values(inertia.com)
+            at = tuple(sum((R[3 * i + k] * com[k] for k in range(3)), value(seat.placement.t[i]))
                        for i in range(3))
-            own = rotated(R, _values(body.inertia.moments))
+            own = rotated(R, _values(inertia.moments))
             mass += m
             first = tuple(a + m * b for a, b in zip(first, at, strict=True))
             moments = tuple(a + b + m * c
@@ -122,7 +122,7 @@ def _minors(moments: _Six) -> tuple[Fraction, ...]:
 
 
 def _positive(moments: _Six) -> bool:
-    """Whether a symmetric matrix is positive semidefinite: none of its principal minors is negative."""
+    """Whether a symmetric matrix is positive semidefinite: no principal minor is negative."""
     return min(_minors(moments)) >= 0
 
 

@@ -49,7 +49,7 @@ class Recorded:
 
 
 def recorded(text: str, scene: Scene) -> Recorded:
-    """What a text such as "q.elbow" names in a scene; raises QuantityError with the nearest name."""
+    """What a text such as "q.elbow" names in a scene; QuantityError with the nearest name if none."""
     quantity, _, rest = text.partition(".")
     if quantity in _UNITS:
         return _of_joints(text, quantity, rest, scene)
@@ -91,18 +91,19 @@ def coordinates(scene: Scene) -> tuple[tuple[Joint, range, range], ...]:
 
 
 def followers(scene: Scene) -> Mapping[str, Joint]:
-    """The joints that a mimic effect makes follow others, by name."""
-    on = {applied.on for applied in scene.effects if applied.effect.mimic}
-    return {joint.name: joint for joint in scene.model.joints
-            if joint.mimic and (joint.name in on or "" in on)}
+    """The joints that follow others, by name: where a mimic effect lets them, all."""
+    if not any(applied.effect.mimic for applied in scene.effects):
+        return {}
+    return {joint.name: joint for joint in scene.model.joints if joint.mimic}
 
 
 def _of_joints(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:
     """Components of q, v or a: of all joints, of one, or one of its."""
     joints = coordinates(scene)
-    names = tuple(joint.name for joint, _, _ in joints)
+    follow = followers(scene)
+    names = (*(joint.name for joint, _, _ in joints), *follow)
     target, index = ("", "") if text == quantity else _target(text, rest, "joint", names)
-    if target in followers(scene):
+    if target in follow:
         raise QuantityError(f"{text!r}: joint {target!r} follows another; it has no coordinates")
     places, columns, units = [], [], []
     for joint, q, v in joints:

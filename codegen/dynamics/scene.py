@@ -8,18 +8,25 @@ from coscrew_codegen.dynamics.formulas import Formula
 from coscrew_codegen.dynamics.model import Model, Parameter, Scalar
 from coscrew_codegen.effects.effect import Effect
 
-Setting = Scalar | tuple[Scalar, ...] | Formula | str | None
+Setting = Scalar | tuple[Scalar | Formula, ...] | tuple[str, str] | Formula | str | None
 
 
 @dataclass(frozen=True)
 class Applied:
     """An effect where it acts: on a joint, on a body, or under a label of its own (a spring between
     two bodies); gravity and other effects on everything act on "".  `values` has an entry for each of
-    the effect's parameters."""
+    the effect's parameters, and of two bodies "bodies", their names.  A label tells several of one
+    effect on one body apart."""
 
     effect: Effect
     on: str
     values: Mapping[str, Setting]
+    label: str = ""
+
+    @property
+    def name(self) -> str:
+        """As in `runtime`: viscous.elbow, wrench.push, gravity."""
+        return ".".join(part for part in (self.effect.name, self.label or self.on) if part)
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,9 @@
-"""The effects scenes may call for, a file each."""
+"""The effects scenes may call for, a file each.
+
+Three more have a place of their own: contact of a point with the ground fills `body_force`; added
+mass needs a slot for a body's 6×6 inertia in `Effect`, beside `joint_inertia`; closed loops need
+multipliers, hence a slot for rows of constraints, which forward dynamics then solves for.
+"""
 
 from importlib import import_module
 from pkgutil import iter_modules

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import NoReturn, TypeVar
 
 from coscrew_codegen.dynamics import rotations
+from coscrew_codegen.dynamics.assembly import ModelError, assembled
 from coscrew_codegen.dynamics.mimics import without_chains
 from coscrew_codegen.dynamics.model import (
     HERE,
@@ -24,7 +25,6 @@ from coscrew_codegen.dynamics.model import (
 )
 from coscrew_codegen.dynamics.names import did_you_mean
 from coscrew_codegen.dynamics.possible import refuse_impossible
-from coscrew_codegen.dynamics.trees import ModelError, tree
 from coscrew_codegen.scene_files.decimals import decimal
 from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.xml import Element, read_xml
@@ -66,7 +66,7 @@ class _Urdf:
         lines = {f"body {e.attributes.get('name')!r}": e for e in reversed(links)}
         lines |= {f"joint {e.attributes.get('name')!r}": e for e in reversed(joints)}
         try:
-            model = tree(self.root.attributes.get("name", self.path.stem),
+            model = assembled(self.root.attributes.get("name", self.path.stem),
                          tuple(self._body(link) for link in links),
                          without_chains(tuple(self._joint(joint) for joint in joints)), base)
             refuse_impossible(model)

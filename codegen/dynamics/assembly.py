@@ -1,12 +1,10 @@
-"""Bodies and joints as files name them, joined into the tree that a Model is."""
+"""Bodies and joints as files name them, assembled into the tree that a Model is."""
 
 import heapq
 from collections.abc import Sequence
-from dataclasses import dataclass
 
-from coscrew_codegen.dynamics.model import HERE, WORLD, Body, Joint, Kind, Model, Placement, value
+from coscrew_codegen.dynamics.model import WORLD, Body, Joint, Kind, Model
 from coscrew_codegen.dynamics.names import did_you_mean
-from coscrew_codegen.dynamics.rotations import IDENTITY, product
 
 BASE = "base"
 """The name of the joint that joins a model's root to the world."""
@@ -20,19 +18,7 @@ class ModelError(ValueError):
         self.element, self.problem = element, problem
 
 
-@dataclass(frozen=True)
-class Cluster:
-    """Bodies that fixed joints make one, and the joint that moves them (None: they do not move).
-
-    `bodies` come with their placements in the first one's frame."""
-
-    name: str  # of the first body; WORLD for what does not move
-    joint: Joint | None
-    parent_cluster: str
-    bodies: tuple[tuple[Body, Placement], ...]
-
-
-def tree(name: str, bodies: Sequence[Body], joints: Sequence[Joint], base: Kind) -> Model:
+def assembled(name: str, bodies: Sequence[Body], joints: Sequence[Joint], base: Kind) -> Model:
     """The model of these bodies and joints, parents first and else in the order given.
 
     A root body other than WORLD is joined to it by a joint "base" of the kind `base`, FIXED or FREE
@@ -49,34 +35,6 @@ def tree(name: str, bodies: Sequence[Body], joints: Sequence[Joint], base: Kind)
         joints = (Joint(_unused(BASE, joints), base, WORLD, root), *joints)
     ordered = _parents_first(joints)
     return Model(name, tuple(by_name[joint.child] for joint in ordered), ordered)
-
-
-def clusters(model: Model) -> tuple[Cluster, ...]:
-    """The rigid clusters of a model, parents first; the first is the world with what is fixed to it."""
-    first: dict[str, tuple[str, Placement]] = {WORLD: (WORLD, HERE)}  # of each body
-    heads: dict[str, tuple[Joint | None, str]] = {WORLD: (None, "")}
-    members: dict[str, list[tuple[Body, Placement]]] = {WORLD: []}
-    for body, joint in zip(model.bodies, model.joints, strict=True):
-        cluster, placement = first[joint.parent]
-        if joint.kind is Kind.FIXED:
-            first[body.name] = cluster, composed(placement, joint.placement)
-        else:
-            first[body.name] = body.name, HERE
-            heads[body.name], members[body.name] = (joint, cluster), []
-        cluster, placement = first[body.name]
-        members[cluster].append((body, placement))
-    return tuple(Cluster(name, joint, parent, tuple(members[name]))
-                 for name, (joint, parent) in heads.items())
-
-
-def composed(outer: Placement, inner: Placement) -> Placement:
-    """The placement of a frame that is at `inner` in a frame at `outer`."""
-    if outer == HERE:
-        return inner
-    R, t = outer.R, inner.t
-    origin = tuple(sum((R[3 * i + k] * value(t[k]) for k in range(3)), value(outer.t[i]))
-                   for i in range(3))
-    return Placement(inner.R if R == IDENTITY else product(R, inner.R), origin)
 
 
 def _refuse_twice(what: str, names: list[str]) -> None:

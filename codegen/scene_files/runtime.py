@@ -1,0 +1,101 @@
+"""`runtime = ["tool.mass", …]`: numbers of a scene that stay arguments of its kernels."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from fractions import Fraction
+
+from coscrew_codegen.dynamics.formulas import Formula
+from coscrew_codegen.dynamics.model import Body, Model, Parameter, Scalar
+from coscrew_codegen.dynamics.scene import Applied, Setting
+from coscrew_codegen.scene_files.tables import Table
+
+_XYZ = ("x", "y", "z")
+_MOMENTS = ("xx", "yy", "zz", "xy", "xz", "yz")
+_Numbers = dict[str, Fraction]
+_Swap = Callable[[str, Scalar], Scalar]  # name, number → the number or its Parameter
+
+
+def with_parameters(file: Table, model: Model, effects: tuple[Applied, ...]
+                    ) -> tuple[Model, tuple[Applied, ...], tuple[Parameter, ...]]:
+    """Model and effects with Parameters in place of the numbers that `runtime` names, and these.
+
+    A vector gives one for each component: tool.com gives tool.com.x, tool.com.y, tool.com.z.
+    Raises SceneError for names that mean nothing, occur twice, or mean no number."""
+    names = file.texts("runtime", ())
+    numbers, others = _candidates(model, effects)
+    parameters: list[Parameter] = []
+    for name in names:
+        found = [key for key in numbers if key == name or key.rpartition(".")[0] == name]
+        if not found:
+            if name in others:
+                file.refuse("runtime", f"{name!r} is {others[name]}; wanted a number")
+            whole = {key.rpartition(".")[0] for key in numbers if key.endswith(".x")}
+            file.known("runtime", name, "number", (*numbers, *others, *sorted(whole)))
+        for key in found:
+            if any(parameter.name == key for parameter in parameters):
+                file.refuse("runtime", f"{key!r} occurs twice")
+            parameters.append(Parameter(key, len(parameters), numbers[key]))
+    by_name = {parameter.name: parameter for parameter in parameters}
+
+    def swap(name: str, number: Scalar) -> Scalar:
+        return by_name.get(name, number)
+
+    return (_swapped_model(model, swap), tuple(_swapped(applied, swap) for applied in effects),
+            tuple(parameters))
+
+
+def _candidates(model: Model, effects: tuple[Applied, ...]) -> tuple[_Numbers, dict[str, str]]:
+    """All numbers by name; and what is no number, in words."""
+    numbers: _Numbers = {}
+
+    def note(name: str, number: Scalar) -> Scalar:
+        numbers[name] = number
+        return number
+
+    _swapped_model(model, note)
+    others = {}
+    for applied in effects:
+        _swapped(applied, note)
+        for parameter, value in applied.values.items():
+            if value is None:
+                others[f"{applied.name}.{parameter}"] = "not given"
+            elif isinstance(value, Formula) or (
+                    isinstance(value, tuple) and any(isinstance(x, Formula) for x in value)):
+                others[f"{applied.name}.{parameter}"] = "a formula"
+            elif isinstance(value, str) or (isinstance(value, tuple) and isinstance(value[0], str)):
+                others[f"{applied.name}.{parameter}"] = "a word"
+    return numbers, others
+
+
+def _swapped_model(model: Model, swap: _Swap) -> Model:
+    return replace(model, bodies=tuple(_swapped_body(body, swap) for body in model.bodies))
+
+
+def _swapped_body(body: Body, swap: _Swap) -> Body:
+    if body.inertia is None:
+        return body
+    inertia = body.inertia
+    return replace(body, inertia=replace(
+        inertia, mass=swap(f"{body.name}.mass", inertia.mass),
+        com=_each(f"{body.name}.com", _XYZ, inertia.com, swap),
+        moments=_each(f"{body.name}.inertia", _MOMENTS, inertia.moments, swap)))
+
+
+def _swapped(applied: Applied, swap: _Swap) -> Applied:
+    values: Mapping[str, Setting] = {
+        parameter: _swapped_value(f"{applied.name}.{parameter}", value, swap)
+        for parameter, value in applied.values.items()}
+    return replace(applied, values=values)
+
+
+def _swapped_value(name: str, value: Setting, swap: _Swap) -> Setting:
+    if isinstance(value, Fraction):
+        return swap(name, value)
+    if isinstance(value, tuple) and all(isinstance(x, Fraction) for x in value):
+        return _each(name, _XYZ, value, swap)
+    return value
+
+
+def _each(name: str, parts: tuple[str, ...], numbers: tuple[Scalar, ...], swap: _Swap
+          ) -> tuple[Scalar, ...]:
+    return tuple(swap(f"{name}.{part}", x) for part, x in zip(parts, numbers, strict=True))

@@ -1,0 +1,77 @@
+"""Values of effects' parameters, by their kinds."""
+
+import math
+from fractions import Fraction
+
+from coscrew_codegen.dynamics.formulas import Formula, FormulaError
+from coscrew_codegen.dynamics.model import WORLD
+from coscrew_codegen.dynamics.scene import Setting
+from coscrew_codegen.effects.effect import ParameterOf
+from coscrew_codegen.scene_files.errors import shown
+from coscrew_codegen.scene_files.tables import Decimals, Table, described
+
+
+def setting(table: Table, parameter: ParameterOf, value: object, bodies: tuple[str, ...]) -> Setting:
+    """What a file gives for a parameter; SceneError if it is not of the parameter's kind."""
+    key, kind = parameter.name, parameter.kind
+    if kind == "vector":
+        vector = table.as_numbers(key, value, (3,))
+        for component in vector:
+            refuse_sign(table, parameter, component)
+        return vector
+    if kind == "formula":
+        return _formula(table, parameter, value)
+    if kind == "formulas":
+        if not isinstance(value, list) or len(value) != 3:
+            table.refuse(key, f"{described(value)}; wanted a list of 3 numbers or functions of t")
+        return tuple(_formula(table, parameter, item) for item in value)
+    if kind == "choice":
+        return table.choice(key, parameter.choices)
+    if kind == "body":
+        return table.known(key, table.as_text(key, value), "body", (WORLD, *bodies))
+    if parameter.model and _is_text(value):
+        table.refuse(key, f'the text {shown(value)}; wanted a number, or "model"')
+    number = table.as_number(key, value)
+    refuse_sign(table, parameter, number)
+    return number
+
+
+def default(table: Table, parameter: ParameterOf) -> Setting:
+    """What a parameter is where the file gives nothing; SceneError if it must be given."""
+    value = parameter.default
+    if value is None:
+        if parameter.required:
+            unit = f" in {parameter.unit}" if parameter.unit else ""
+            table.missing(parameter.name, f"{parameter.words}{unit}")
+        return None
+    if isinstance(value, tuple):
+        return tuple(Fraction(component) for component in value)
+    return value if isinstance(value, str) else Fraction(value)
+
+
+def refuse_sign(table: Table, parameter: ParameterOf, number: Fraction, where: str = "") -> None:
+    """Refuse numbers below zero, or zero, as the parameter demands."""
+    if parameter.positive and number <= 0:
+        table.refuse(parameter.name, f"{float(number):g}{where}; wanted a positive number")
+    if parameter.nonnegative and number < 0:
+        table.refuse(parameter.name, f"{float(number):g}{where}; wanted 0 or more")
+
+
+def _formula(table: Table, parameter: ParameterOf, value: object) -> Fraction | Formula:
+    if not _is_text(value):
+        if isinstance(value, bool) or not isinstance(value, int | Decimals):
+            table.refuse(parameter.name, f"{described(value)}; wanted a number or a function of t")
+        number = table.as_number(parameter.name, value)
+        refuse_sign(table, parameter, number)
+        return number
+    try:
+        formula = Formula(value)
+    except FormulaError as error:
+        table.refuse(parameter.name, str(error))
+    if math.isnan(formula.at(0.0)):
+        table.refuse(parameter.name, f"formula {shown(value)} is not finite at t = 0")
+    return formula
+
+
+def _is_text(value: object) -> bool:
+    return isinstance(value, str) and not isinstance(value, Decimals)

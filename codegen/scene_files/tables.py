@@ -1,0 +1,193 @@
+"""TOML files as tables whose values are taken with their types, exactly, or refused by key."""
+
+import re
+import tomllib
+from collections.abc import Collection, Iterable, Mapping
+from fractions import Fraction
+from pathlib import Path
+from typing import NoReturn
+
+from coscrew_codegen.dynamics.names import did_you_mean
+from coscrew_codegen.scene_files.decimals import bounded, decimal
+from coscrew_codegen.scene_files.errors import SceneError, shown
+from coscrew_codegen.scene_files.xml import read_bytes
+
+SIZE = 2**20  # bytes
+_DOTS = re.compile(r"(?:[\w\"'-]+[ \t]*\.[ \t]*){30}")  # keys of keys, which tomllib nests
+
+
+class Decimals(str):
+    """The digits of a TOML float, to be read exactly."""
+
+    __slots__ = ()
+
+
+class Table:
+    """A table of a file, and the key it stands under."""
+
+    def __init__(self, file: Path, where: str, values: Mapping[str, object]) -> None:
+        self.file, self.where, self.values = file, where, values
+
+    def __contains__(self, key: str) -> bool:
+        return key in self.values
+
+    def only(self, *keys: str) -> None:
+        """Refuse keys other than these."""
+        for key in self.values:
+            if key not in keys:
+                self.refuse(key, f"unknown key; {did_you_mean(key, keys)}" if keys
+                            else "unknown key; wanted none")
+
+    def refuse(self, key: str, problem: str) -> NoReturn:
+        """Raise SceneError about a key ("": about the table)."""
+        raise SceneError(self.file, self.key(key), problem)
+
+    def key(self, key: str) -> str:
+        """The key as a file would write it in full."""
+        parts = [self.where, key if re.fullmatch(r"[\w-]*", key) else shown(key)]
+        return ".".join(part for part in parts if part)
+
+    def missing(self, key: str, wanted: str) -> NoReturn:
+        """Raise SceneError for a key that is not there."""
+        self.refuse(key, f"missing; wanted {wanted}")
+
+    def table(self, key: str) -> "Table":
+        """The table under a key; an empty one if there is none."""
+        value = self.values.get(key, {})
+        if not isinstance(value, dict):
+            self.refuse(key, f"{described(value)}; wanted a table")
+        return Table(self.file, self.key(key), value)
+
+    def tables(self, key: str) -> Iterable[tuple[str, "Table"]]:
+        """The tables in the table under a key, by name."""
+        outer = self.table(key)
+        return [(name, outer.table(name)) for name in outer.values]
+
+    def text(self, key: str, default: str | None = None) -> str:
+        """The text under a key."""
+        if key not in self.values and default is not None:
+            return default
+        return self.as_text(key, self.value(key, "text"))
+
+    def choice(self, key: str, choices: tuple[str, ...], default: str | None = None) -> str:
+        """The text under a key, one of these."""
+        text = self.text(key, default)
+        if text not in choices:
+            self.refuse(key, f"{shown(text)}; wanted one of {', '.join(choices)}; "
+                             f"{did_you_mean(text, choices)}")
+        return text
+
+    def texts(self, key: str, default: tuple[str, ...] | None = None) -> tuple[str, ...]:
+        """The list of texts under a key, each but once."""
+        if key not in self.values and default is not None:
+            return default
+        return self.as_texts(key, self.value(key, "a list of texts"))
+
+    def number(self, key: str, default: Fraction | None = None) -> Fraction:
+        """The number under a key."""
+        if key not in self.values and default is not None:
+            return default
+        return self.as_number(key, self.value(key, "a number"))
+
+    def positive(self, key: str, default: Fraction) -> Fraction:
+        """The number under a key, above zero."""
+        number = self.number(key, default)
+        if number <= 0:
+            self.refuse(key, f"{float(number):g}; wanted a positive number")
+        return number
+
+    def nonnegative(self, key: str, default: Fraction | None = None) -> Fraction | None:
+        """The number under a key, zero or above; the default if there is none."""
+        if key not in self.values:
+            return default
+        number = self.number(key)
+        if number < 0:
+            self.refuse(key, f"{float(number):g}; wanted 0 or more")
+        return number
+
+    def numbers(self, key: str, counts: tuple[int, ...],
+                default: tuple[Fraction, ...] | None = None) -> tuple[Fraction, ...]:
+        """The list of numbers under a key, as many as one of `counts`."""
+        if key not in self.values and default is not None:
+            return default
+        wanted = f"a list of {' or '.join(map(str, counts))} numbers"
+        return self.as_numbers(key, self.value(key, wanted), counts)
+
+    def value(self, key: str, wanted: str) -> object:
+        """Whatever stands under a key."""
+        if key not in self.values:
+            self.missing(key, wanted)
+        return self.values[key]
+
+    def as_text(self, key: str, value: object) -> str:
+        """A value as text."""
+        if not isinstance(value, str) or isinstance(value, Decimals):
+            self.refuse(key, f"{described(value)}; wanted text")
+        return value
+
+    def as_texts(self, key: str, value: object) -> tuple[str, ...]:
+        """A value as texts, each but once."""
+        if not isinstance(value, list):
+            self.refuse(key, f"{described(value)}; wanted a list of texts")
+        texts = tuple(self.as_text(key, item) for item in value)
+        if len(set(texts)) < len(texts):
+            twice = next(text for i, text in enumerate(texts) if text in texts[:i])
+            self.refuse(key, f"{shown(twice)} occurs twice")
+        return texts
+
+    def as_number(self, key: str, value: object) -> Fraction:
+        """A value as an exact number."""
+        try:
+            if isinstance(value, Decimals):
+                return decimal(value.replace("_", ""))
+            if isinstance(value, int) and not isinstance(value, bool):
+                return bounded(Fraction(value), "the number")
+        except ValueError as error:
+            self.refuse(key, str(error))
+        self.refuse(key, f"{described(value)}; wanted a number")
+
+    def as_numbers(self, key: str, value: object, counts: tuple[int, ...]) -> tuple[Fraction, ...]:
+        """A value as a list of numbers."""
+        wanted = f"a list of {' or '.join(map(str, counts))} numbers"
+        if not isinstance(value, list):
+            self.refuse(key, f"{described(value)}; wanted {wanted}")
+        if len(value) not in counts:
+            self.refuse(key, f"a list of {len(value)}; wanted {wanted}")
+        return tuple(self.as_number(key, item) for item in value)
+
+    def known(self, key: str, name: str, what: str, names: Collection[str]) -> str:
+        """The name, if it is one of these; `what` they are: joint, body."""
+        if name not in names:
+            self.refuse(key, f"no {what} {shown(name)}; {did_you_mean(name, names)}")
+        return name
+
+
+def read_toml(path: Path) -> Table:
+    """The outermost table of a file; SceneError if it cannot be read or is no TOML."""
+    try:
+        text = read_bytes(path, SIZE).decode("utf-8-sig").replace("\r\n", "\n")
+        if found := _DOTS.search(text):
+            line = text.count("\n", 0, found.start()) + 1
+            raise SceneError(path, f"line {line}", "a key of more than 30 parts; wanted a shorter one")
+        return Table(path, "", tomllib.loads(text, parse_float=Decimals))
+    except SceneError:
+        raise
+    except RecursionError:
+        raise SceneError(path, "", "lists or tables are nested too deeply") from None
+    except UnicodeDecodeError as error:
+        raise SceneError(path, f"byte {error.start}", "is not UTF-8; wanted a TOML file") from None
+    except ValueError as error:
+        raise SceneError(path, "", f"{shown(str(error))[1:-1]}; wanted TOML") from None
+
+
+def described(value: object) -> str:
+    """What came, with its type in TOML's words."""
+    if isinstance(value, bool):
+        return f"the boolean {str(value).lower()}"
+    if isinstance(value, Decimals | int):
+        return f"the number {shown(str(value))[1:-1]}"
+    if isinstance(value, str):
+        return f"the text {shown(value)}"
+    if isinstance(value, list):
+        return f"a list of {len(value)}"
+    return "a table" if isinstance(value, dict) else f"the time {shown(str(value))[1:-1]}"

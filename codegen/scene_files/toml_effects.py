@@ -1,0 +1,287 @@
+"""The tables [effects.*] of a scene file as Applied effects.
+
+An effect on joints or bodies is given for several at once, with `joints = "all"` or a list of them, or
+by tables of its parameters ({ elbow = 0.1 }); or in tables of its own, [effects.stribeck.elbow].
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+
+from coscrew_codegen.dynamics.model import WORLD, Joint, Kind, Model
+from coscrew_codegen.dynamics.names import did_you_mean
+from coscrew_codegen.dynamics.quantities import expected, recorded
+from coscrew_codegen.dynamics.scene import Applied, Scene, Setting
+from coscrew_codegen.effects.effect import Effect, ParameterOf, Place
+from coscrew_codegen.scene_files import settings
+from coscrew_codegen.scene_files.tables import Table, described
+
+ALL, MODEL = "all", "model"
+
+
+@dataclass
+class Use:
+    """What the effects take from the model: (joint, field), as they are read."""
+
+    of_model: set[tuple[str, str]] = field(default_factory=set)
+
+
+def read_effects(effects: Table, model: Model, catalogue: tuple[Effect, ...], use: Use
+                 ) -> tuple[Applied, ...]:
+    """The effects in the catalogue's order, each on joints or bodies in the model's order.
+
+    Raises SceneError for what is unknown, missing, given twice or out of range."""
+    effects.only(*(effect.name for effect in catalogue))
+    readers = {Place.SCENE: _on_scene, Place.JOINT: _on_several, Place.BODY: _on_several,
+               Place.PAIR: _on_pairs}
+    found: list[Applied] = []
+    for effect in catalogue:
+        if effect.name in effects:
+            reading = _Reading(effect, effects.table(effect.name), model, use)
+            found += readers[effect.place](reading)
+    return tuple(found)
+
+
+@dataclass(frozen=True)
+class _Reading:
+    """One effect's table."""
+
+    effect: Effect
+    table: Table
+    model: Model
+    use: Use
+
+    @cached_property
+    def bodies(self) -> tuple[str, ...]:
+        return tuple(body.name for body in self.model.bodies)
+
+    @cached_property
+    def targets(self) -> Mapping[str, Joint | None]:
+        """What the effect can act on, in the model's order: joints, or bodies."""
+        if self.effect.place is Place.JOINT:
+            return {joint.name: joint for joint in self.model.joints if self.suits(joint)}
+        return dict.fromkeys(self.bodies)
+
+    @property
+    def what(self) -> str:
+        return "joint" if self.effect.place is Place.JOINT else "body"
+
+    @property
+    def several(self) -> str:
+        return "joints" if self.effect.place is Place.JOINT else "bodies"
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        return tuple(parameter.name for parameter in self.effect.parameters)
+
+    def suits(self, joint: Joint) -> bool:
+        if self.effect.mimic:
+            return joint.mimic is not None
+        if self.effect.reaction:
+            return joint.kind is not Kind.FIXED
+        return joint.kind in (Kind.REVOLUTE, Kind.PRISMATIC)
+
+    def target(self, table: Table, key: str, name: str) -> str:
+        """The name, if the effect can act on it."""
+        for joint in self.model.joints if self.what == "joint" else ():
+            if joint.name == name and not self.suits(joint):
+                why = "mimics no other" if self.effect.mimic else f"is {joint.kind.value}"
+                table.refuse(key, f"{self.effect.name} cannot act on joint {name!r}, which {why}")
+        return table.known(key, name, self.what, self.targets)
+
+    def values(self, table: Table, given: Mapping[str, object], target: str,
+               named: bool = True) -> dict[str, Setting] | None:
+        """The parameters' values; None if the model lacks one, and the target was not named."""
+        kind = self._kind(table, given)
+        values: dict[str, Setting] = {}
+        read: set[tuple[str, str]] = set()
+        for parameter in self.effect.parameters:
+            name = parameter.name
+            if parameter.of and kind not in parameter.of:
+                if name in given:
+                    table.refuse(name, f"is for kind = {' or '.join(map(repr, parameter.of))}; "
+                                       f"the kind is {kind!r}")
+                values[name] = None
+            elif parameter.model and given.get(name, parameter.default) == MODEL:
+                number = self._of_model(table, parameter, target, named)
+                if number is None and parameter.required:
+                    return None
+                values[name] = number
+                read.add((target, parameter.model))
+            elif name in given:
+                values[name] = settings.setting(table, parameter, given[name], self.bodies)
+            else:
+                values[name] = settings.default(table, parameter)
+        if self.effect.any_of and all(values[name] is None for name in self.effect.any_of):
+            if named:
+                table.missing(self.effect.any_of[0], f"{' or '.join(self.effect.any_of)}")
+            return None
+        self.use.of_model |= read | ({(target, "mimic")} if self.effect.mimic else set())
+        return values
+
+    def _kind(self, table: Table, given: Mapping[str, object]) -> str:
+        """The choice that parameters belong to."""
+        for parameter in self.effect.parameters:
+            if parameter.name == "kind" and any(other.of for other in self.effect.parameters):
+                if "kind" in given:
+                    return settings.setting(table, parameter, given["kind"], ())
+                return settings.default(table, parameter)
+        return ""
+
+    def _of_model(self, table: Table, parameter: ParameterOf, target: str, named: bool
+                  ) -> Fraction | None:
+        """The model's number for a parameter; None if there is none, which for a joint that was
+        named is an error where the effect needs it."""
+        number = getattr(self.targets.get(target), parameter.model, None)
+        if number is not None:
+            settings.refuse_sign(table, parameter, number, f" of {self.what} {target!r}")
+        elif named and parameter.required:
+            table.refuse(parameter.name, f"the model has no {parameter.model} for {self.what} "
+                                         f"{target!r}; wanted a number")
+        return number
+
+
+def _on_scene(reading: _Reading) -> list[Applied]:
+    """[effects.gravity] g = …"""
+    table = reading.table
+    table.only(*reading.parameters)
+    applied = Applied(reading.effect, "", reading.values(table, table.values, ""))
+    if reading.effect.mimic:
+        reading.use.of_model |= {(j.name, "mimic") for j in reading.model.joints if j.mimic}
+    return [applied]
+
+
+def _on_several(reading: _Reading) -> list[Applied]:
+    """[effects.viscous] joints = …, d = …, and [effects.viscous.elbow] d = …"""
+    table = reading.table
+    plain = {key: value for key, value in table.values.items()
+             if key in (*reading.parameters, reading.several)}
+    found = list(_on_named(reading, plain))
+    if not plain and len(table.values) == 0:
+        _refuse_nowhere(reading)
+    for key, value in table.values.items():
+        if key not in plain:
+            found.append(_in_own_table(reading, key, value))
+    order = {name: i for i, name in enumerate(reading.targets)}
+    found.sort(key=lambda applied: (order[applied.on], applied.label))
+    for one, next_one in zip(found, found[1:], strict=False):
+        if (one.on, one.label) == (next_one.on, next_one.label):
+            table.refuse(one.on, f"{reading.effect.name} is given twice for {reading.what} "
+                                 f"{one.on!r}; wanted it once")
+    return found
+
+
+def _in_own_table(reading: _Reading, key: str, value: object) -> Applied:
+    """[effects.viscous.elbow], or under a label [effects.wrench.push] body = "tool"."""
+    table = reading.table
+    if not isinstance(value, dict):
+        known = (*reading.parameters, reading.several, *reading.targets)
+        table.refuse(key, f"unknown key; {did_you_mean(key, known)}")
+    own = table.table(key)
+    if reading.what == "body" and "body" in own:
+        own.only("body", *reading.parameters)
+        on = reading.target(own, "body", own.text("body"))
+        return Applied(reading.effect, on, reading.values(own, own.values, on), key)
+    label = "; or body = … under a label" if reading.what == "body" else ""
+    if key not in reading.targets and key not in {j.name for j in reading.model.joints}:
+        known = (*reading.targets, *reading.parameters, reading.several)
+        table.refuse(key, f"no {reading.what} {key!r}{label}; {did_you_mean(key, known)}")
+    on = reading.target(table, key, key)
+    own.only(*reading.parameters)
+    return Applied(reading.effect, on, reading.values(own, own.values, on))
+
+
+def _on_named(reading: _Reading, plain: Mapping[str, object]) -> Iterator[Applied]:
+    """joints = "all" or a list, or the joints that tables of parameters name."""
+    if not plain:
+        return
+    table, several = reading.table, reading.several
+    by_target = {key: table.table(key) for key, value in plain.items()
+                 if isinstance(value, dict) and key != several}
+    for key, of_each in by_target.items():
+        for name in of_each.values:
+            reading.target(of_each, name, name)
+    chosen, named = _chosen(reading, plain.get(several), by_target)
+    for key, of_each in by_target.items():
+        for name in of_each.values:
+            if name not in chosen:
+                of_each.refuse(name, f"is not among the {several} of {table.key(several)}")
+        for name in chosen:
+            if name not in of_each:
+                of_each.missing(name, f"{key} of {reading.what} {name!r}, as for the others")
+    applied = False
+    for name in chosen:
+        given = {key: by_target[key].values[name] if key in by_target else value
+                 for key, value in plain.items() if key != several}
+        values = reading.values(table, given, name, named)
+        if values is not None:
+            applied = True
+            yield Applied(reading.effect, name, values)
+    if not applied:
+        lacking = ", ".join(p.model for p in reading.effect.parameters
+                            if p.model and plain.get(p.name, p.default) == MODEL)
+        table.refuse("", f"no {reading.what} of the model has {lacking or 'what it needs'}; "
+                         f"wanted numbers, or no {reading.effect.name}")
+
+
+def _chosen(reading: _Reading, several: object, by_target: Mapping[str, Table]
+            ) -> tuple[tuple[str, ...], bool]:
+    """The targets in the model's order, and whether they were named one by one."""
+    table = reading.table
+    if several is None:
+        names = {name for of_each in by_target.values() for name in of_each.values}
+        if not names:
+            _refuse_nowhere(reading)
+    elif several == ALL:
+        return tuple(reading.targets), False
+    elif isinstance(several, list):
+        names = {reading.target(table, reading.several, name)
+                 for name in table.as_texts(reading.several, several)}
+        if not names:
+            table.refuse(reading.several, f'an empty list; wanted "{ALL}" or names')
+    else:
+        table.refuse(reading.several, f'{described(several)}; wanted "{ALL}" or a list of names')
+    return tuple(name for name in reading.targets if name in names), True
+
+
+def _refuse_nowhere(reading: _Reading) -> None:
+    name = reading.table.where
+    reading.table.missing(reading.several, f'{reading.several} = "{ALL}", a list of names, or '
+                                           f"tables [{name}.{reading.what.upper()}]")
+
+
+def _on_pairs(reading: _Reading) -> list[Applied]:
+    """[effects.tendon.LABEL] bodies = [a, b], …"""
+    found = []
+    if not reading.table.values:
+        reading.table.refuse("", f"is empty; wanted tables [{reading.table.where}.LABEL]")
+    for label, value in reading.table.values.items():
+        if not isinstance(value, dict):
+            reading.table.refuse(label, f"{described(value)}; wanted a table under a label, "
+                                        f"[{reading.table.where}.LABEL], with bodies = [a, b]")
+        own = reading.table.table(label)
+        own.only("bodies", *reading.parameters)
+        pair = own.as_texts("bodies", own.value("bodies", "the two bodies, [a, b]"))
+        if len(pair) != 2:
+            own.refuse("bodies", f"a list of {len(pair)}; wanted two bodies")
+        for name in pair:
+            own.known("bodies", name, "body", (WORLD, *reading.bodies))
+        given = {key: value for key, value in own.values.items() if key != "bodies"}
+        values = {**reading.values(own, given, ""), "bodies": pair}
+        found.append(Applied(reading.effect, label, values, label))
+    return found
+
+
+def with_reactions(scene: Scene, catalogue: tuple[Effect, ...]) -> tuple[Applied, ...]:
+    """The effects of a scene, and the reaction where it is only recorded or expected."""
+    effect = next((effect for effect in catalogue if effect.reaction), None)
+    asked = {recorded(text, scene) for text in scene.record}
+    asked |= {expected(x.quantity, scene) for x in scene.expectations}
+    there = {applied.on for applied in scene.effects if applied.effect is effect}
+    joints = {x.target for x in asked if x.quantity == "reaction"} - there
+    if effect is None or not joints:
+        return scene.effects
+    found = [*scene.effects, *(Applied(effect, joint.name, {}) for joint in scene.model.joints
+                               if joint.name in joints)]
+    return tuple(sorted(found, key=lambda applied: catalogue.index(applied.effect)))

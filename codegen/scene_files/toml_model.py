@@ -1,0 +1,127 @@
+"""A model that a scene file holds itself: tables [bodies.NAME] and [joints.NAME]."""
+
+from fractions import Fraction
+
+from coscrew_codegen.dynamics import rotations
+from coscrew_codegen.dynamics.assembly import ModelError, assembled
+from coscrew_codegen.dynamics.mimics import without_chains
+from coscrew_codegen.dynamics.model import (
+    HERE,
+    WORLD,
+    Body,
+    Inertia,
+    Joint,
+    Kind,
+    Mimic,
+    Model,
+    Placement,
+)
+from coscrew_codegen.dynamics.possible import refuse_impossible
+from coscrew_codegen.scene_files.errors import SceneError
+from coscrew_codegen.scene_files.tables import Table
+
+TYPES = {"revolute": Kind.REVOLUTE, "continuous": Kind.REVOLUTE, "prismatic": Kind.PRISMATIC,
+         "spherical": Kind.SPHERICAL, "free": Kind.FREE, "fixed": Kind.FIXED}
+
+_ZERO = (Fraction(0),) * 3
+_ENDS = ("type", "parent", "child", "origin")
+_OF_ONE_COORDINATE = ("axis", "limits", "damping", "friction", "mimic")
+_TOLERANCE = Fraction(1, 10**6)  # of a quaternion's norm: six digits are written by hand
+
+
+def read_model(file: Table, name: str, base: Kind) -> Model:
+    """The model in the tables `bodies` and `joints`.  Raises SceneError."""
+    bodies = tuple(_body(name, table) for name, table in file.tables("bodies"))
+    joints = tuple(_joint(name, table) for name, table in file.tables("joints"))
+    try:
+        model = assembled(name, bodies, without_chains(joints), base)
+        refuse_impossible(model)
+    except ModelError as error:
+        raise SceneError(file.file, error.element, error.problem) from None
+    return model
+
+
+def _body(name: str, table: Table) -> Body:
+    table.only("mass", "com", "inertia")
+    if name == WORLD:
+        table.refuse("", "this name is the world's; wanted another one")
+    if "mass" not in table:
+        if table.values:
+            table.missing("mass", "the mass in kg")
+        return Body(name)
+    mass = table.positive("mass", Fraction(0))
+    moments = table.numbers("inertia", (3, 6), _ZERO)
+    com = table.numbers("com", (3,), _ZERO)
+    return Body(name, Inertia(mass, com, moments if len(moments) == 6 else (*moments, *_ZERO)))
+
+
+def _joint(name: str, table: Table) -> Joint:
+    word = table.choice("type", tuple(TYPES))
+    kind = TYPES[word]
+    ends = table.text("parent", WORLD), table.text("child")
+    if kind not in (Kind.REVOLUTE, Kind.PRISMATIC):
+        for key in _OF_ONE_COORDINATE:
+            if key in table:
+                table.refuse(key, f"is for revolute and prismatic joints; {name!r} is {word}")
+        table.only(*_ENDS)
+        return Joint(name, kind, *ends, _placement(table))
+    table.only(*_ENDS, *_OF_ONE_COORDINATE)
+    return Joint(name, kind, *ends, _placement(table), _direction(table, "axis"),
+                 **_limits(table.table("limits"), word == "continuous"),
+                 damping=table.nonnegative("damping"), friction=table.nonnegative("friction"),
+                 mimic=_mimic(table.table("mimic")) if "mimic" in table else None)
+
+
+def _limits(table: Table, continuous: bool) -> dict[str, Fraction | None]:
+    keys = ("effort", "velocity") if continuous else ("lower", "upper", "effort", "velocity")
+    table.only(*keys)
+    lower, upper = (table.number(key) if key in table else None for key in ("lower", "upper"))
+    if lower is not None and upper is not None and lower > upper:
+        table.refuse("lower", f"{float(lower):g} is above upper, {float(upper):g}")
+    return {"lower": lower, "upper": upper, "effort": table.nonnegative("effort"),
+            "velocity": table.nonnegative("velocity")}
+
+
+def _mimic(table: Table) -> Mimic:
+    table.only("joint", "multiplier", "offset")
+    return Mimic(table.text("joint"), table.number("multiplier", Fraction(1)),
+                 table.number("offset", Fraction(0)))
+
+
+def _placement(table: Table) -> Placement:
+    """origin = { xyz, and one of rpy, quaternion (scalar first), axis with angle }."""
+    if "origin" not in table:
+        return HERE
+    origin = table.table("origin")
+    origin.only("xyz", "rpy", "quaternion", "axis", "angle")
+    ways = [key for key in ("rpy", "quaternion", "axis") if key in origin]
+    if len(ways) > 1:
+        origin.refuse(ways[1], f"the rotation is given by {ways[0]} already")
+    if "angle" in origin and "axis" not in origin:
+        origin.missing("axis", "the axis to turn about")
+    return Placement(_rotation(origin), origin.numbers("xyz", (3,), _ZERO))
+
+
+def _rotation(origin: Table) -> tuple[Fraction, ...]:
+    if "quaternion" in origin:
+        quaternion = origin.numbers("quaternion", (4,))
+        refuse_not_unit(origin, "quaternion", quaternion)
+        return rotations.from_quaternion(quaternion)
+    if "axis" in origin:
+        return rotations.from_axis_angle(_direction(origin, "axis"), origin.number("angle"))
+    return rotations.from_rpy(*origin.numbers("rpy", (3,), _ZERO))
+
+
+def refuse_not_unit(table: Table, key: str, quaternion: tuple[Fraction, ...]) -> None:
+    """Refuse quaternions whose norm is not 1 within 1e-6."""
+    square = sum(x * x for x in quaternion)
+    if not (1 - _TOLERANCE)**2 <= square <= (1 + _TOLERANCE)**2:
+        table.refuse(key, f"a quaternion of norm {float(square)**0.5:.9g}; wanted 1 within 1e-6, "
+                          "scalar first")
+
+
+def _direction(table: Table, key: str) -> tuple[Fraction, Fraction, Fraction]:
+    vector = table.numbers(key, (3,))
+    if not any(vector):
+        table.refuse(key, "is zero; wanted a direction")
+    return rotations.unit(vector)

@@ -1,0 +1,199 @@
+"""Scene files: what a TOML file, or a URDF file alone, says as a Scene."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+
+from coscrew_codegen.dynamics.model import Joint, Kind, Model
+from coscrew_codegen.dynamics.possible import unmoved_mass
+from coscrew_codegen.dynamics.quantities import QuantityError, expected, followers, recorded
+from coscrew_codegen.dynamics.rotations import unit
+from coscrew_codegen.dynamics.scene import Expectation, Run, Scene
+from coscrew_codegen.effects.effect import Effect
+from coscrew_codegen.scene_files.errors import SceneError, shown
+from coscrew_codegen.scene_files.identifiers import identifier, refused
+from coscrew_codegen.scene_files.runtime import with_parameters
+from coscrew_codegen.scene_files.tables import Table, described, read_toml
+from coscrew_codegen.scene_files.toml_effects import Use, read_effects, with_reactions
+from coscrew_codegen.scene_files.toml_model import read_model, refuse_not_unit
+from coscrew_codegen.scene_files.unused import unused
+from coscrew_codegen.scene_files.urdf import read_urdf
+
+PRECISIONS = ("double", "single", "both")
+INTEGRATORS = ("semi-implicit-euler", "linear-implicit-euler", "rk4", "dop853", "radau")
+BASES = {"fixed": Kind.FIXED, "free": Kind.FREE}
+
+_KEYS = ("model", "base", "name", "precision", "runtime", "effects", "start", "outputs", "run",
+         "expect", "bodies", "joints")
+
+
+def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None) -> Scene:
+    """The scene in a TOML file; or of a URDF file alone, a scene without effects, gravity included.
+
+    `catalogue` are the effects there are (None: all).  Raises SceneError, naming file and key, for
+    whatever is unknown, missing, of another type, out of range, or not used."""
+    path = Path(path)
+    effects = _all_effects() if catalogue is None else catalogue
+    suffix = path.suffix.lower()
+    if suffix == ".urdf":
+        model = read_urdf(path)
+        _refuse_unmoved(path, model, Scene(path.stem, model))
+        return Scene(identifier(path.stem), model, unused=unused(model, set(), effects))
+    if suffix != ".toml":
+        raise SceneError(path, "", f"suffix {shown(path.suffix)}; wanted a .toml or .urdf file")
+    return _scene(read_toml(path), effects)
+
+
+def _all_effects() -> tuple[Effect, ...]:
+    from coscrew_codegen.effects import EFFECTS
+    return EFFECTS
+
+
+def _scene(file: Table, catalogue: tuple[Effect, ...]) -> Scene:
+    file.only(*_KEYS)
+    name = _name(file)
+    model = _model(file, name)
+    use = Use()
+    effects = read_effects(file.table("effects"), model, catalogue, use)
+    scene = Scene(name, model, effects, precision=file.choice("precision", PRECISIONS, "double"),
+                  run=_run(file.table("run")), unused=unused(model, use.of_model, catalogue))
+    _refuse_unmoved(file.file, model, scene)
+    start, outputs = file.table("start"), file.table("outputs")
+    start.only("q", "v")
+    outputs.only("record", "every")
+    scene = replace(scene, start_q=_start_q(start.table("q"), scene),
+                    start_v=_start_v(start.table("v"), scene), record=_record(outputs, scene),
+                    every=float(outputs.positive("every", Fraction(1, 100))),
+                    expectations=_expectations(file, scene))
+    effects = with_reactions(scene, catalogue)
+    model, effects, parameters = with_parameters(file, model, effects)
+    return replace(scene, model=model, effects=effects, parameters=parameters)
+
+
+def _name(file: Table) -> str:
+    if "name" not in file:
+        return identifier(file.file.stem)
+    name = file.text("name")
+    if reason := refused(name):
+        file.refuse("name", f"{shown(name)} {reason}; wanted a C identifier such as "
+                            f"{identifier(name)!r}")
+    return name
+
+
+def _model(file: Table, name: str) -> Model:
+    """The model of the URDF file that `model` names, or of this file's own tables."""
+    base = BASES[file.choice("base", tuple(BASES), "fixed")]
+    own = [key for key in ("bodies", "joints") if key in file]
+    if "model" not in file:
+        if not own:
+            file.missing("model", "a URDF file, or tables [bodies.NAME] and [joints.NAME]")
+        return read_model(file, name, base)
+    if own:
+        file.refuse(own[0], "the model comes from the file that `model` names; wanted one of both")
+    named = Path(file.text("model"))
+    if named.suffix.lower() != ".urdf":
+        file.refuse("model", f"{shown(str(named))}; wanted a .urdf file")
+    path = file.file.parent / named
+    if not path.is_file():
+        file.refuse("model", f"{shown(str(named))}: there is no such file; it is looked for in the "
+                             "folder of the scene")
+    return read_urdf(path, base)
+
+
+def _refuse_unmoved(file: Path, model: Model, scene: Scene) -> None:
+    """Refuse models without motion, and joints whose forces nothing resists."""
+    if all(joint.kind is Kind.FIXED for joint in model.joints):
+        raise SceneError(file, "model", 'has no joint that moves; base = "free" frees its root')
+    follow = followers(scene)
+    carried = {applied.on for applied in scene.effects if applied.effect.joint_inertia}
+    carried |= {*follow, *(joint.mimic.joint for joint in follow.values())}
+    found = unmoved_mass(model, carried)
+    if found:
+        joint, reason = found
+        raise SceneError(file, f"joint {joint.name!r} of model {model.name!r}",
+                         f"{reason}; wanted a mass in body {joint.child!r}, or the joint fixed")
+
+
+def _moving(table: Table, key: str, scene: Scene) -> Joint:
+    """The joint that a key of [start] names."""
+    joints = {joint.name: joint for joint in scene.model.joints if joint.kind is not Kind.FIXED}
+    name = table.known(key, key, "joint that moves", joints)
+    if leader := followers(scene).get(name):
+        table.refuse(key, f"follows joint {leader.mimic.joint!r}; wanted the start of that one")
+    return joints[name]
+
+
+def _start_q(table: Table, scene: Scene) -> Mapping[str, tuple[float, ...]]:
+    """Coordinates by joint; quaternions normalised."""
+    start = {}
+    for key in table.values:
+        joint = _moving(table, key, scene)
+        numbers = _start(table, key, joint.kind.nq)
+        if joint.kind in (Kind.SPHERICAL, Kind.FREE):
+            refuse_not_unit(table, key, numbers[-4:])
+            numbers = (*numbers[:-4], *unit(numbers[-4:]))
+        start[key] = tuple(float(x) for x in numbers)
+    return start
+
+
+def _start_v(table: Table, scene: Scene) -> Mapping[str, tuple[float, ...]]:
+    return {key: tuple(float(x) for x in _start(table, key, _moving(table, key, scene).kind.nv))
+            for key in table.values}
+
+
+def _start(table: Table, key: str, count: int) -> tuple[Fraction, ...]:
+    value = table.values[key]
+    if count == 1 and not isinstance(value, list):
+        return (table.as_number(key, value),)
+    return table.as_numbers(key, value, (count,))
+
+
+def _record(outputs: Table, scene: Scene) -> tuple[str, ...]:
+    texts = outputs.texts("record", ("q", "v"))
+    for text in texts:
+        try:
+            recorded(text, scene)
+        except QuantityError as error:
+            outputs.refuse("record", str(error))
+    return texts
+
+
+def _run(table: Table) -> Run:
+    table.only("duration", "integrator", "step", "rtol", "atol")
+    run = Run()
+    duration, step, rtol, atol = (
+        float(table.positive(key, Fraction(getattr(run, key))))
+        for key in ("duration", "step", "rtol", "atol"))
+    if step > duration:
+        table.refuse("step", f"{step:g} s is longer than the duration, {duration:g} s")
+    return Run(duration, table.choice("integrator", INTEGRATORS, run.integrator), step, rtol, atol)
+
+
+def _expectations(file: Table, scene: Scene) -> tuple[Expectation, ...]:
+    """[expect]: a table for each quantity, or a list of tables."""
+    expectations = []
+    outer = file.table("expect")
+    for quantity, value in outer.values.items():
+        try:
+            expected(quantity, scene)
+        except QuantityError as error:
+            outer.refuse(quantity, str(error))
+        for given in value if isinstance(value, list) else [value]:
+            if not isinstance(given, dict):
+                outer.refuse(quantity, f"{described(given)}; wanted a table: at, value, rtol")
+            expectations.append(_expectation(Table(file.file, outer.key(quantity), given), quantity,
+                                             scene.run.duration))
+    return tuple(expectations)
+
+
+def _expectation(table: Table, quantity: str, duration: float) -> Expectation:
+    table.only("at", "value", "rtol", "atol")
+    at = float(table.nonnegative("at", None) if "at" in table else table.number("at"))
+    if at > duration:
+        table.refuse("at", f"{at:g} s is after the end of the run, {duration:g} s")
+    rtol, atol = (table.nonnegative(key, Fraction(0)) for key in ("rtol", "atol"))
+    if not rtol and not atol:
+        table.missing("rtol", "a tolerance: rtol, atol or both")
+    return Expectation(quantity, at, float(table.number("value")), float(rtol), float(atol))

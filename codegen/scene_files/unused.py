@@ -1,0 +1,46 @@
+"""Physical numbers of a model that a scene does not use: they are told, never dropped in silence."""
+
+from coscrew_codegen.dynamics.model import Joint, Kind, Model
+from coscrew_codegen.effects.effect import Effect
+
+_FIELDS = ("damping", "friction", "effort", "velocity", "lower", "upper")
+
+
+def unused(model: Model, used: set[tuple[str, str]], catalogue: tuple[Effect, ...]
+           ) -> tuple[str, ...]:
+    """One line for each number that is in no `used` (joint, field), with the effect that would use it.
+
+    Damping and friction of zero are nothing to use."""
+    lines = []
+    for joint in model.joints:
+        for name in _FIELDS:
+            number = getattr(joint, name)
+            if number is None or (joint.name, name) in used:
+                continue
+            if number or name not in ("damping", "friction"):
+                what = f"{name} {float(number):g} {_unit(joint, name)}"
+                lines.append(_line(joint, what, _effect_using(name, catalogue)))
+        if joint.mimic and (joint.name, "mimic") not in used:
+            mimic = joint.mimic
+            what = (f"mimic of {mimic.joint} (multiplier {float(mimic.multiplier):g}, "
+                    f"offset {float(mimic.offset):g})")
+            name = next((effect.name for effect in catalogue if effect.mimic), "")
+            lines.append(_line(joint, what, name))
+    return tuple(lines)
+
+
+def _line(joint: Joint, what: str, effect: str) -> str:
+    hint = f": add [effects.{effect}]" if effect else ""
+    return f"joint {joint.name}: {what} is not used{hint}"
+
+
+def _effect_using(field: str, catalogue: tuple[Effect, ...]) -> str:
+    return next((effect.name for effect in catalogue
+                 if any(parameter.model == field for parameter in effect.parameters)), "")
+
+
+def _unit(joint: Joint, name: str) -> str:
+    turns = joint.kind is Kind.REVOLUTE
+    return {"damping": "N m s/rad" if turns else "N s/m", "friction": "N m" if turns else "N",
+            "effort": "N m" if turns else "N", "velocity": "rad/s" if turns else "m/s",
+            "lower": "rad" if turns else "m", "upper": "rad" if turns else "m"}[name]
