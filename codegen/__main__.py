@@ -94,7 +94,7 @@ def _generate_scene(options: argparse.Namespace) -> int:
         raise SelectionError(f"where to?  Wanted: coscrew generate {options.scene} -o DIR")
     scene = read_scene(options.scene)
     for line in scene.unused:
-        print(f"unused: {line}", file=sys.stderr)
+        print(f"{options.scene.name}: {line}", file=sys.stderr)
     files = scene_files(scene, derive(scene), f"coscrew generate {options.scene.name}")
     folder = Path(options.output)
     return _deliver(f"coscrew generate {options.scene} -o {folder}", files, folder,
