@@ -167,8 +167,8 @@ def imported_modules(node: ast.AST) -> list[str]:
 
 
 def test_imports_run_one_way():
-    """algebra < quantity < operations < kernel < passes < program < tiers < bounds < … < emit."""
-    order = ["algebra", "quantity", "operations", "kernel", "passes", "program", "tiers", "bounds",
+    """algebra < quantity < operations < kernel < passes < program < bounds < tiers < … < emit."""
+    order = ["algebra", "quantity", "operations", "kernel", "passes", "program", "bounds", "tiers",
              "targets",
              "special", "exact", "selection", "render", "extension", "layout", "documentation",
              "emit", "report", "__main__"]

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests import programs
+from tests import evaluation
 
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.dynamics.function import SceneFunctions
@@ -139,7 +139,7 @@ def robot(file: str, free: bool, mimics: bool) -> Robot:
                        {"g": (Fraction(0), Fraction(0), Fraction(-981, 100))})]
     followers = [j for j in model.joints if j.mimic]
     if mimics:
-        applied += [Applied(effects["mimic"], j.name, {}) for j in followers]
+        applied.append(Applied(effects["mimic"], "", {"joints": "all"}))
     functions = derive(Scene("robot", model, tuple(applied)))
     arguments = (_in_full(path.read_text()), *([pin.JointModelFreeFlyer()] if free else []))
     theirs = pin.buildModelFromXML(*arguments)
@@ -164,9 +164,10 @@ ALL = pytest.mark.parametrize("file, free, mimics", ROBOTS, ids=[r[0].split("/")
 
 def _ours(x: Robot, name: str, *arguments: np.ndarray, dtype=np.float64) -> np.ndarray:
     program = next(f.program for f in x.functions.functions if f.name == name)
-    arithmetic = programs.SINGLE if dtype == np.float32 else programs.DOUBLE
+    arithmetic = evaluation.SINGLE if dtype == np.float32 else evaluation.DOUBLE
     columns = [list(a.astype(dtype).T) for a in arguments]
-    return np.stack(np.broadcast_arrays(*arithmetic.evaluate(program, columns)), -1)
+    found = evaluation.evaluator(program, arithmetic)(columns)
+    return np.stack([np.broadcast_to(np.asarray(x, dtype), STATES) for x in found], -1)
 
 
 def _error(found: np.ndarray, wanted: np.ndarray) -> float:

@@ -65,6 +65,23 @@ def compiled(scene: SceneFunctions, library: ctypes.PyDLL, described: scene_call
     function.__name__ = function.__qualname__ = described.name
     function.__signature__ = signature
     function.__doc__ = "\n\n".join(described.words)
+    if described.moved:
+        function.repeated = _repeated(library, name, kind)
+    return function
+
+
+def _repeated(library: ctypes.PyDLL, name: str, kind: np.dtype) -> Callable:
+    """n steps of one state in one call: (n, t, h, p, q, v) -> (q, v)."""
+    run = getattr(_unlocked(library._name), f"{name}_run")
+    run.restype = None
+    run.argtypes = [ctypes.c_ssize_t, ctypes.c_double, ctypes.c_double, *[ctypes.c_void_p] * 3]
+
+    def function(n: int, t: float, h: float, p: np.ndarray, q: np.ndarray, v: np.ndarray
+                 ) -> tuple[np.ndarray, np.ndarray]:
+        p, q, v = (np.array(x, kind, order="C", ndmin=1) for x in (p, q, v))
+        run(n, t, h, p.ctypes.data, q.ctypes.data, v.ctypes.data)
+        return q, v
+
     return function
 
 

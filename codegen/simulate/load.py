@@ -53,7 +53,7 @@ def load_scene(scene: Scene | Path | str) -> Kernels:
     Python runs.  Raises what reading the scene raises.
     """
     if isinstance(scene, (str, Path)):
-        from coscrew_codegen.scene_files import read_scene
+        from coscrew_codegen.scene_files.toml_scene import read_scene
         scene = read_scene(Path(scene))
     return kernels_of(derive(scene), scene)
 

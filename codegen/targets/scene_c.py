@@ -104,7 +104,7 @@ class _Writer:
                      self.function.internal)
 
     def _shapes(self) -> list[str]:
-        return [f"{a.name}: {' × '.join(map(str, a.quantity.shape))}, row by row."
+        return [f"{a.name}: {' × '.join(map(str, a.quantity.shape))}."
                 for a in self.outputs if len(a.quantity.shape) > 1]
 
     def _body(self) -> str:

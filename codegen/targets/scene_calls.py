@@ -2,7 +2,7 @@
 
 `…_call` takes Python objects and returns 0 unless they are arrays it can take as they are; `…_many`
 takes a pointer and a stride in numbers for each input (0: the same for all states), and for each
-output a pointer.  Both work in Python without its headers.
+output a pointer; `…_run` takes n steps of h in a row, from the time t on.  All work in Python without its headers.
 """
 
 from dataclasses import dataclass
@@ -13,6 +13,8 @@ from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from coscrew_codegen.targets.scene_c import c_name
 
+# Times and steps are those of steps called one by one: rounded from double.
+_RUN = {"t": "({real})(t + (double)k * h)", "h": "({real})h"}
 _FORMAT = {"double": "d", "single": "f"}  # as the buffer protocol writes it
 
 
@@ -71,6 +73,9 @@ def _function(scene: SceneFunctions, function: Callable, precision: Precision) -
                                      for x in names),
         "call_arguments": ", ".join(names), "many_arguments": ", ".join(strided),
         "many_parameters": ", ".join(("ptrdiff_t n", *many)),
+        "run_parameters": f"ptrdiff_t n, double t, double h, const {real} *p, {real} *q, {real} *v",
+        "run_arguments": ", ".join(_RUN.get(x, x).format(real=real) for x, _ in function.inputs)
+        if function.moved else "",
     }
 
 

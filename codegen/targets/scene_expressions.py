@@ -14,7 +14,7 @@ from coscrew_codegen.targets.numpy import CALLS, SPELLING, is_choice_of_constant
 from coscrew_codegen.targets.precision import Precision
 
 _LINE = WIDTH - 4
-_RESULT = 60  # characters of a result that is no line of its own
+_RESULT = 40  # characters of a result that is no line of its own
 
 
 class Expressions:
