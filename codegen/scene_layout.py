@@ -5,10 +5,10 @@ from __future__ import annotations
 import keyword
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.dynamics.function import SceneFunctions
+from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.layout import Files
 from coscrew_codegen.targets import scene_c, scene_python
-from coscrew_codegen.targets.scene_text import check_names
+from coscrew_codegen.targets.scene_text import check_names, printable
 
 if TYPE_CHECKING:
     from coscrew_codegen.dynamics.scene import Scene
@@ -23,7 +23,8 @@ def scene_files(scene: Scene, functions: SceneFunctions, command: str = "") -> F
 
 def banner_of(name: str, command: str = "") -> str:
     """The first line of every file, as a comment's text."""
-    return f"Made by `{command or f'coscrew generate {name}.toml'}`; changes are overwritten."
+    made = printable(command or f"coscrew generate {name}.toml")
+    return f"Made by `{made}`; changes are overwritten."
 
 
 def c_files(functions: SceneFunctions, banner: str) -> Files:

@@ -14,10 +14,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests import programs
+from tests import evaluation
 
 from coscrew_codegen.dynamics import derive
-from coscrew_codegen.dynamics.function import SceneFunctions
+from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.dynamics.identifiers import identifiers
 from coscrew_codegen.dynamics.model import WORLD, Joint, Kind
 from coscrew_codegen.dynamics.scene import Applied, Scene
@@ -164,9 +164,9 @@ ALL = pytest.mark.parametrize("file, free, mimics", ROBOTS, ids=[r[0].split("/")
 
 def _ours(x: Robot, name: str, *arguments: np.ndarray, dtype=np.float64) -> np.ndarray:
     program = next(f.program for f in x.functions.functions if f.name == name)
-    arithmetic = programs.SINGLE if dtype == np.float32 else programs.DOUBLE
+    arithmetic = evaluation.SINGLE if dtype == np.float32 else evaluation.DOUBLE
     columns = [list(a.astype(dtype).T) for a in arguments]
-    found = arithmetic.evaluate(program, columns)
+    found = evaluation.evaluator(program, arithmetic)(columns)
     return np.stack([np.broadcast_to(np.asarray(x, dtype), STATES) for x in found], -1)
 
 

@@ -8,7 +8,7 @@ from coscrew_codegen.dynamics import articulated, composite, coordinates, forwar
 from coscrew_codegen.dynamics.acting import Acting, gravity, joint_inertias
 from coscrew_codegen.dynamics.bodies import Rigid, kinetic_energy, lumped
 from coscrew_codegen.dynamics.formulas import Formula
-from coscrew_codegen.dynamics.function import Function, SceneFunctions
+from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.dynamics.identifiers import identifiers
 from coscrew_codegen.dynamics.motion import Motion
 from coscrew_codegen.dynamics.numbers import Number, add, cross, dot, rotated, scaled

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from coscrew_codegen.dynamics.function import Function, SceneFunctions
+from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.program import Input, Instruction, Operand
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
@@ -104,7 +104,7 @@ class _Writer:
                      self.function.internal)
 
     def _shapes(self) -> list[str]:
-        return [f"{a.name}: {' × '.join(map(str, a.quantity.shape))}, row by row."
+        return [f"{a.name}: {' × '.join(map(str, a.quantity.shape))}."
                 for a in self.outputs if len(a.quantity.shape) > 1]
 
     def _body(self) -> str:

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 from textwrap import wrap
 
-from coscrew_codegen.dynamics.function import Function, SceneFunctions
+from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.program import NotANumber
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
@@ -26,20 +26,19 @@ def package(scene: SceneFunctions, banner: str) -> dict[str, str]:
              for row in wrap(_quoted(line), WIDTH, subsequent_indent="    ")]
     head = render(
         "scene/package.py", banner=banner, name=scene.name, about=about, nq=scene.nq, nv=scene.nv,
-        joints=_tuple([x.joint for x in scene.coordinates]), bodies=_tuple(scene.bodies),
-        parameters=_dictionary(scene.parameters), neutral=_tuple(scene.neutral))
+        tables=[_tuple("JOINTS", [x.joint for x in scene.coordinates]),
+                _tuple("BODIES", scene.bodies), _dictionary("PARAMETERS", scene.parameters),
+                _tuple("NEUTRAL_Q", scene.neutral)])
     files = {"__init__.py": head, "_arrays.py": render("scene/arrays.py", banner=banner)}
     return files | {f"{p.name}.py": _module(scene, banner, p) for p in PRECISIONS}
 
 
-def _tuple(values: Sequence[object]) -> str:
-    items = [repr(x) for x in values]
-    return listed("(", items, ",)" if len(items) == 1 else ")") if items else "()"
+def _tuple(name: str, values: Sequence[object]) -> str:
+    return listed(f"{name} = (", list(map(repr, values)), ",)" if len(values) == 1 else ")")
 
 
-def _dictionary(entries: Sequence[tuple[str, float]]) -> str:
-    items = [f"{name!r}: {value!r}" for name, value in entries]
-    return listed("{", items, "}") if items else "{}"
+def _dictionary(name: str, entries: Sequence[tuple[str, float]]) -> str:
+    return listed(f"{name} = {{", [f"{key!r}: {value!r}" for key, value in entries], "}")
 
 
 def _module(scene: SceneFunctions, banner: str, precision: Precision) -> str:
