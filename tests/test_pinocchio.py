@@ -17,7 +17,7 @@ import pytest
 from tests import evaluation
 
 from coscrew_codegen.dynamics import derive
-from coscrew_codegen.dynamics.function import SceneFunctions
+from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.dynamics.identifiers import identifiers
 from coscrew_codegen.dynamics.model import WORLD, Joint, Kind
 from coscrew_codegen.dynamics.scene import Applied, Scene

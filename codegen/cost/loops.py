@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from coscrew_codegen.cost.leaving_out import Part
-from coscrew_codegen.dynamics.function import Function
+from coscrew_codegen.scene_functions import Function
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
 from coscrew_codegen.report.native import pointers, timed_calls

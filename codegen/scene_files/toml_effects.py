@@ -13,7 +13,7 @@ from coscrew_codegen.dynamics.model import WORLD, Joint, Kind, Model
 from coscrew_codegen.dynamics.names import did_you_mean
 from coscrew_codegen.dynamics.quantities import expected, recorded
 from coscrew_codegen.dynamics.scene import Applied, Scene, Setting
-from coscrew_codegen.effects.effect import Effect, ParameterOf, Place
+from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place
 from coscrew_codegen.scene_files import settings
 from coscrew_codegen.scene_files.tables import Table, described
 

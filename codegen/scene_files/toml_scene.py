@@ -11,7 +11,7 @@ from coscrew_codegen.dynamics.possible import unmoved_mass
 from coscrew_codegen.dynamics.quantities import QuantityError, expected, followers, recorded
 from coscrew_codegen.dynamics.rotations import unit
 from coscrew_codegen.dynamics.scene import Expectation, Run, Scene
-from coscrew_codegen.effects.effect import Effect
+from coscrew_codegen.dynamics.effect import Effect
 from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.identifiers import identifier, refused
 from coscrew_codegen.scene_files.runtime import with_parameters

@@ -29,7 +29,13 @@ class Balance:
 
 
 def balance(system: System, trajectory: Trajectory) -> Balance:
-    """The balance over the samples, which must be dense for ∫ P dt to be right."""
+    """The balance over the samples, which must be dense for ∫ P dt to be right; not finite where
+    energies overflow."""
+    with np.errstate(all="ignore"):
+        return _balance(system, trajectory)
+
+
+def _balance(system: System, trajectory: Trajectory) -> Balance:
     t, q, v = trajectory.t, trajectory.q, trajectory.v
     kinetic, potential = system.energies(t, q, v)
     energy, work = kinetic + potential, np.zeros(len(t))

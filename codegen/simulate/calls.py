@@ -9,7 +9,7 @@ from types import ModuleType
 
 import numpy as np
 
-from coscrew_codegen.dynamics.function import SceneFunctions
+from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.render import render
 from coscrew_codegen.targets import scene_calls
 from coscrew_codegen.targets.precision import Precision

@@ -17,7 +17,7 @@ from coscrew_codegen.simulate.plan import Plan, Trajectory
 from coscrew_codegen.simulate.system import System
 
 _AT_ONCE = 10_000  # steps between two looks at Ctrl-C
-_ROUND_OFF = 1e-9  # of a step: 0.01 / 1e-3 is 10 steps, not 11
+_ROUND_OFF = 1e-6  # of a step: 0.01 / 1e-3 is 10 steps, not 11
 
 Watch = Callable[[float, np.ndarray, np.ndarray], None]
 Sampled = Iterator[tuple[np.ndarray, np.ndarray, int, str]]

@@ -10,7 +10,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from coscrew_codegen.dynamics.function import Coordinate, SceneFunctions
+from coscrew_codegen.scene_functions import Coordinate, SceneFunctions
 from coscrew_codegen.dynamics.names import did_you_mean
 from coscrew_codegen.dynamics.scene import Scene
 from coscrew_codegen.simulate import SimulateError
@@ -78,7 +78,8 @@ class System:
         for c in self.functions.coordinates:
             q[c.q] = self.scene.start_q.get(c.joint, q[c.q])
             v[c.v] = self.scene.start_v.get(c.joint, v[c.v])
-        return self.normalized(q).astype(self.dtype), v.astype(self.dtype)
+        with np.errstate(over="ignore"):  # in single precision; runs refuse what is not finite
+            return self.normalized(q).astype(self.dtype), v.astype(self.dtype)
 
     def normalized(self, q: np.ndarray) -> np.ndarray:
         """q with quaternions of norm 1.  (…, nq)->(…, nq)."""
