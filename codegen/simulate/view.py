@@ -23,6 +23,7 @@ from coscrew_codegen.simulate.write import delivered
 _FRAMES_A_SECOND = 60
 _MOST_NUMBERS = 2_000_000  # of poses: 8 MB, more than enough for a minute of thirty bodies
 _THIN = 0.06  # of a box's longest side, or for a point mass of the model's size
+_LEAST_SHOWN = 3.0  # s that a playback takes before anybody chooses its speed
 _SPEEDS = ((0.1, "0.1×"), (0.25, "0.25×"), (0.5, "0.5×"), (1, "1×"), (2, "2×"), (5, "5×"))
 
 
@@ -56,7 +57,8 @@ def page(system: System, trajectory: Trajectory, provenance: Provenance) -> str:
     count = len(names)
     sentence = (f"{count} {'body' if count == 1 else 'bodies'}, {trajectory.t[-1]:g} s, "
                 f"{dict(provenance)['integrator']}, {system.precision.name} precision.")
-    return render("view/page.html", name=scene.name, sentence=sentence, bodies=names,
+    speed = max((x for x, _ in _SPEEDS if x <= 1 and x * _LEAST_SHOWN <= t[-1]), default=_SPEEDS[0][0])
+    return render("view/page.html", speed=speed, name=scene.name, sentence=sentence, bodies=names,
                   stopped=trajectory.stopped, speeds=_SPEEDS, energies=tuple(energies),
                   provenance=provenance, data=json.dumps(data, allow_nan=False, separators=(
                       ",", ":")).replace("<", "\\u003c"))
