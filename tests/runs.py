@@ -1,7 +1,7 @@
 """Runs of scenes beside reference figures, and the bound that both precisions' errors must keep.
 
-Figures of one quantity ("v", "pose") make a vector; errors are the largest of its components.  A run
-with the finer steps (half as long; tolerances a thousandth as large) may be off by
+Figures of one quantity ("v", "pose") make a vector; errors are the largest of its components.  A
+run with the finer steps (half as long; tolerances a thousandth as large) may be off by
 
     |coarse - fine| + 2 n u A,
 

@@ -1,11 +1,11 @@
 """MuJoCo simulates the same: arms and free bodies with gravity, springs, dampers and rotors.
 
-Both get the same decimals, as MJCF and as TOML.  Dry friction and limits are left out: MuJoCo treats
-them as constraints, which is another formula.  Both integrate with Runge and Kutta's method and steps h
-and h/2.  For hinges and slides it is the same method, so that the runs may differ by what roundings
-make of it (tests/runs.py); rotations of a free base are added up in ways of their own, so that there
-the finer runs may also differ by the sum of what halving the step changes in each: at any order above
-1, either one's error is less than its change.
+Both get the same decimals, as MJCF and as TOML.  Dry friction and limits are left out: MuJoCo
+treats them as constraints, which is another formula.  Both integrate with Runge and Kutta's method
+and steps h and h/2.  For hinges and slides it is the same method, so that the runs may differ by
+what roundings make of it (tests/runs.py); rotations of a free base are added up in ways of their
+own, so that there the finer runs may also differ by the sum of what halving the step changes in
+each: at any order above 1, either one's error is less than its change.
 """
 
 import random
@@ -66,14 +66,16 @@ def _drawn(draw: random.Random, kind: str, first: bool) -> Link:
     turn = np.linalg.qr(np.array([[draw.gauss(0, 1) for _ in range(3)] for _ in range(3)]))[0]
     mass = draw.uniform(0.5, 3)
     I = turn @ np.diag((half @ half - half**2) * mass / 3) @ turn.T
-    moments = " ".join(f"{I[i, k]:.5f}" for i, k in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)))
+    places = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+    moments = " ".join(f"{I[place]:.5f}" for place in places)
     unit = np.array([draw.gauss(0, 1) for _ in range(4)])
     quaternion = "1 0 0 0" if kind == "f" else " ".join(
         repr(float(x)) for x in unit / np.linalg.norm(unit))
     place = "0 0 0" if first else decimals(3, -0.3, 0.3)
-    return Link(kind, place, quaternion, decimals(3, 0.1, 1), f"{mass:.3f}", decimals(3, -0.1, 0.1),
-                moments, decimals(1, 0.05, 0.5), decimals(1, 1, 30), decimals(1, -0.5, 0.5),
-                decimals(1, 0.01, 0.1), decimals(1, -1, 1), decimals(6 if kind == "f" else 1, -1, 1))
+    return Link(kind, place, quaternion, decimals(3, 0.1, 1), f"{mass:.3f}",
+                decimals(3, -0.1, 0.1), moments, decimals(1, 0.05, 0.5), decimals(1, 1, 30),
+                decimals(1, -0.5, 0.5), decimals(1, 0.01, 0.1), decimals(1, -1, 1),
+                decimals(6 if kind == "f" else 1, -1, 1))
 
 
 def toml(chain: Sequence[Link], name: str) -> str:
@@ -116,9 +118,10 @@ def mjcf(chain: Sequence[Link]) -> str:
             f'armature="{x.armature}"/>')
         inner = (f'<body name="b{i}" pos="{x.place}" quat="{x.quaternion}">{joint}<inertial '
                  f'pos="{x.com}" mass="{x.mass}" fullinertia="{x.moments}"/>{inner}</body>')
-    return (f'<mujoco><compiler angle="radian" balanceinertia="false" autolimits="false"/>'
-            f'<option gravity="0 0 -9.81" integrator="RK4" timestep="{STEP}"><flag contact="disable" '
-            f'constraint="disable"/></option><worldbody>{inner}</worldbody></mujoco>')
+    return ('<mujoco><compiler angle="radian" balanceinertia="false" autolimits="false"/>'
+            f'<option gravity="0 0 -9.81" integrator="RK4" timestep="{STEP}">'
+            '<flag contact="disable" constraint="disable"/></option>'
+            f'<worldbody>{inner}</worldbody></mujoco>')
 
 
 @pytest.fixture(scope="module")
@@ -162,7 +165,7 @@ def states(its: Kernels, free: bool) -> list[tuple[np.ndarray, np.ndarray]]:
 
 @pytest.mark.parametrize("name", CASES)
 def test_mass_matrix_and_bias_are_mujocos(name, folder):
-    """To 1e-12 of the largest entry; the bias with springs and dampers, which MuJoCo keeps apart."""
+    """To 1e-12 of the largest entry; springs and dampers, apart in MuJoCo, are in our bias."""
     its, model, free = ours(name, folder), theirs(name), CASES[name][0]
     data, mine = mujoco.MjData(model), system(its, "double")
     for q, v in states(its, free):
@@ -206,6 +209,7 @@ def test_runs_of_a_second_are_mujocos(name, folder):
     for x in found:
         change = max(abs(float(a.value) - float(b.value)) for a, b in zip(rough, fine, strict=True)
                      if a.quantity[0] == x.quantity)
-        print(f"{x.quantity}: {x.error:.2g} of {change:.2g} + {x.integration:.2g} + {x.rounding:.2g}")
+        print(f"{x.quantity}: {x.error:.2g} of {change:.2g} + {x.integration:.2g}"
+              f" + {x.rounding:.2g}")
         halving = change + x.integration if CASES[name][0] else 0
         assert x.error <= halving + 2 * x.rounding < 1e-6, x
