@@ -86,12 +86,21 @@ def test_opposite_slanted_turns_leave_no_residue():
 
 
 def test_only_what_is_within_the_tolerance_snaps():
-    for near in (F(0), F(1), F(-1)):
-        for off in (SNAP, -SNAP):
+    for near, within in ((F(0), SNAP), (F(1), SNAP**2), (F(-1), SNAP**2)):
+        for off in (within, -within):
             assert rotations.snapped(near + off) == near
             assert rotations.snapped(near + off * F(1001, 1000)) == near + off * F(1001, 1000)
     assert rotations.snapped(F(2)) == 2 and rotations.snapped(F(1, 2)) == F(1, 2)
-    assert rotations.snapped(2 + SNAP / 2) == 2 + SNAP / 2
+    assert rotations.snapped(2 + SNAP**3) == 2 + SNAP**3
+
+
+@pytest.mark.parametrize("rough", ["1.5708", "-1.570796", "3.1416", "1.5707963"])
+def test_rough_right_angles_stay_rotations(rough):
+    """Sines near 1 are left alone where the cosine beside them is not zero."""
+    R = matrix(rotations.from_rpy(F(rough), F(0), F(rough)))
+    truth = about((0, 0, 1), number(rough)) * about((1, 0, 0), number(rough))
+    assert far(R, truth) < float(SNAP)
+    assert far(R * R.T, mpmath.eye(3)) < float(SNAP)
 
 
 def test_axes_are_normalised_and_snapped():

@@ -9,6 +9,7 @@ from coscrew_codegen.dynamics.formulas import Formula
 from coscrew_codegen.dynamics.model import Kind, Mimic, Parameter
 from coscrew_codegen.dynamics.quantities import QuantityError, coordinates, expected, recorded
 from coscrew_codegen.dynamics.scene import Expectation, Run
+from coscrew_codegen.scene_files.catalogue import catalogue
 from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_files.toml_scene import read_scene
 
@@ -377,12 +378,15 @@ def test_other_texts_are_no_quantities(read, text, words):
     ("", "[effects]\ngravity = true", "effects.gravity", "the boolean true; wanted a table"),
     ("", "[effects.viscous]\nd = 0.1", "effects.viscous.joints", "missing"),
     ("", "[effects.viscous]", "effects.viscous.joints", "missing"),
-    ("", "[effects.viscous]\njoints = 'all'", "effects.viscous.d", "missing; wanted damping in N m"),
+    ("", "[effects.viscous]\njoints = 'all'", "effects.viscous.d",
+     "missing; wanted damping in N m"),
     ("", "[effects.viscous]\njoints = ['elbw']\nd = 1", "effects.viscous.joints",
      "no joint 'elbw'; did you mean 'elbow'?"),
     ("", "[effects.viscous]\njoints = []\nd = 1", "effects.viscous.joints", "empty list"),
-    ("", "[effects.viscous]\njoints = 'elbow'\nd = 1", "effects.viscous.joints", "the text 'elbow'"),
-    ("", "[effects.viscous]\njoints = ['elbow', 'elbow']\nd = 1", "effects.viscous.joints", "twice"),
+    ("", "[effects.viscous]\njoints = 'elbow'\nd = 1", "effects.viscous.joints",
+     "the text 'elbow'"),
+    ("", "[effects.viscous]\njoints = ['elbow', 'elbow']\nd = 1", "effects.viscous.joints",
+     "twice"),
     ("", "[effects.viscous]\njoints = ['rail']\nd = 'model'", "effects.viscous.d",
      "no damping for joint 'rail'"),
     ("", "[effects.viscous]\nd = { rail = 'model' }", "effects.viscous.d", "joint 'rail'"),
@@ -413,14 +417,16 @@ def test_other_texts_are_no_quantities(read, text, words):
     ("", "[effects.motor.elbow]\nkind = 'pd'", "effects.motor.elbow.kp", "missing"),
     ("", "[effects.stop.elbow]", "effects.stop.elbow.lower", "missing; wanted lower or upper"),
     ("", "[effects.push.tol]\nforce = [0, 0, 0]", "effects.push.tol", "did you mean 'tool'?"),
-    ("", "[effects.push.gust]\nbody = 'tol'\nforce = [0, 0, 0]", "effects.push.gust.body", "'tool'"),
+    ("", "[effects.push.gust]\nbody = 'tol'\nforce = [0, 0, 0]", "effects.push.gust.body",
+     "'tool'"),
     ("", "[effects.push.tool]\nforce = [0, 0]", "effects.push.tool.force", "a list of 2"),
     ("", "[effects.push.tool]\nforce = [0, 0, 't+']", "effects.push.tool.force", "cannot be read"),
     ("", "[effects.tendon]", "effects.tendon", "is empty"),
     ("", "[effects.tendon]\nk = 1", "effects.tendon.k", "under a label"),
     ("", "[effects.tendon.a]\nk = 1", "effects.tendon.a.bodies", "missing"),
     ("", "[effects.tendon.a]\nk = 1\nbodies = ['tool']", "effects.tendon.a.bodies", "a list of 1"),
-    ("", "[effects.tendon.a]\nk = 1\nbodies = ['tool', 'tool']", "effects.tendon.a.bodies", "twice"),
+    ("", "[effects.tendon.a]\nk = 1\nbodies = ['tool', 'tool']", "effects.tendon.a.bodies",
+     "twice"),
     ("", "[effects.tendon.a]\nk = 1\nbodies = ['tool', 'uper']", "effects.tendon.a.bodies",
      "'upper'"),
     ("", "[effects.mimic]\nx = 1", "effects.mimic.x", "unknown key"),
@@ -522,3 +528,13 @@ def test_without_a_joint_that_moves_there_is_no_scene(read):
 def test_reading_twice_gives_the_same(read):
     text = '[effects.viscous]\njoints = "all"\nd = "model"\n[effects.gravity]\n'
     assert read(tail=text) == read(tail=text)
+
+
+def test_the_catalogue_tells_what_to_write():
+    lines = catalogue(CATALOGUE).splitlines()
+    assert 'viscous: resists' in lines and '    -d v' in lines
+    assert '      d  damping [N m s/rad]: number, 0 or more, "model" takes the joint\'s damping' in lines
+    assert '    [effects.tendon.LABEL] with bodies = ["A", "B"]' in lines
+    assert "      kp     gain [N m/rad]: number, above 0, for kind pd" in lines
+    assert "      g  acceleration of free fall [m/s^2]: three numbers, default [0, 0, -9.81]" in lines
+    assert "      at least one of lower, upper" in lines

@@ -11,9 +11,12 @@ import mpmath
 DIGITS = 50
 
 SNAP = Fraction(1, 10**11)
-"""How near to 0 or ±1 an entry counts as that.  Files write right angles as 1.57079632679, which is
-4.9e-12 off, and matrices computed in doubles hold residues such as 6e-17: a kernel that multiplied by
-these would cost as much as one for slanted axes.  1e-11 rad displaces a point at 100 m by a nanometre."""
+"""How near to 0 an entry counts as 0.  Files write right angles as 1.57079632679, which is 4.9e-12
+off, and matrices computed in doubles hold residues such as 6e-17: a kernel that multiplied by these
+would cost as much as one for slanted axes.  1e-11 rad displaces a point at 100 m by a nanometre.
+
+Entries count as ±1 within SNAP², as far as they are where what stands beside them counts as 0: with
+1.5708 for a right angle, 3.7e-6 off, the sine is within 7e-12 of 1, but stays what it is."""
 
 IDENTITY = tuple(Fraction(i % 4 == 0) for i in range(9))
 
@@ -86,14 +89,18 @@ def rotated(R: Entries, moments: Sequence[Fraction]) -> Entries:
 
 
 def snapped(x: Fraction) -> Fraction:
-    """0 or ±1 where x is within SNAP of it, else x."""
-    nearest = Fraction(round(x))
-    return nearest if abs(nearest) <= 1 and abs(x - nearest) <= SNAP else x
+    """0 where x is within SNAP of it, ±1 where it is within SNAP² of that, else x."""
+    if abs(x) <= SNAP:
+        return Fraction(0)
+    for one in (Fraction(1), Fraction(-1)):
+        if abs(x - one) <= SNAP**2:
+            return one
+    return x
 
 
 def _about(axis: int, angle: Fraction) -> Entries:
-    """The rotation about a coordinate axis; sine and cosine are snapped on their own, so that what is
-    left stays a rotation to 50 digits."""
+    """The rotation about a coordinate axis; sine and cosine are snapped on their own, so that what
+    is left stays a rotation to 20 digits."""
     if not angle:
         return IDENTITY
     sine, cosine = _sine_cosine(angle)

@@ -1,7 +1,7 @@
 """The tables [effects.*] of a scene file as Applied effects.
 
-An effect on joints or bodies is given for several at once, with `joints = "all"` or a list of them, or
-by tables of its parameters ({ elbow = 0.1 }); or in tables of its own, [effects.stribeck.elbow].
+An effect on joints or bodies is given for several at once, with `joints = "all"` or a list of them,
+or by tables of its parameters ({ elbow = 0.1 }); or in tables of its own, [effects.stribeck.elbow].
 """
 
 from collections.abc import Iterator, Mapping
