@@ -64,7 +64,7 @@ bench: $(VENV)/test-ready build
 
 # Every proven error bound against exact arithmetic, at length.
 attack: $(VENV)/test-ready build
-	$(PYTHON) -m tests.attack
+	$(PYTHON) -m tests.long_attack
 
 # Errors and times of everything on this machine, in about two minutes: build/report/.
 report: $(VENV)/test-ready build

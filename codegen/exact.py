@@ -16,7 +16,7 @@ from gmpy2 import mpq
 
 from coscrew_codegen.operations import PER_PRECISION, Operation
 from coscrew_codegen.program import Constant
-from coscrew_codegen.special import SPECIAL
+from coscrew_codegen.special import SPECIAL, rational
 from coscrew_codegen.targets.precision import Precision
 
 UNIT = {"double": mpq(1, 2**53), "single": mpq(1, 2**24)}
@@ -31,19 +31,23 @@ class Truth:
     """The results of many rows of inputs, (rows, components), as pairs: x = near + rest · unit.
 
     `near` is x as the nearest double, `unit` what errors are counted in, `rest` what is missing, so
-    that differences are exact to a few 2^-53 of themselves.  `terms` is S, the sum of the absolute
-    values of the polynomial's terms; NaN where the formula is no polynomial."""
+    that differences are exact to a few 2^-53 of themselves.  Where the formula divides by zero, `near`
+    is NaN.  `terms` is S, the sum of the absolute values of the polynomial's terms; NaN where the
+    formula is no polynomial.  Where `overflows`, numbers on the way may be too large."""
 
     near: np.ndarray
     rest: np.ndarray
     unit: np.ndarray
     terms: np.ndarray
+    overflows: np.ndarray
 
     def errors(self, results: np.ndarray) -> np.ndarray:
-        """|results - x| in units; infinite for what is not finite."""
+        """|results - x| in units; infinite for what is not finite, NaN where that may be so, or
+        where there is no x."""
         with np.errstate(all="ignore"):
             errors = np.abs((results.astype(float) - self.near) / self.unit - self.rest)
-        return np.where(np.isfinite(results), errors, np.inf)
+        lost = np.where(self.overflows | np.isnan(self.near), np.nan, np.inf)
+        return np.where(np.isfinite(results), errors, lost)
 
     @property
     def condition(self) -> np.ndarray:
@@ -99,19 +103,48 @@ def ulp(truth: mpq, precision: Precision) -> mpq:
 def truth(operation: Operation, precision: Precision, rows: np.ndarray) -> Truth:
     """The exact results for rows that hold all input components of a call each."""
     evaluate, units_of = _evaluator(operation, precision), _units(operation, precision)
-    found = [evaluate(row) for row in rows.tolist()]
-    units = list(map(units_of, found))
+    found = [_values(evaluate, row) for row in rows.tolist()]
     shape = (len(found), len(formula(operation)))
-    near = np.array([[float(x) for x in values] for values in found]).reshape(shape)
-    rest = [[float((x - mpq(n)) / unit) if np.isfinite(n) else 0.0
-             for x, n, unit in zip(*row, strict=True)]
-            for row in zip(found, near.tolist(), units, strict=True)]
-    terms = np.full(shape, np.nan)
-    if is_polynomial(operation):
-        magnitudes = np.abs(rows.astype(float)).T
-        for component, (_, absolute) in enumerate(exact_functions(operation)):
-            terms[:, component] = absolute(*magnitudes)
-    return Truth(near, np.array(rest).reshape(shape), np.array(units, float).reshape(shape), terms)
+    near, rest, units = (np.full(shape, x) for x in (np.nan, 0.0, 1.0))
+    for place, values in enumerate(found):
+        for component, (x, unit) in enumerate(zip(values, units_of(values), strict=True)):
+            n = near[place, component] = _nearest(x)
+            if np.isfinite(n):
+                units[place, component] = unit
+                rest[place, component] = (x - mpq(n)) / unit
+    return Truth(near, rest, units, *_sizes(operation, precision, rows, near))
+
+
+def _values(evaluate: Callable[[Sequence[float]], list[mpq]], row: Sequence[float]) -> list[mpq]:
+    """The components; none where the formula divides by zero."""
+    try:
+        return evaluate(row)
+    except ZeroDivisionError:
+        return []
+
+
+def _nearest(x: mpq) -> float:
+    try:
+        return float(x)
+    except OverflowError:
+        return np.copysign(np.inf, int(x > 0) - 0.5)
+
+
+def _sizes(operation: Operation, precision: Precision, rows: np.ndarray,
+           near: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """S, and whether anything may overflow: S of the inputs, or of 1 where they are smaller; of no
+    polynomial, the largest component, exactly so where each has its own error."""
+    most = float(np.finfo(precision.numpy_type).max)
+    if not is_polynomial(operation):
+        largest = np.abs(near).max(axis=1, keepdims=True, initial=0)
+        too_large = largest >= most / 64 if operation.normwise else largest > most
+        return np.full(near.shape, np.nan), np.broadcast_to(too_large, near.shape)
+    magnitudes = np.abs(rows.astype(float)).T
+    with np.errstate(all="ignore"):
+        terms, reach = (np.stack([np.broadcast_to(absolute(*sizes), len(rows)) for _, absolute in
+                                  exact_functions(operation)], axis=1).astype(float)
+                        for sizes in (magnitudes, np.maximum(magnitudes, 1)))
+    return terms, ~(reach < most / 2**30)
 
 
 def _symbols(operation: Operation) -> list[sp.Symbol]:
@@ -124,17 +157,17 @@ def _evaluator(operation: Operation,
     if is_polynomial(operation):
         functions = [exact for exact, _ in exact_functions(operation)]
 
-        def rational(row: Sequence[float]) -> list[mpq]:
+        def polynomial(row: Sequence[float]) -> list[mpq]:
             values = list(map(mpq, row))
             return [mpq(exact(*values)) for exact in functions]
 
-        return rational
+        return polynomial
     function, constants = _multiprecise(operation), _constants(precision)
 
     def multiprecise(row: Sequence[float]) -> list[mpq]:
         with mpmath.workdps(DIGITS):
             found = function(*map(mpmath.mpf, (*row, *constants)))
-            return [_rational(mpmath.mpf(x)) for x in found]
+            return [rational(mpmath.mpf(x)) for x in found]
 
     return multiprecise
 
@@ -151,11 +184,6 @@ def _multiprecise(operation: Operation) -> Callable[..., Sequence[mpmath.mpf]]:
                        [SPECIAL, "mpmath"], cse=True)
 
 
-def _rational(x: mpmath.mpf) -> mpq:
-    """The number itself: mpmath's numbers are binary fractions."""
-    return mpq(*mpmath.libmp.to_rational(x._mpf_))
-
-
 def _units(operation: Operation,
            precision: Precision) -> Callable[[Sequence[mpq]], list[mpq]]:
     """What errors are counted in: ulp; in normwise operations u times the part's largest |x|."""
@@ -164,6 +192,8 @@ def _units(operation: Operation,
     parts = _parts(operation)
 
     def relative(values: Sequence[mpq]) -> list[mpq]:
+        if not values:
+            return []
         largest = {part: max(abs(x) for x, of in zip(values, parts, strict=True) if of == part)
                    for part in dict.fromkeys(parts)}
         return [max(largest[part] * UNIT[precision.name], _LEAST[precision.name])

@@ -1,14 +1,29 @@
-"""The functions of `operations/special.py` in mpmath's precision: name in formulas → function."""
+"""The functions of `operations/special.py` in mpmath's precision: name in formulas → function.
+
+Formulas ask for the components of a result one by one; what they share is computed once.
+"""
 
 from collections.abc import Callable
+from functools import lru_cache, wraps
 from math import isqrt
 
 import mpmath
+from gmpy2 import mpq
 from mpmath import matrix
 
 Number = mpmath.mpf
 
 
+def _once(function: Callable) -> Callable:
+    """The function, its last results kept: one row's components are asked for after one another."""
+    @lru_cache(maxsize=64)
+    def kept(precision: int, *numbers: Number) -> object:
+        return function(*numbers)
+
+    return wraps(function)(lambda *numbers: kept(mpmath.mp.prec, *numbers))
+
+
+@_once
 def g(k: Number, x: Number) -> Number:
     """Σ (-x)^j / (2j + k)!, with as many more digits as its alternating terms cost."""
     with mpmath.workdps(mpmath.mp.dps + int(mpmath.sqrt(x)) + 10):
@@ -64,30 +79,50 @@ def _product(p: matrix, q: matrix) -> matrix:
     return matrix([p[0] * q[0] - mpmath.fdot(p[1:], q[1:]), *v])
 
 
+@_once
+def _of_matrix(*R: Number) -> matrix:
+    return _quaternion(matrix([R[:3], R[3:6], R[6:]]))
+
+
 def quaternion_of(i: Number, *R: Number) -> Number:
     """Of the rotation nearest to R.  Source: I. Y. Bar-Itzhack, J. Guidance 23 (2000) 1085."""
-    return _quaternion(matrix([R[:3], R[3:6], R[6:]]))[int(i)]
+    return _of_matrix(*R)[int(i)]
+
+
+@_once
+def _vector(*q: Number) -> matrix:
+    return _log(matrix(q))
 
 
 def quaternion_log(i: Number, *q: Number) -> Number:
     """2 atan2(|v|, |w|) ±v / |v|."""
-    return _log(matrix(q))[int(i)]
+    return _vector(*q)[int(i)]
+
+
+@_once
+def _slerp(*numbers: Number) -> matrix:
+    p, q, k = matrix(numbers[:4]), matrix(numbers[4:8]), numbers[8]
+    half = k * _log(_product(matrix([p[0], *-p[1:]]), q)) / 2
+    x = mpmath.fdot(half, half)
+    return _product(p, matrix([g(0, x), *(g(1, x) * half)]))
 
 
 def slerp(i: Number, *numbers: Number) -> Number:
     """p (p* q)^k."""
-    p, q, k = matrix(numbers[:4]), matrix(numbers[4:8]), numbers[8]
-    half = k * _log(_product(matrix([p[0], *-p[1:]]), q)) / 2
-    x = mpmath.fdot(half, half)
-    return _product(p, matrix([g(0, x), *(g(1, x) * half)]))[int(i)]
+    return _slerp(*numbers)[int(i)]
+
+
+@_once
+def _interpolated(*numbers: Number) -> tuple[matrix, matrix]:
+    (R1, t1), (R2, t2), k = _parts(numbers[:12]), _parts(numbers[12:24]), numbers[24]
+    w = _log(_quaternion(R1.T * R2))
+    v = mpmath.lu_solve(_series(w, 1), R1.T * (t2 - t1))
+    return R1 * _series(k * w, 0), R1 * (_series(k * w, 1) * (k * v)) + t1
 
 
 def interpolated(row: Number, column: Number, *numbers: Number) -> Number:
     """D1 exp(k log(D1^-1 D2))."""
-    (R1, t1), (R2, t2), k = _parts(numbers[:12]), _parts(numbers[12:24]), numbers[24]
-    w = _log(_quaternion(R1.T * R2))
-    v = mpmath.lu_solve(_series(w, 1), R1.T * (t2 - t1))
-    R, t = R1 * _series(k * w, 0), R1 * (_series(k * w, 1) * (k * v)) + t1
+    R, t = _interpolated(*numbers)
     return R[int(row), int(column)] if column < 3 else t[int(row)]
 
 
@@ -96,38 +131,70 @@ def _parts(D: tuple[Number, ...]) -> tuple[matrix, matrix]:
     return matrix([row[:3] for row in rows]), matrix([row[3] for row in rows])
 
 
-# symmetric matrices
+# symmetric matrices, in rationals
 
 
-def _symmetric(lower_triangle: tuple[Number, ...]) -> matrix:
-    n = isqrt(2 * len(lower_triangle))
-    A, entries = mpmath.zeros(n), iter(lower_triangle)
-    for i in range(n):
-        for j in range(i + 1):
-            A[i, j] = A[j, i] = next(entries)
-    return A
+Rows = tuple[tuple[mpq, ...], ...]
+
+
+@_once
+def _symmetric(*lower_triangle: Number) -> Rows:
+    n, entries = isqrt(2 * len(lower_triangle)), list(map(rational, lower_triangle))
+    return tuple(tuple(entries[max(i, j) * (max(i, j) + 1) // 2 + min(i, j)] for j in range(n))
+                 for i in range(n))
+
+
+@lru_cache(maxsize=64)
+def _determinant(A: Rows) -> mpq:
+    """By elimination, with rows exchanged where a pivot is zero."""
+    rest, product = [list(row) for row in A], mpq(1)
+    while rest:
+        place = next((i for i, row in enumerate(rest) if row[0]), None)
+        if place is None:
+            return mpq(0)
+        first = rest.pop(place)
+        product *= first[0] * (-1)**place
+        rest = [[x - row[0] * y / first[0] for x, y in zip(row[1:], first[1:], strict=True)]
+                for row in rest]
+    return product
+
+
+def _leading(A: Rows, n: int) -> mpq:
+    return _determinant(tuple(row[:n] for row in A[:n]))
 
 
 def factor(i: Number, j: Number, *lower_triangle: Number) -> Number:
     """Quotients of minors: d_j of successive leading ones; l_ij of the leading one with row i in
     place of row j to that itself."""
-    A, i, j = _symmetric(lower_triangle), int(i), int(j)
-    leading = mpmath.det(A[:j + 1, :j + 1])
-    if i == j:
-        return leading / (mpmath.det(A[:j, :j]) if j else 1)
-    return mpmath.det(matrix([[A[row, k] for k in range(j + 1)] for row in (*range(j), i)])) / leading
+    return _number(_entry(_symmetric(*lower_triangle), int(i), int(j)))
+
+
+def _entry(A: Rows, i: int, j: int) -> mpq:
+    minor = _determinant(tuple(A[row][:j + 1] for row in (*range(j), i)))
+    return minor / (_leading(A, j) if i == j else _leading(A, j + 1))
 
 
 def smallest_pivot(*lower_triangle: Number) -> Number:
     """min d_i / a_ii."""
-    A = _symmetric(lower_triangle)
-    return min(factor(i, i, *lower_triangle) / A[i, i] for i in range(A.rows))
+    A = _symmetric(*lower_triangle)
+    return _number(min(_entry(A, i, i) / A[i][i] for i in range(len(A))))
 
 
 def solution(i: Number, *numbers: Number) -> Number:
-    """Component i of A^-1 b: b, then A's lower triangle."""
+    """Component i of A^-1 b by Cramer's rule: b, then A's lower triangle."""
     n = next(n for n in (3, 6) if len(numbers) == n + n * (n + 1) // 2)
-    return mpmath.lu_solve(_symmetric(numbers[n:]), matrix(numbers[:n]))[int(i)]
+    b, A = map(rational, numbers[:n]), _symmetric(*numbers[n:])
+    replaced = tuple((*row[:int(i)], x, *row[int(i) + 1:]) for x, row in zip(b, A, strict=True))
+    return _number(_determinant(replaced) / _determinant(A))
+
+
+def rational(x: Number) -> mpq:
+    """The number itself: mpmath's numbers are binary fractions."""
+    return mpq(*mpmath.libmp.to_rational(x._mpf_))
+
+
+def _number(x: mpq) -> Number:
+    return mpmath.mpf(int(x.numerator)) / int(x.denominator)
 
 
 SPECIAL: dict[str, Callable[..., Number]] = {

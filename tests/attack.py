@@ -1,7 +1,6 @@
-"""Attacks the proven error bounds with exact rational arithmetic.
+"""Attacks the proven error bounds with exact rational arithmetic, row by row.
 
-`python -m tests.attack [--rows N] [--operation NAME …]` prints, for every operation, precision and
-tier, how close the worst error found comes to the bound; the tests run a small sample of the same.
+A small sample of what tests.long_attack does.
 
 Truth is the operation's formula, expanded by SymPy and evaluated in exact rationals.  Attacked are
 the NumPy twins (whose bits the C kernels share) and, for the fused tier, compiled C.  What the
@@ -11,7 +10,7 @@ certified tier returns as bounds is attacked with numbers of any size, too.
 import functools
 import math
 import random
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -105,12 +104,13 @@ def attack(operation: Operation, precision: Precision, tier: str, inputs: Arrays
         if tier == "certified":
             _compare_certified(operation, given, got, worst)
             continue
-        _compare(operation, precision, tier, given, got, worst)
+        compare(operation, precision, tier, given, got, worst)
     return worst
 
 
-def _compare(operation: Operation, precision: Precision, tier: str, given: Sequence[float],
-             got: Sequence[float], worst: Worst) -> None:
+def compare(operation: Operation, precision: Precision, tier: str, given: Sequence[float],
+            got: Sequence[float], worst: Worst) -> None:
+    """One row with the truth, exactly."""
     u = UNIT[precision.name]
     values = [mpq(x) for x in given]
     magnitudes = [abs(x) for x in values]
@@ -147,54 +147,3 @@ def _compare_certified(operation: Operation, given: Sequence[float], got: Sequen
             ratio = float(error / mpq(bound)) if bound else float("inf") if error else 0.0
             if ratio > worst.ratio:
                 worst.ratio, worst.witness = ratio, tuple(x.hex() for x in given)
-
-
-def attacks(names: Sequence[str], count: int, seed: int,
-            implementations: dict[str, Implementation],
-            precisions: Sequence[Precision]) -> Iterator[tuple[Operation, Precision, str, Worst]]:
-    """The worst of `count` rows for every operation named, precision and tier."""
-    for operation in TIERED:
-        if names and operation.name not in names:
-            continue
-        for precision in precisions:
-            inputs = rows(operation, precision, count, seed)
-            for tier, implementation in implementations.items():
-                more = inputs
-                if tier == "certified":
-                    extreme = extreme_rows(operation, precision, count, seed)
-                    more = tuple(map(np.concatenate, zip(inputs, extreme, strict=True)))
-                yield operation, precision, tier, attack(operation, precision, tier, more,
-                                                         implementation)
-
-
-def main() -> None:
-    """Print the table."""
-    import argparse
-    import tempfile
-    from pathlib import Path
-
-    from tabulate import tabulate
-    from tqdm import tqdm
-
-    from coscrew_codegen.targets.precision import PRECISIONS
-    from tests.implementations import implementations
-
-    parser = argparse.ArgumentParser(description="Attack the proven error bounds.")
-    parser.add_argument("--rows", type=int, default=20000, help="inputs per operation")
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--operation", nargs="*", default=[], help="only these")
-    options = parser.parse_args()
-    with tempfile.TemporaryDirectory() as folder:
-        found = attacks(options.operation, options.rows, options.seed,
-                        implementations(Path(folder)), PRECISIONS)
-        lines = [(operation.name, precision.name, tier, worst.outputs, worst.ratio, worst.ulps)
-                 for operation, precision, tier, worst in
-                 tqdm(found, total=8 * len(options.operation or TIERED), disable=None)]
-    print(tabulate(lines, ("operation", "precision", "tier", "outputs", "error / bound",
-                           "ulps, well conditioned"), floatfmt=".3f"))
-    violations = sum(line[4] > 1 for line in lines)
-    print(f"{sum(line[3] for line in lines)} outputs, {violations} violations")
-
-
-if __name__ == "__main__":
-    main()

@@ -8,15 +8,15 @@
 import importlib.util
 import random
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from pathlib import Path
 from types import ModuleType
 
-from coscrew_codegen.dynamics.function import Coordinate, Function, SceneFunctions
+from coscrew_codegen.scene_functions import Coordinate, Function, SceneFunctions
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.quantity import Argument, Part, Quantity
-from coscrew_codegen.scene_layout import function_files
+from coscrew_codegen.scene_layout import c_files, python_files
 
 BANNER = "Made by `coscrew generate scene.toml`; changes are overwritten."
 
@@ -167,6 +167,13 @@ def _products(w: Writer, name: str, a: list[Operand], b: list[Operand]) -> list[
     return found
 
 
+def _cross(w: Writer, name: str, a: Sequence[Operand], b: Sequence[Operand]) -> list[Ref]:
+    """The vector a × b."""
+    return [w.do(f"{name}_{i}", Op.SUB, w.do(f"{name}_{i}a", Op.MUL, a[j], b[k], of=f"{name}_{i}"),
+                 w.do(f"{name}_{i}b", Op.MUL, a[k], b[j], of=f"{name}_{i}"))
+            for i, (j, k) in enumerate(((1, 2), (2, 0), (0, 1)))]
+
+
 def spinner() -> SceneFunctions:
     """Euler's equations for moments of inertia 1, 2, 3 kg m²."""
     q, v, phi = argument("q", 4), argument("v", 3), argument("phi", 3)
@@ -191,15 +198,18 @@ def spinner() -> SceneFunctions:
     turn += [w.do(f"turn_{i + 1}", Op.MUL, chosen, x[i]) for i in range(3)]
     made = _products(w, "made", [w.at("q", i) for i in range(4)], turn)
     integrated = w.function("integrated", "q ⊕ φ", (argument("q", 4),), made)
-    w = Writer(phi, v)  # ω + φ × ω / 2, φ' to first order
+    w = Writer(phi, v)
+    x, speeds = ([w.at(name, i) for i in range(3)] for name in ("phi", "v"))
+    once = _cross(w, "once", x, speeds)
+    twice = _cross(w, "twice", x, once)
     rate = []
-    for i, (j, k) in enumerate(((1, 2), (2, 0), (0, 1))):
-        plus = w.do(f"plus_{i}", Op.MUL, w.at("phi", j), w.at("v", k), of=f"rate_{i}")
-        minus = w.do(f"minus_{i}", Op.MUL, w.at("phi", k), w.at("v", j), of=f"rate_{i}")
-        cross = w.do(f"cross_{i}", Op.SUB, plus, minus, of=f"rate_{i}")
-        part = w.do(f"part_{i}", Op.MUL, "1/2", cross, of=f"rate_{i}")
-        rate.append(w.do(f"rate_{i}", Op.ADD, w.at("v", i), part))
-    chart = w.function("chart_rate", "φ'", (argument("rate", 3),), rate, internal=True)
+    for i in range(3):
+        half = w.do(f"half_{i}", Op.MUL, "1/2", once[i], of=f"rate_{i}")
+        twelfth = w.do(f"twelfth_{i}", Op.DIV, twice[i], 12, of=f"rate_{i}")
+        moved = w.do(f"moved_{i}", Op.ADD, speeds[i], half, of=f"rate_{i}")
+        rate.append(w.do(f"rate_{i}", Op.ADD, moved, twelfth))
+    chart = w.function("chart_rate", "φ' = v + φ × v / 2 + φ × (φ × v) / 12", (argument("u", 3),),
+                       rate, internal=True)
     return SceneFunctions(
         "spinner", 4, 3, (Coordinate("ball", "spherical", range(4), range(3)),), ("top",), (),
         (1.0, 0.0, 0.0, 0.0), (forward, integrated, chart), ("semi_implicit_euler", "rk4"))
@@ -238,9 +248,14 @@ CASES: dict[str, Callable[[], SceneFunctions]] = {
     "slider": slider, "pendulum": pendulum, "spinner": spinner}
 
 
+def files(functions: SceneFunctions) -> dict[str, str]:
+    """All files of the functions, by path."""
+    return c_files(functions, BANNER) | python_files(functions, BANNER)
+
+
 def written(functions: SceneFunctions, folder: Path) -> Path:
     """The folder, with the scene's files in it."""
-    for path, text in function_files(functions, BANNER).items():
+    for path, text in files(functions).items():
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         (folder / path).write_text(text, encoding="utf-8")
     return folder

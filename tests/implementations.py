@@ -26,6 +26,18 @@ def twin(module: ModuleType) -> Implementation:
     return evaluate
 
 
+def gufuncs(package: ModuleType) -> Implementation:
+    """The compiled gufuncs of a package."""
+
+    def evaluate(operation: Operation, precision: Precision, inputs: Arrays) -> Arrays:
+        assert package.COMPILED
+        with np.errstate(all="ignore"):
+            found = getattr(package, operation.name)(*inputs)
+        return found if isinstance(found, tuple) else (found,)
+
+    return evaluate
+
+
 def compiled(folder: Path, tier: str, compiler: str, flags: tuple[str, ...]) -> Implementation:
     """The C kernels of a tier behind plain."""
     made = next(t for t in TIERS if t.name == tier)

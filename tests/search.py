@@ -51,7 +51,7 @@ def search(operation: Operation, precision: Precision, tier: str, implementation
     parents, fitness = parameters[:0], np.empty(0)
     while True:
         inputs = _inputs(operation, parameters, dtype)
-        results = _joined(implementation(operation, precision, split(operation, inputs)))
+        results = joined(implementation(operation, precision, split(operation, inputs)))
         if score:
             estimates = score(operation, precision, tier, inputs, results)
             chosen = np.argsort(-estimates, kind="stable")[:EXACT_EACH_ROUND]
@@ -70,7 +70,7 @@ def search(operation: Operation, precision: Precision, tier: str, implementation
         best = np.argsort(-marks, kind="stable")[:PARENTS]
         parents, fitness = pool[best], marks[best]
         fresh = _drawn(operation, precision, rng, dtype)[:BATCH // 4]
-        parameters = np.vstack([_varied(parents, rng, dtype), fresh])
+        parameters = np.vstack([varied(parents, BATCH * 3 // 4, rng, dtype), fresh])
         rng.shuffle(parameters)
 
 
@@ -79,7 +79,7 @@ def _drawn(operation: Operation, precision: Precision, rng: Generator, dtype: np
     drawn = np.hstack([domain.draw(rng, BATCH, dtype) for domain in domains(operation)])
     if operation in TIERED:
         cancelling = attacking_rows(operation, precision, BATCH // 4, int(rng.integers(1 << 30)))
-        drawn[:BATCH // 4] = _joined(cancelling)
+        drawn[:BATCH // 4] = joined(cancelling)
         rng.shuffle(drawn)
     return drawn.astype(dtype).astype(float)
 
@@ -101,7 +101,8 @@ def split(operation: Operation, rows: Rows) -> Arrays:
                  for part, a in zip(np.split(rows, edges, axis=1), operation.inputs, strict=True))
 
 
-def _joined(arrays: Arrays) -> Rows:
+def joined(arrays: Arrays) -> Rows:
+    """All components of each row, (n, components)."""
     return np.hstack([np.asarray(a).reshape(len(arrays[0]), -1) for a in arrays])
 
 
@@ -137,9 +138,9 @@ def _usable(error: Rows, allowed: Rows, info: np.finfo) -> np.ndarray:
     return np.nan_to_num(found, nan=0, posinf=0).max(axis=1).astype(float)
 
 
-def _varied(parents: Rows, rng: Generator, dtype: np.dtype) -> Rows:
+def varied(parents: Rows, count: int, rng: Generator, dtype: np.dtype) -> Rows:
     """Children: one to three parameters of a parent changed, each in one of the ways below."""
-    children = parents[rng.integers(len(parents), size=BATCH * 3 // 4)]
+    children = parents[rng.integers(len(parents), size=count)]
     who = np.arange(len(children))
     for _ in range(3):
         place = rng.integers(children.shape[1], size=len(children))
@@ -189,7 +190,7 @@ def worst_known(target: tuple[Operation, Precision, str], implementation: Implem
     found = Found(0.0, ())
     if rows:
         inputs = np.array(rows).astype(precision.numpy_type)
-        results = _joined(implementation(operation, precision, split(operation, inputs)))
+        results = joined(implementation(operation, precision, split(operation, inputs)))
         ratios = [ratio(operation, precision, tier, given, got)
                   for given, got in zip(rows, results.tolist(), strict=True)]
         found = max((Found(*pair) for pair in zip(ratios, rows, strict=True)),

@@ -123,6 +123,50 @@ def test_a_wrong_kernel_shows_its_error(precision: Precision):
     assert witness in benign.rows.astype(float).tolist()
 
 
+def counted_of(name: str, rows: list[list[float]],
+               results: list[list[float]]) -> tuple[int, float]:
+    """How many of these results the report counts, and the worst error among them."""
+    operation = BY_NAME[name]
+    plain, *_ = variants_of(operation, DOUBLE)
+    inputs_ = np.array(rows)
+    sample = errors.Sample(inputs_, truth(operation, DOUBLE, inputs_))
+    sizes = np.cumsum([a.quantity.size for a in operation.outputs])[:-1]
+    outputs = tuple(np.split(np.array(results), sizes, axis=1))
+    found = errors.accuracy(operation, plain, sample, sample, lambda *_: outputs)
+    return (found.benign.outputs, found.benign.worst) if found.benign else (0, 0.0)
+
+
+NAN, INF = math.nan, math.inf
+REGULAR, SINGULAR = [2.0, 0, 0, 0, 4, 0, 0, 0, 8, 2, 4, 8], [1.0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 2, 3]
+
+
+def test_a_row_without_truth_is_not_counted():
+    """1 / 0 v, and a singular system, whatever comes out."""
+    assert counted_of("product_ainvv", [[0.0, 1, 2, 3], [2.0, 2, 4, 6]],
+                      [[INF, INF, 7], [1, 2, 3]]) == (3, 0)
+    assert counted_of("mat3x3_solve", [SINGULAR, REGULAR], [[0.0, 9, 9, 9], [1, 1, 1, 1]]) == (4, 0)
+
+
+def test_a_refusal_is_not_counted_but_garbage_is():
+    assert counted_of("mat3x3_solve", [REGULAR], [[1.0, NAN, NAN, NAN]]) == (1, 0)
+    assert counted_of("mat3x3_solve", [REGULAR], [[1.0, 1, 1, 2]])[1] == 2.0**52
+    assert counted_of("mat3x3_solve", [REGULAR], [[1.0, 1, 1, INF]])[1] == INF
+    assert counted_of("dot_vv", [[1.0] * 6], [[NAN]]) == (1, INF)  # it has nothing to refuse
+
+
+def test_what_overflows_is_not_counted_but_garbage_is():
+    large, ordinary = [1e200] * 6, [1.0] * 6
+    assert counted_of("dot_vv", [large, ordinary], [[INF], [3]]) == (1, 0)
+    assert counted_of("dot_vv", [[1e200, 0, 0, 1e200, 0, 0]], [[7.0]]) == (1, INF)
+    assert counted_of("dot_vv", [[1e300, 0, 0, 1e3, 0, 0]], [[1e303 * (1 - 2**-50)]])[1] > 1
+    assert counted_of("dot_vv", [ordinary], [[INF]]) == (1, INF)
+    # -1e200² + 1e200² + 1 is 1, but not in numbers that overflow on the way.
+    vanishing = [1e200, 1e200, 1, -1e200, 1e200, 1]
+    assert counted_of("dot_vv", [vanishing], [[NAN]]) == (0, 0)
+    assert counted_of("vec3_l2norm", [[1e308, 1e308, 1e308]], [[INF]]) == (1, INF)  # 1.7e308 it is
+    assert counted_of("vec3_l2norm", [[1.7e308, 1.7e308, 0]], [[INF]]) == (0, 0)
+
+
 def test_quantiles_of_known_errors():
     operation = BY_NAME["dot_cs"]
     rows = np.arange(12000.0).reshape(1000, 12)

@@ -9,7 +9,6 @@ from coscrew_codegen.dynamics.formulas import Formula
 from coscrew_codegen.dynamics.model import Kind, Mimic, Parameter
 from coscrew_codegen.dynamics.quantities import QuantityError, coordinates, expected, recorded
 from coscrew_codegen.dynamics.scene import Expectation, Run
-from coscrew_codegen.scene_files.catalogue import catalogue
 from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_files.toml_scene import read_scene
 
@@ -528,13 +527,3 @@ def test_without_a_joint_that_moves_there_is_no_scene(read):
 def test_reading_twice_gives_the_same(read):
     text = '[effects.viscous]\njoints = "all"\nd = "model"\n[effects.gravity]\n'
     assert read(tail=text) == read(tail=text)
-
-
-def test_the_catalogue_tells_what_to_write():
-    lines = catalogue(CATALOGUE).splitlines()
-    assert 'viscous: resists' in lines and '    -d v' in lines
-    assert '      d  damping [N m s/rad]: number, 0 or more, "model" takes the joint\'s damping' in lines
-    assert '    [effects.tendon.LABEL] with bodies = ["A", "B"]' in lines
-    assert "      kp     gain [N m/rad]: number, above 0, for kind pd" in lines
-    assert "      g  acceleration of free fall [m/s^2]: three numbers, default [0, 0, -9.81]" in lines
-    assert "      at least one of lower, upper" in lines

@@ -49,11 +49,6 @@ def test_no_error_exceeds_its_bound(operation: Operation, precision: Precision, 
             assert worst.ulps <= limit, f"{worst.ulps} ulp for {worst.ulps_witness}"
 
 
-# c2 of kernels that are three products deep.
-LONG = {"inertia_energy": 64, "inertia_transformed": 60, "mat3x3_orthonormalize": 54,
-        "mat3x3_orthonormalized": 54}
-
-
 def test_the_bounds_are_those_derived_by_hand():
     """c1 and c2 of a few kernels, counted along the longest way from an input to the result."""
     by_name = {op.name: op for op in TIERED}
@@ -67,12 +62,15 @@ def test_the_bounds_are_those_derived_by_hand():
     assert constants("cross_sc", "plain", "c1") == [1, 1, 1, 2, 2, 2]
     assert constants("dot_cs", "plain", "c1") == [3]
     assert constants("axpy_cc", "fused", "c1") == [0] * 6
-    for operation in TIERED:
-        for bound in bounds(operation, PRECISIONS[0], "accurate"):
-            assert bound.c1 == 0
-            assert bound.c2 <= LONG.get(operation.name, 44)
-    assert max(LONG.values()) <= 64  # one ulp is proved up to 7e13 there, elsewhere:
-    assert PROVED_CONDITION < 1 / (2 * 44 * Fraction(1, 2**53))  # so one ulp is proved up to there
+
+
+@operations
+def test_one_ulp_is_proved_to_condition_1e14(operation: Operation):
+    """u |x̂| is at most half an ulp, and so is c2 u² S up to condition 1 / (2 c2 u)."""
+    u = Fraction(1, 2**53)
+    for bound in bounds(operation, PRECISIONS[0], "accurate"):
+        assert bound.c1 == 0
+        assert bound.c2 <= 45 and PROVED_CONDITION * 2 * bound.c2 * u <= 1
 
 
 def test_shares_of_a_sum_are_exact():

@@ -1,0 +1,5 @@
+"""What a scene costs: operations and times of its kernels, effect by effect, and accuracy by time."""
+
+
+class CostError(ValueError):
+    """The costs cannot be measured as asked; the message says what came and what was wanted."""

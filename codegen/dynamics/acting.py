@@ -13,7 +13,7 @@ from coscrew_codegen.dynamics.numbers import Number, Vector, add, cross, dot, ne
 from coscrew_codegen.dynamics.record import Recorder
 from coscrew_codegen.dynamics.scene import Applied, Scene, Setting
 from coscrew_codegen.dynamics.states import BodyState, JointState
-from coscrew_codegen.effects.effect import Effect, Force, Torque
+from coscrew_codegen.dynamics.effect import Effect, Force, Line, Torque
 
 
 @dataclass(frozen=True)
@@ -38,6 +38,25 @@ class Pushed:
         return power + dot(self.force.moment, self.state.turning) if self.force.moment else power
 
 
+@dataclass(frozen=True)
+class Paired:
+    """How the forces between two points fall with their distance."""
+
+    states: tuple[BodyState, BodyState]
+    points: tuple[Vector, Vector]
+    line: Line
+
+    @property
+    def apart(self) -> list[tuple[int, tuple[Vector, Vector]]]:
+        """Links, with the force and moment on each of forces of 1 N that push the points apart."""
+        first, second = self.states
+        u = self.line.direction
+        forces = (Force(self.points[0], first.own_direction(negative(u))),
+                  Force(self.points[1], second.own_direction(u)))
+        return [(state.link, Pushed(state, force).on_link)
+                for state, force in zip(self.states, forces, strict=True)]
+
+
 class Acting:
     """The effects of a scene on one motion; each is evaluated once."""
 
@@ -48,6 +67,7 @@ class Acting:
         self.t = recorder.argument("t")[0] if recorder.has("t") else recorder.number(0)
         self.torques: dict[int, list[Torque]] = {}
         self.pushes: dict[int, list[Pushed]] = {}
+        self.pairs: list[Paired] = []
 
     def act(self) -> "Acting":
         """Evaluates the effects, in the order of their files' names and of the scene."""
@@ -68,10 +88,12 @@ class Acting:
             state = self._body(applied.on)
             self._push(state, effect.body_force(state, values))
         if effect.pair_force:
-            first, second = (self._body(name) for name in applied.values["bodies"])
-            for state, force in zip((first, second), effect.pair_force(first, second, values),
-                                    strict=True):
-                self._push(state, force)
+            states = tuple(self._body(name) for name in applied.values["bodies"])
+            first, second, line = effect.pair_force(*states, values)
+            self._push(states[0], first)
+            self._push(states[1], second)
+            if line:
+                self.pairs.append(Paired(states, (first.point, second.point), line))
 
     def _body(self, name: str) -> BodyState:
         link, placement = self.motion.tree.seat_of(name)

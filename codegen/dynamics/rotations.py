@@ -11,12 +11,9 @@ import mpmath
 DIGITS = 50
 
 SNAP = Fraction(1, 10**11)
-"""How near to 0 an entry counts as 0.  Files write right angles as 1.57079632679, which is 4.9e-12
-off, and matrices computed in doubles hold residues such as 6e-17: a kernel that multiplied by these
-would cost as much as one for slanted axes.  1e-11 rad displaces a point at 100 m by a nanometre.
-
-Entries count as ±1 within SNAP², as far as they are where what stands beside them counts as 0: with
-1.5708 for a right angle, 3.7e-6 off, the sine is within 7e-12 of 1, but stays what it is."""
+"""How near to 0 or ±1 an entry counts as that.  Files write right angles as 1.57079632679, which is
+4.9e-12 off, and matrices computed in doubles hold residues such as 6e-17: a kernel that multiplied
+by these would cost as much as one for slanted axes.  1e-11 rad moves a point at 100 m by a nanometre."""
 
 IDENTITY = tuple(Fraction(i % 4 == 0) for i in range(9))
 
@@ -35,7 +32,7 @@ def from_quaternion(quaternion: Sequence[Fraction]) -> Entries:
     if not norm:
         raise ValueError("the quaternion is zero")
     two = 2 / norm
-    return tuple(_rounded(entry) for entry in (
+    return _rounded((
         1 - two * (y * y + z * z), two * (x * y - w * z), two * (x * z + w * y),
         two * (x * y + w * z), 1 - two * (x * x + z * z), two * (y * z - w * x),
         two * (x * z - w * y), two * (y * z + w * x), 1 - two * (x * x + y * y)))
@@ -48,7 +45,7 @@ def from_axis_angle(axis: Sequence[Fraction], angle: Fraction) -> Entries:
     x, y, z = unit(axis)
     sine, cosine = _sine_cosine(angle)
     rest = 1 - cosine
-    return tuple(_rounded(entry) for entry in (
+    return _rounded((
         cosine + rest * x * x, rest * x * y - sine * z, rest * x * z + sine * y,
         rest * x * y + sine * z, cosine + rest * y * y, rest * y * z - sine * x,
         rest * x * z - sine * y, rest * y * z + sine * x, cosine + rest * z * z))
@@ -61,16 +58,16 @@ def unit(vector: Iterable[Fraction]) -> Entries:
     if not square:
         raise ValueError("the vector is zero")
     if square == 1:
-        return tuple(snapped(x) for x in entries)
+        return snapped(entries)
     with mpmath.workdps(DIGITS):
         norm = mpmath.sqrt(_real(square))
-        return tuple(snapped(_fraction(_real(x) / norm)) for x in entries)
+        return snapped([_fraction(_real(x) / norm) for x in entries])
 
 
 def product(left: Entries, right: Entries) -> Entries:
     """R = left right, rounded to 50 digits and snapped.  (9),(9)->(9)."""
-    return tuple(_rounded(sum(left[3 * i + k] * right[3 * k + j] for k in range(3)))
-                 for i in range(3) for j in range(3))
+    return _rounded([sum(left[3 * i + k] * right[3 * k + j] for k in range(3))
+                     for i in range(3) for j in range(3)])
 
 
 def rotated(R: Entries, moments: Sequence[Fraction]) -> Entries:
@@ -88,19 +85,26 @@ def rotated(R: Entries, moments: Sequence[Fraction]) -> Entries:
     return tuple(entry(i, j) for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)))
 
 
-def snapped(x: Fraction) -> Fraction:
-    """0 where x is within SNAP of it, ±1 where it is within SNAP² of that, else x."""
-    if abs(x) <= SNAP:
-        return Fraction(0)
-    for one in (Fraction(1), Fraction(-1)):
-        if abs(x - one) <= SNAP**2:
-            return one
-    return x
+def snapped(entries: Sequence[Fraction]) -> Entries:
+    """A vector or rotation, or a sine and cosine, with what is within SNAP of 0 set to 0; what
+    stands alone in its row and column then is ±1.
+
+    An entry near ±1 alone tells nothing: that of a turn by 1e-6 is within 1e-12 of it."""
+    zeros = [Fraction(0) if abs(x) <= SNAP else x for x in entries]
+    width = 3 if len(zeros) == 9 else len(zeros)
+
+    def alone(place: int) -> bool:
+        row, column = divmod(place, width)
+        return not any(zeros[other] for other in range(len(zeros)) if other != place
+                       and (other // width == row or other % width == column))
+
+    return tuple(Fraction(round(x)) if x and abs(abs(x) - 1) <= SNAP and alone(place) else x
+                 for place, x in enumerate(zeros))
 
 
 def _about(axis: int, angle: Fraction) -> Entries:
-    """The rotation about a coordinate axis; sine and cosine are snapped on their own, so that what
-    is left stays a rotation to 20 digits."""
+    """The rotation about a coordinate axis; sine and cosine are snapped together, so that what is
+    left stays a rotation."""
     if not angle:
         return IDENTITY
     sine, cosine = _sine_cosine(angle)
@@ -111,19 +115,16 @@ def _about(axis: int, angle: Fraction) -> Entries:
     return tuple(entries)
 
 
-def _sine_cosine(angle: Fraction) -> tuple[Fraction, Fraction]:
+def _sine_cosine(angle: Fraction) -> Entries:
     with mpmath.workdps(DIGITS):
         cosine, sine = mpmath.cos_sin(_real(angle))
-        return snapped(_fraction(sine)), snapped(_fraction(cosine))
+        return snapped([_fraction(sine), _fraction(cosine)])
 
 
-def _rounded(x: Fraction) -> Fraction:
-    """x to 50 digits: products of such entries would need ever more."""
-    near = snapped(x)
-    if near.denominator == 1:
-        return near
+def _rounded(entries: Sequence[Fraction]) -> Entries:
+    """The entries, snapped, to 50 digits: products of such would need ever more."""
     with mpmath.workdps(DIGITS):
-        return _fraction(_real(x))
+        return tuple(x if x.denominator == 1 else _fraction(_real(x)) for x in snapped(entries))
 
 
 def _real(x: Fraction) -> mpmath.mpf:

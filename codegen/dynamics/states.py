@@ -27,6 +27,11 @@ class BodyState:
     place: tuple[Rotation, Vector]  # of the body in its link
     t: Number
 
+    @property
+    def gravity(self) -> Vector:
+        """The scene's acceleration of free fall, in the world's frame; zero without gravity."""
+        return self.motion.gravity
+
     def world_direction(self, vector: Vector) -> Vector:
         """R x: a vector of the body as the world sees it."""
         return rotated(self.motion.pose(self.link)[0], rotated(self.place[0], vector))

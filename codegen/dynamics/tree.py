@@ -6,7 +6,7 @@ Links are numbered so that parents come first; link -1 is the world.
 from dataclasses import dataclass
 from fractions import Fraction
 
-from coscrew_codegen.dynamics.function import Coordinate
+from coscrew_codegen.scene_functions import Coordinate
 from coscrew_codegen.dynamics.model import HERE, WORLD, Body, Joint, Kind, Model, Placement
 
 
@@ -70,7 +70,9 @@ class Tree:
         return next(link for link in self.links if link.joint.name == joint)
 
     def seat_of(self, body: str) -> tuple[int, Placement]:
-        """The link a body belongs to (-1: the world), and its frame in it."""
+        """The link a body belongs to (-1: the world, a body here as well), and its frame in it."""
+        if body == WORLD:
+            return -1, HERE
         for number, seats in [(-1, self.ground), *((i, x.seats) for i, x in enumerate(self.links))]:
             for seat in seats:
                 if seat.body.name == body:

@@ -1,11 +1,16 @@
-"""The effects scenes may call for, a file each."""
+"""The effects scenes may call for, a file each.
+
+Three more have a place of their own: contact of a point with the ground fills `body_force`; added
+mass needs a slot for a body's 6×6 inertia in `Effect`, beside `joint_inertia`; closed loops need
+multipliers, hence a slot for rows of constraints, which forward dynamics then solves for.
+"""
 
 from importlib import import_module
 from pkgutil import iter_modules
 
-from coscrew_codegen.effects.effect import Effect
+from coscrew_codegen.dynamics.effect import Effect
 
 EFFECTS: tuple[Effect, ...] = tuple(
     import_module(f"{__name__}.{module}").EFFECT
-    for module in sorted(found.name for found in iter_modules(__path__)) if module != "effect")
+    for module in sorted(found.name for found in iter_modules(__path__)))
 """The catalogue, by name: a file put here is in it, one taken away is gone without a trace."""

@@ -55,6 +55,14 @@ def _momentum(B: sp.Matrix, s: sp.Matrix) -> sp.Matrix:
     return stack(B[0] * lin(s) - h.cross(ang(s)), h.cross(lin(s)) + _second(B) * ang(s))
 
 
+def _energy_of(let: Let, B: sp.Matrix, s: sp.Matrix) -> sp.Expr:
+    """(v·(m v + 2 ω × h) + ω·I ω) / 2: what m v and h share is computed once."""
+    v, w = lin(s), ang(s)
+    twice = let("twice_across", 2 * let("across", w.cross(_first(B))))
+    p, L = let("p", B[0] * v + twice), let("L", _second(B) * w)
+    return let("twice", v.dot(p) + w.dot(L)) / 2
+
+
 def _from_com(let: Let, m: sp.Expr, com: sp.Matrix, Ic: sp.Matrix) -> sp.Matrix:
     """h = m c, I = Ic - m c~ c~; of Ic the upper triangle."""
     h = let("h", m * com)
@@ -65,13 +73,15 @@ def _from_com(let: Let, m: sp.Expr, com: sp.Matrix, Ic: sp.Matrix) -> sp.Matrix:
 
 
 def _shifted(let: Let, t: sp.Matrix, B: sp.Matrix) -> sp.Matrix:
-    """h + m t, I - h~ t~ - t~ h~ - m t~ t~ = I - t~ (h + m t)~ - h~ t~."""
+    """h + m t, I - t~ (h + m t)~ - h~ t~ = I - t~ n~ - n~ t~ with n = h + m t/2."""
     m, h = B[0], _first(B)
-    moved = let("moved", h + m * t)
-    own = let("own", sp.Matrix([t[i] * moved[i] + h[i] * t[i] for i in range(3)]))
-    between = [-t[i] * moved[j] - h[i] * t[j] for i, j in _UPPER[3:]]
-    second = [own[1] + own[2], own[0] + own[2], own[0] + own[1], *between]
-    return sp.Matrix([m, *moved, *(x + y for x, y in zip(B[4:, :], second, strict=True))])
+    mt = let("mt", m * t)
+    n = let("n", h + let("half", mt / 2))
+    own = let("own", sp.Matrix([2 * let(f"tn{i}", t[i] * n[i]) for i in range(3)]))
+    pairs = let("pairs", sp.Matrix([own[1] + own[2], own[0] + own[2], own[0] + own[1],
+                                    *(t[i] * n[j] + n[i] * t[j] for i, j in _UPPER[3:])]))
+    second = [x + y if i < 3 else x - y for i, (x, y) in enumerate(zip(B[4:, :], pairs, strict=True))]
+    return sp.Matrix([m, *let("moved", h + mt), *second])
 
 
 def _turned(let: Let, R: sp.Matrix, B: sp.Matrix) -> sp.Matrix:
@@ -128,7 +138,7 @@ OPERATIONS = (
         "with s", (_B, _s), (_co,), _momentum),
     _op("inertia_energy", "s·B s / 2, the kinetic energy in J of a body that moves with s", (_B, _s),
         (_energy,), lambda B, s: s.dot(_momentum(B, s)) / 2,
-        lambda let, B, s: let("twice", s.dot(let("p", _momentum(B, s)))) / 2),
+        _energy_of),
     _op("inertia_shifted", "Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~", (_t, _B),
         (_Bo,), lambda t, B: _shifted(unnamed, t, B), _shifted),
     _op("inertia_transformed", "Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own "

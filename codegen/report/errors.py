@@ -8,6 +8,7 @@ import numpy as np
 from coscrew_codegen.bounds import Bound, bounds_of, in_words
 from coscrew_codegen.exact import CONDITION, UNIT, Truth, formula, is_polynomial, truth
 from coscrew_codegen.operations import Operation
+from coscrew_codegen.program import NotANumber, Program
 from coscrew_codegen.report import inputs
 from coscrew_codegen.report.c_text import Variant
 from coscrew_codegen.report.schema import Errors, ProvenBound
@@ -53,11 +54,15 @@ def accuracy(operation: Operation, variant: Variant, benign: Sample, hard: Sampl
              evaluate: Evaluate) -> Accuracy:
     """The errors of a variant of the operation; further outputs it may have are left out.
 
-    Hard are only results whose condition is below 0.1/u: beyond it no digit is promised."""
+    Hard are only results whose condition is below 0.1/u: beyond it no digit is promised.  Nothing is
+    promised either where there is no truth, where something overflows, or where a kernel that may
+    refuse its inputs returns NaN."""
     found = [_results(operation, variant, sample, evaluate) for sample in (benign, hard)]
     errors = [sample.truth.errors(results)
               for sample, results in zip((benign, hard), found, strict=True)]
-    counted = [np.broadcast_to(_computed(operation), e.shape) for e in errors]
+    refused = [np.isnan(results) & _may_refuse(variant.program) for results in found]
+    counted = [_computed(operation) & ~np.isnan(e) & ~r
+               for e, r in zip(errors, refused, strict=True)]
     fair = counted[1]
     if is_polynomial(operation):
         fair = fair & (hard.truth.condition < float(CONDITION[variant.precision.name]))
@@ -65,11 +70,17 @@ def accuracy(operation: Operation, variant: Variant, benign: Sample, hard: Sampl
     return Accuracy(
         summarised(operation, benign.rows, errors[0], counted[0]),
         summarised(operation, hard.rows, errors[1], fair),
-        bounds and _bound(variant, bounds, [(s.truth, e, r) for s, e, r in
-                                            zip((benign, hard), errors, found, strict=True)]),
+        bounds and _bound(variant, bounds, [(s.truth, np.where(c, e, 0), r) for s, e, r, c in
+                                            zip((benign, hard), errors, found, counted,
+                                                strict=True)]),
         _by_condition(np.concatenate([s.truth.condition[c] for s, c in
                                       zip((benign, hard), counted, strict=True)]),
                       np.concatenate([e[c] for e, c in zip(errors, counted, strict=True)])))
+
+
+def _may_refuse(program: Program) -> bool:
+    """Whether NaN stands for a result that does not exist."""
+    return any(isinstance(x, NotANumber) for step in program.instructions for x in step.operands)
 
 
 def _results(operation: Operation, variant: Variant, sample: Sample,

@@ -26,7 +26,7 @@ _UNIT_ROUNDOFF = {"double": 2.0**-53, "single": 2.0**-24}
 _LINEAR_BELOW = 0.1  # ulp: zero has its place on a symmetrical logarithmic axis
 
 # Text as paths, so that it looks alike everywhere; ids from a fixed salt, no date.
-_STYLE = {"svg.hashsalt": "coscrew", "svg.fonttype": "path", "font.family": "DejaVu Sans",
+STYLE = {"svg.hashsalt": "coscrew", "svg.fonttype": "path", "font.family": "DejaVu Sans",
           "font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
           "axes.grid": True, "grid.color": "#e3e6eb", "axes.edgecolor": "#9aa2b1",
           "axes.axisbelow": True, "axes.titlelocation": "left"}
@@ -47,7 +47,7 @@ def figures(report: Report, operations: tuple[str, ...]) -> dict[str, str]:
 def _headline(report: Report, layout: str) -> str:
     """What accuracy costs in time: one panel per precision, one line per operation."""
     operations = headline_operations(report)
-    with matplotlib.rc_context(_STYLE):
+    with matplotlib.rc_context(STYLE):
         figure = Figure(figsize=(9, 4), layout="constrained")
         for axes, precision in zip(figure.subplots(1, 2, sharey=True), PRECISIONS, strict=True):
             axes.set_title(f"{precision} precision")
@@ -62,7 +62,7 @@ def _headline(report: Report, layout: str) -> str:
 
 def _pareto(operation: str, entries: list[Entry], layout: str) -> str:
     """Time against the worst error of one operation; hollow marks are dominated."""
-    with matplotlib.rc_context(_STYLE):
+    with matplotlib.rc_context(STYLE):
         figure = Figure(figsize=(6, 4), layout="constrained")
         axes = figure.subplots()
         axes.set_title(operation)
@@ -115,7 +115,7 @@ def _logarithmic(axes: Axes) -> None:
 
 def _condition(operation: str, entries: list[Entry]) -> str:
     """Errors against condition, and the proven bounds 1 + (c1 + c2 u) S/|x| as lines."""
-    with matplotlib.rc_context(_STYLE):
+    with matplotlib.rc_context(STYLE):
         figure = Figure(figsize=(6, 4), layout="constrained")
         axes = figure.subplots()
         axes.set_title(f"{operation}: errors, and proven bounds as lines")

@@ -16,13 +16,13 @@ from coscrew_codegen.report.schema import Compiler, Provenance
 def provenance(command: str, seed: int, compilers: tuple[Compiler, ...],
                seconds: float) -> Provenance:
     """This machine, as a report states it."""
-    return Provenance(command, seed, _version(), _processor(), os.cpu_count() or 1,
+    return Provenance(command, seed, coscrew_version(), processor(), os.cpu_count() or 1,
                       f"{platform.system()} {platform.machine()}",
                       f"{platform.python_implementation()} {platform.python_version()}",
                       np.__version__, compilers, seconds)
 
 
-def _version() -> str:
+def coscrew_version() -> str:
     """The distribution's version and, in a git working tree, the commit."""
     told = run(["git", "-C", str(Path(__file__).parent), "describe", "--always", "--dirty"],
                capture_output=True, text=True) if _in_working_tree() else None
@@ -34,7 +34,7 @@ def _in_working_tree() -> bool:
     return bool(which("git")) and (Path(__file__).resolve().parents[2] / ".git").exists()
 
 
-def _processor() -> str:
+def processor() -> str:
     """The processor's model, where the system tells it."""
     cpuinfo = Path("/proc/cpuinfo")
     if cpuinfo.exists():

@@ -53,7 +53,7 @@ class Library:
         written = [np.full((n, *a.quantity.shape[::-1]), np.nan, variant.precision.numpy_type)
                    for a in variant.operation.outputs]
         getattr(loaded(self.path), f"rows_{variant.name}")(
-            ctypes.c_long(n), _pointers((*read, *written)))
+            ctypes.c_long(n), pointers((*read, *written)))
         return tuple(_transposed(x) for x in written)
 
     def time(self, variant: Variant, layout: str, inputs: Arrays, ns: float) -> tuple[float, float]:
@@ -62,8 +62,8 @@ class Library:
         outputs = [np.ones((n, *a.quantity.shape)) for a in variant.operation.outputs]
         arrange = _as_planes if layout == "planes" else _as_structs
         arguments = [arrange(x[:n].astype(real)) for x in (*inputs, *outputs)]
-        run = functools.partial(_time, loaded(self.path), f"{layout}_{variant.name}", n,
-                                _pointers((*arguments, np.zeros(1, real))))
+        run = functools.partial(timed_calls, loaded(self.path), f"{layout}_{variant.name}", n,
+                                pointers((*arguments, np.zeros(1, real))))
         calls = 1
         while (sample := run(calls, 3).min() * n * calls) < _SAMPLE:
             calls *= 2
@@ -116,15 +116,16 @@ def loaded(path: Path) -> ctypes.CDLL:
     return ctypes.CDLL(str(path))
 
 
-def _time(library: ctypes.CDLL, name: str, n: int, arguments: ctypes.Array, calls: int,
-          repeats: int) -> np.ndarray:
+def timed_calls(library: ctypes.CDLL, name: str, n: int, arguments: ctypes.Array, calls: int,
+                repeats: int) -> np.ndarray:
+    """ns per element of each repeat, by the driver that the library holds."""
     samples = np.empty(repeats)
     library.time_kernel(getattr(library, name), ctypes.c_long(n), arguments, ctypes.c_long(calls),
                         ctypes.c_long(repeats), samples.ctypes.data_as(ctypes.c_void_p))
     return samples
 
 
-def _pointers(arrays: Sequence[np.ndarray]) -> ctypes.Array:
+def pointers(arrays: Sequence[np.ndarray]) -> ctypes.Array:
     """void *[]; the caller keeps the arrays."""
     array = (ctypes.c_void_p * len(arrays))(*(a.ctypes.data for a in arrays))
     array.kept = tuple(arrays)

@@ -1,7 +1,7 @@
 """Physical numbers of a model that a scene does not use: told, never dropped in silence."""
 
+from coscrew_codegen.dynamics.effect import Effect
 from coscrew_codegen.dynamics.model import Joint, Kind, Model
-from coscrew_codegen.effects.effect import Effect
 
 _FIELDS = ("damping", "friction", "effort", "velocity", "lower", "upper")
 

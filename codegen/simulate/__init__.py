@@ -1,0 +1,5 @@
+"""Simulates scenes: integrates their equations of motion, records, writes, plots and shows."""
+
+
+class SimulateError(ValueError):
+    """The run cannot be made as asked; the message says what came and what was wanted."""

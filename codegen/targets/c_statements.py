@@ -44,7 +44,7 @@ def listed(before: str, items: Sequence[str], after: str, width: int = WIDTH) ->
             lines.append(f"    {piece}")
         else:
             lines[-1] += glue + piece
-    return "\n".join(lines)
+    return "\n".join(lines) if items else before + after
 
 
 @dataclass(frozen=True)

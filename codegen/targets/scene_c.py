@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from coscrew_codegen.dynamics.function import Function, SceneFunctions
+from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.program import Input, Instruction, Operand
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
@@ -30,23 +30,17 @@ class CText:
     internal: bool = False
 
 
-def header(scene: SceneFunctions, banner: str) -> str:
-    """The text of arm.h."""
-    sections = [{"precision": p, "functions": [f for f in _functions(scene, p) if not f.internal]}
-                for p in PRECISIONS]
+def texts(scene: SceneFunctions, banner: str) -> tuple[str, str]:
+    """The texts of arm.h and arm.c."""
+    sections = [{"precision": p, "functions": _functions(scene, p)} for p in PRECISIONS]
     macros = [("NQ", str(scene.nq)), ("NV", str(scene.nv))]
     if scene.parameters:
         macros.append(("NP", str(len(scene.parameters))))
     macros += [entry for p in PRECISIONS for entry in _defaults(scene, p)]
-    return render("scene/scene.h", banner=banner, name=scene.name, upper=scene.name.upper(),
-                  about=comment_of(_about(scene)), sections=sections, macros=macros)
-
-
-def source(scene: SceneFunctions, banner: str) -> str:
-    """The text of arm.c."""
-    sections = [{"precision": p, "functions": _functions(scene, p)} for p in PRECISIONS]
-    return render("scene/scene.c", banner=banner, name=scene.name, upper=scene.name.upper(),
-                  sections=sections)
+    shared = {"banner": banner, "name": scene.name, "upper": scene.name.upper(),
+              "sections": sections}
+    return (render("scene/scene.h", about=comment_of(_about(scene)), macros=macros, **shared),
+            render("scene/scene.c", **shared))
 
 
 def c_name(scene: SceneFunctions, name: str, precision: Precision) -> str:
@@ -110,7 +104,7 @@ class _Writer:
                      self.function.internal)
 
     def _shapes(self) -> list[str]:
-        return [f"{a.name}: {' × '.join(map(str, a.quantity.shape))}, row by row."
+        return [f"{a.name}: {' × '.join(map(str, a.quantity.shape))}."
                 for a in self.outputs if len(a.quantity.shape) > 1]
 
     def _body(self) -> str:

@@ -6,7 +6,7 @@ keep the Program's order.  Takes time in proportion to the Program's length.
 
 from collections import Counter
 
-from coscrew_codegen.dynamics.function import Function
+from coscrew_codegen.scene_functions import Function
 from coscrew_codegen.program import Constant, Input, Instruction, NotANumber, Operand, Ref
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.c_statements import WIDTH
@@ -14,7 +14,7 @@ from coscrew_codegen.targets.numpy import CALLS, SPELLING, is_choice_of_constant
 from coscrew_codegen.targets.precision import Precision
 
 _LINE = WIDTH - 4
-_RESULT = 60  # characters of a result that is no line of its own
+_RESULT = 40  # characters of a result that is no line of its own
 
 
 class Expressions:

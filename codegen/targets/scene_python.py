@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 from textwrap import wrap
 
-from coscrew_codegen.dynamics.function import Function, SceneFunctions
+from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.program import NotANumber
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
@@ -26,20 +26,19 @@ def package(scene: SceneFunctions, banner: str) -> dict[str, str]:
              for row in wrap(_quoted(line), WIDTH, subsequent_indent="    ")]
     head = render(
         "scene/package.py", banner=banner, name=scene.name, about=about, nq=scene.nq, nv=scene.nv,
-        joints=_tuple([x.joint for x in scene.coordinates]), bodies=_tuple(scene.bodies),
-        parameters=_dictionary(scene.parameters), neutral=_tuple(scene.neutral))
+        tables=[_tuple("JOINTS", [x.joint for x in scene.coordinates]),
+                _tuple("BODIES", scene.bodies), _dictionary("PARAMETERS", scene.parameters),
+                _tuple("NEUTRAL_Q", scene.neutral)])
     files = {"__init__.py": head, "_arrays.py": render("scene/arrays.py", banner=banner)}
     return files | {f"{p.name}.py": _module(scene, banner, p) for p in PRECISIONS}
 
 
-def _tuple(values: Sequence[object]) -> str:
-    items = [repr(x) for x in values]
-    return listed("(", items, ",)" if len(items) == 1 else ")") if items else "()"
+def _tuple(name: str, values: Sequence[object]) -> str:
+    return listed(f"{name} = (", list(map(repr, values)), ",)" if len(values) == 1 else ")")
 
 
-def _dictionary(entries: Sequence[tuple[str, float]]) -> str:
-    items = [f"{name!r}: {value!r}" for name, value in entries]
-    return listed("{", items, "}") if items else "{}"
+def _dictionary(name: str, entries: Sequence[tuple[str, float]]) -> str:
+    return listed(f"{name} = {{", [f"{key!r}: {value!r}" for key, value in entries], "}")
 
 
 def _module(scene: SceneFunctions, banner: str, precision: Precision) -> str:
@@ -86,11 +85,8 @@ def _function(function: Function, precision: Precision) -> dict[str, str]:
              *expressions.lines]
     made = list(_assembled(outputs, expressions.results, precision))
     lines.append(f"return {made[0]}" if len(made) == 1 else listed("return (", made, ")"))
-    takes, gives = (", ".join(f"{a.name} {_shape(a)}" for a in side)
-                    for side in (program.inputs, outputs))
-    return _text(_name(function), [a.name for a in program.inputs],
-                 [scene_text.sentence(function.words), f"Last axes: {takes} -> {gives}.",
-                  scene_text.cost(function)], lines)
+    return _text(_name(function), [a.name for a in program.inputs], scene_text.words(function),
+                 lines)
 
 
 def _assembled(outputs: Sequence[Argument], results: Sequence[str],
@@ -113,19 +109,15 @@ def _text(name: str, arguments: Sequence[str], words: Sequence[str],
 
 def _step(scene: SceneFunctions, name: str, precision: Precision) -> dict[str, str]:
     step, inputs = STEPS[name], scene_text.step_inputs(scene)
-    shapes = {"t": "()", "h": "()", "p": f"({len(scene.parameters)},)", "q": f"({scene.nq},)",
-              "v": f"({scene.nv},)"}
+    shapes = scene_text.step_shapes(scene)
     accelerated = function_named(scene, step.acceleration)
-    takes = ", ".join(f"{x} {shapes[x]}" for x in inputs)
     body = render(
         f"scene/{step.template}.py", timed=scene_text.takes(accelerated, "t"),
         pushed=scene_text.takes(accelerated, "tau"), accelerate=partial(_call, accelerated),
         integrate=partial(_call, function_named(scene, INTEGRATED)), rate=partial(_rate, scene))
-    lines = [_unpacking("arrays", [(x, shapes[x]) for x in inputs], precision),
+    lines = [_unpacking("arrays", [(x, str(shapes[x])) for x in inputs], precision),
              "q, v = spread(lead, q, v)", *body.rstrip("\n").split("\n")]
-    return _text(f"step_{name}", inputs, [
-        f"{step.words}.  Returns q and v.",
-        f"Last axes: {takes} -> q {shapes['q']}, v {shapes['v']}."], lines)
+    return _text(f"step_{name}", inputs, scene_text.step_words(scene, name), lines)
 
 
 def _name(function: Function) -> str:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import prod
 
-from coscrew_codegen.dynamics.function import Function, SceneFunctions
+from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.program import Constant, counts_in_words
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.targets.precision import Precision
@@ -35,6 +35,8 @@ NAN absolute arctan2 where nan float32 float64 np errstate arrays array zeros_li
 lead"""
 RESERVED = frozenset((*_C.split(), *_CPP.split(), *_CALLED.split(), *keyword.kwlist))
 """Names that no instruction may have: keywords of C, C++ and Python, and what kernels call."""
+
+_NAME = re.compile("[A-Za-z][A-Za-z0-9_]*")
 
 RATE = "chart_rate"
 INTEGRATED = "integrated"
@@ -64,6 +66,11 @@ STEPS = {
 }
 
 
+def count(shape: tuple[int, ...]) -> int:
+    """How many numbers an array of this shape has."""
+    return prod(shape)
+
+
 def size(argument: Argument) -> int:
     """How many numbers an argument has."""
     return prod(argument.quantity.shape)
@@ -81,6 +88,26 @@ def step_inputs(scene: SceneFunctions) -> tuple[str, ...]:
     return (*(["t"] if scene.timed else []), "h", *(["p"] if scene.parameters else []), "q", "v")
 
 
+def step_shapes(scene: SceneFunctions) -> dict[str, tuple[int, ...]]:
+    """The shapes of what a step takes."""
+    return {"t": (), "h": (), "p": (len(scene.parameters),), "q": (scene.nq,), "v": (scene.nv,)}
+
+
+def step_words(scene: SceneFunctions, name: str) -> tuple[str, ...]:
+    """A step's documentation in Python, a paragraph each."""
+    shapes = step_shapes(scene)
+    given = ", ".join(f"{x} {shapes[x]}" for x in step_inputs(scene))
+    return (f"{STEPS[name].words}.  Returns q and v.",
+            f"Last axes: {given} -> q {shapes['q']}, v {shapes['v']}.")
+
+
+def words(function: Function) -> tuple[str, ...]:
+    """A function's documentation in Python, a paragraph each."""
+    given, made = (", ".join(f"{a.name} {tuple(a.quantity.shape)}" for a in side)
+                   for side in (function.program.inputs, outputs(function)))
+    return (sentence(function.words), f"Last axes: {given} -> {made}.", cost(function))
+
+
 def function_named(scene: SceneFunctions, name: str) -> Function:
     """The function of this name; a ValueError if there is none."""
     found = next((f for f in scene.functions if f.name == name), None)
@@ -90,22 +117,24 @@ def function_named(scene: SceneFunctions, name: str) -> Function:
 
 
 def used_functions(scene: SceneFunctions) -> tuple[Function, ...]:
-    """The functions to emit: internal ones only if a step calls them.  Checks all names."""
+    """The functions to emit: internal ones only if a step calls them."""
     called = {STEPS[name].acceleration for name in scene.steps}
     called |= {RATE} if "rk4" in scene.steps else set()
-    used = tuple(f for f in scene.functions if not f.internal or f.name in called)
-    for function in used:
+    return tuple(f for f in scene.functions if not f.internal or f.name in called)
+
+
+def check_names(scene: SceneFunctions) -> None:
+    """Raises ValueError for names that are no variables' or are given twice in a function."""
+    for function in used_functions(scene):
         _check(function)
-    return used
 
 
 def _check(function: Function) -> None:
-    """Raises ValueError for names that are no variables' or are taken."""
     program = function.program
     arguments = {a.name for a in (*program.inputs, *outputs(function))}
     seen = set(arguments)
     for name in (function.name, *arguments, *(step.name for step in program.instructions)):
-        if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name) or name in RESERVED:
+        if not _NAME.fullmatch(name) or name in RESERVED:
             raise ValueError(f"{function.name}: {name!r} cannot be a name in C and Python")
     for step in program.instructions:
         if step.name in seen:

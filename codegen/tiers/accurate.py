@@ -5,11 +5,16 @@ Operands of quotients, roots and arctangents are first made non-overlapping, hi 
 so that terms of order lo² do not matter however much has cancelled.  Residuals of quotients and
 roots, a - q b and a - s s, are exact numbers; an arctangent's own rounding is the only one that
 stays.  Where lo is not a number (0/0, an infinite hi), hi stands.
+
+Where a polynomial's bound would be too large to prove one ulp up to condition 1e14, the sums that are
+multiplied are made non-overlapping, too: one rounding is left in hi of all that led to it, so that
+fewer meet the roundings of lo.
 """
 
 from dataclasses import replace
 from fractions import Fraction
 
+from coscrew_codegen.bounds import bounds_of
 from coscrew_codegen.program import (Constant, Instruction, Op, Operand, Program, Ref,
                                      without_dead_steps)
 from coscrew_codegen.tiers.compensated import Compensator
@@ -20,10 +25,21 @@ COMPENSATED = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG, Op.ABS, Op.LESS, Op.EQU
                          *_NONLINEAR})
 """The operations whose results the tier knows how to carry."""
 
+LARGEST_C2 = 45
+"""Of any polynomial program: 1 / (2 c2 u) is just above 1e14."""
+
 
 def accurate(program: Program) -> Program:
-    """The plain program compensated."""
-    compensator = _Accurate()
+    """The plain program compensated, c2 <= LARGEST_C2 where it is a polynomial."""
+    quick = _compensated(program, _Accurate())
+    bounds = bounds_of(quick)
+    if bounds is None or all(bound.c2 <= LARGEST_C2 for bound in bounds):
+        return quick
+    sums = {step.name for step in program.instructions if step.op in (Op.ADD, Op.SUB)}
+    return _compensated(program, _Accurate(frozenset(sums)))
+
+
+def _compensated(program: Program, compensator: "_Accurate") -> Program:
     for step in program.instructions:
         compensator.compensate(step)
     guarded = bool(program.counts.keys() & _NONLINEAR)
@@ -33,10 +49,12 @@ def accurate(program: Program) -> Program:
 
 
 class _Accurate(Compensator):
-    """Sums and products as its base has them, and everything else a program may hold."""
+    """Sums and products as its base has them, and everything else a program may hold.  `overlapping`
+    names the results that are made non-overlapping before they are multiplied."""
 
-    def __init__(self) -> None:
+    def __init__(self, overlapping: frozenset[str] = frozenset()) -> None:
         super().__init__()
+        self._overlapping = overlapping
         self._normal: dict[str, Operand] = {}  # what stands for a hi once it is normalized
         self._inverses: dict[Operand, Ref] = {}
         self._rules = {
@@ -60,6 +78,11 @@ class _Accurate(Compensator):
         if total is not None:
             self._low[step.name] = total
 
+    def _product(self, step: Instruction) -> None:
+        operands = (self._normalized(step, x) if getattr(x, "name", "") in self._overlapping else x
+                    for x in step.operands)
+        super()._product(replace(step, operands=tuple(operands)))
+
     def _normalized(self, step: Instruction, operand: Operand) -> Operand:
         """hi + lo rounded, with its exact error as lo."""
         low = self.low(step, operand)
@@ -69,10 +92,10 @@ class _Accurate(Compensator):
         self.steps.append(at)
         total = Ref(at.name)
         right = self.issue(at, Op.SUB, (total, operand), "right")
-        left = self.issue(at, Op.SUB, (total, right), "left")
-        rests = (self.issue(at, Op.SUB, (operand, left), "left_rest"),
-                 self.issue(at, Op.SUB, (low, right), "right_rest"))
-        self._low[at.name] = self.issue(at, Op.ADD, rests, "lo")
+        left = self.issue(at, Op.EXACT_SUB, (total, right), "left")
+        rests = (self.issue(at, Op.EXACT_SUB, (operand, left), "left_rest"),
+                 self.issue(at, Op.EXACT_SUB, (low, right), "right_rest"))
+        self._low[at.name] = self.issue(at, Op.EXACT_ADD, rests, "lo")
         self._normal[operand.name] = total
         return total
 

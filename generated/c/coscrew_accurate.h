@@ -14380,8 +14380,8 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
 
 /* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
-   84 mul, 270 add, 45 product rest, 6 neg.
-   Error <= u |result| + 54 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   84 mul, 288 add, 45 product rest, 6 neg.
+   Error <= u |result| + 44 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
   const double defect_0a = self->m00 * self->m00, defect_0b = 1.0 - defect_0a,
@@ -14471,9 +14471,30 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       defect_5e_lo1 = defect_5e_left_rest + defect_5e_right_rest,
       defect_5e_lo = defect_5e_lo1 + defect_5c_lo, defect_5 = -defect_5e,
       defect_5_lo = -defect_5e_lo;
-  const double correction_0 = 0.5 * defect_0, correction_0_cross2 = 0.5 * defect_0_lo;
-  const double correction_1 = 0.5 * defect_1, correction_1_cross2 = 0.5 * defect_1_lo;
-  const double correction_2 = 0.5 * defect_2, correction_2_cross2 = 0.5 * defect_2_lo;
+  const double correction_0_of_defect_0 = defect_0 + defect_0_lo,
+      correction_0_of_defect_0_right = correction_0_of_defect_0 - defect_0,
+      correction_0_of_defect_0_left = correction_0_of_defect_0 - correction_0_of_defect_0_right,
+      correction_0_of_defect_0_left_rest = defect_0 - correction_0_of_defect_0_left,
+      correction_0_of_defect_0_right_rest = defect_0_lo - correction_0_of_defect_0_right,
+      correction_0_of_defect_0_lo = correction_0_of_defect_0_left_rest + correction_0_of_defect_0_right_rest,
+      correction_0 = 0.5 * correction_0_of_defect_0,
+      correction_0_cross2 = 0.5 * correction_0_of_defect_0_lo;
+  const double correction_1_of_defect_1 = defect_1 + defect_1_lo,
+      correction_1_of_defect_1_right = correction_1_of_defect_1 - defect_1,
+      correction_1_of_defect_1_left = correction_1_of_defect_1 - correction_1_of_defect_1_right,
+      correction_1_of_defect_1_left_rest = defect_1 - correction_1_of_defect_1_left,
+      correction_1_of_defect_1_right_rest = defect_1_lo - correction_1_of_defect_1_right,
+      correction_1_of_defect_1_lo = correction_1_of_defect_1_left_rest + correction_1_of_defect_1_right_rest,
+      correction_1 = 0.5 * correction_1_of_defect_1,
+      correction_1_cross2 = 0.5 * correction_1_of_defect_1_lo;
+  const double correction_2_of_defect_2 = defect_2 + defect_2_lo,
+      correction_2_of_defect_2_right = correction_2_of_defect_2 - defect_2,
+      correction_2_of_defect_2_left = correction_2_of_defect_2 - correction_2_of_defect_2_right,
+      correction_2_of_defect_2_left_rest = defect_2 - correction_2_of_defect_2_left,
+      correction_2_of_defect_2_right_rest = defect_2_lo - correction_2_of_defect_2_right,
+      correction_2_of_defect_2_lo = correction_2_of_defect_2_left_rest + correction_2_of_defect_2_right_rest,
+      correction_2 = 0.5 * correction_2_of_defect_2,
+      correction_2_cross2 = 0.5 * correction_2_of_defect_2_lo;
   const double correction_3 = 0.5 * defect_3, correction_3_cross2 = 0.5 * defect_3_lo;
   const double correction_4 = 0.5 * defect_4, correction_4_cross2 = 0.5 * defect_4_lo;
   const double correction_5 = 0.5 * defect_5, correction_5_cross2 = 0.5 * defect_5_lo;
@@ -14751,8 +14772,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
 
 /* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
-   84 mul, 270 add, 45 product rest, 6 neg.
-   Error <= u |result| + 54 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   84 mul, 288 add, 45 product rest, 6 neg.
+   Error <= u |result| + 44 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double defect_0a = R->m00 * R->m00, defect_0b = 1.0 - defect_0a,
@@ -14842,9 +14863,30 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
       defect_5e_lo1 = defect_5e_left_rest + defect_5e_right_rest,
       defect_5e_lo = defect_5e_lo1 + defect_5c_lo, defect_5 = -defect_5e,
       defect_5_lo = -defect_5e_lo;
-  const double correction_0 = 0.5 * defect_0, correction_0_cross2 = 0.5 * defect_0_lo;
-  const double correction_1 = 0.5 * defect_1, correction_1_cross2 = 0.5 * defect_1_lo;
-  const double correction_2 = 0.5 * defect_2, correction_2_cross2 = 0.5 * defect_2_lo;
+  const double correction_0_of_defect_0 = defect_0 + defect_0_lo,
+      correction_0_of_defect_0_right = correction_0_of_defect_0 - defect_0,
+      correction_0_of_defect_0_left = correction_0_of_defect_0 - correction_0_of_defect_0_right,
+      correction_0_of_defect_0_left_rest = defect_0 - correction_0_of_defect_0_left,
+      correction_0_of_defect_0_right_rest = defect_0_lo - correction_0_of_defect_0_right,
+      correction_0_of_defect_0_lo = correction_0_of_defect_0_left_rest + correction_0_of_defect_0_right_rest,
+      correction_0 = 0.5 * correction_0_of_defect_0,
+      correction_0_cross2 = 0.5 * correction_0_of_defect_0_lo;
+  const double correction_1_of_defect_1 = defect_1 + defect_1_lo,
+      correction_1_of_defect_1_right = correction_1_of_defect_1 - defect_1,
+      correction_1_of_defect_1_left = correction_1_of_defect_1 - correction_1_of_defect_1_right,
+      correction_1_of_defect_1_left_rest = defect_1 - correction_1_of_defect_1_left,
+      correction_1_of_defect_1_right_rest = defect_1_lo - correction_1_of_defect_1_right,
+      correction_1_of_defect_1_lo = correction_1_of_defect_1_left_rest + correction_1_of_defect_1_right_rest,
+      correction_1 = 0.5 * correction_1_of_defect_1,
+      correction_1_cross2 = 0.5 * correction_1_of_defect_1_lo;
+  const double correction_2_of_defect_2 = defect_2 + defect_2_lo,
+      correction_2_of_defect_2_right = correction_2_of_defect_2 - defect_2,
+      correction_2_of_defect_2_left = correction_2_of_defect_2 - correction_2_of_defect_2_right,
+      correction_2_of_defect_2_left_rest = defect_2 - correction_2_of_defect_2_left,
+      correction_2_of_defect_2_right_rest = defect_2_lo - correction_2_of_defect_2_right,
+      correction_2_of_defect_2_lo = correction_2_of_defect_2_left_rest + correction_2_of_defect_2_right_rest,
+      correction_2 = 0.5 * correction_2_of_defect_2,
+      correction_2_cross2 = 0.5 * correction_2_of_defect_2_lo;
   const double correction_3 = 0.5 * defect_3, correction_3_cross2 = 0.5 * defect_3_lo;
   const double correction_4 = 0.5 * defect_4, correction_4_cross2 = 0.5 * defect_4_lo;
   const double correction_5 = 0.5 * defect_5, correction_5_cross2 = 0.5 * defect_5_lo;
@@ -18797,112 +18839,158 @@ static inline void ksl_product_Bs_accurate(const ksl_inertia_t *B, const ksl_scr
 /* s·B s / 2, the kinetic energy in J of a body that moves with s.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
-   38 mul, 131 add, 30 product rest.
-   Error <= u |result| + 64 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   38 mul, 155 add, 24 product rest.
+   Error <= u |result| + 38 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline double ksl_inertia_energy_accurate(const ksl_inertia_t *B, const ksl_screw_t *s) {
-  const double p_0a = B->m * s->m0, p_0b = B->h.z * s->m4, p_0c = B->h.y * s->m5,
-      p_0d = p_0b - p_0c, p_0d_right = p_0b - p_0d, p_0d_left = p_0d + p_0d_right,
-      p_0d_left_rest = ksl_product_rest(B->h.z, s->m4, p_0b, p_0d_left),
-      p_0d_right_rest = ksl_product_rest(B->h.y, s->m5, p_0c, p_0d_right),
-      p_0d_lo = p_0d_left_rest - p_0d_right_rest, p_0 = p_0a + p_0d, p_0_right = p_0 - p_0a,
+  const double across_0a = B->h.z * s->m4, across_0b = B->h.y * s->m5,
+      across_0 = across_0a - across_0b, across_0_right = across_0a - across_0,
+      across_0_left = across_0 + across_0_right,
+      across_0_left_rest = ksl_product_rest(B->h.z, s->m4, across_0a, across_0_left),
+      across_0_right_rest = ksl_product_rest(B->h.y, s->m5, across_0b, across_0_right),
+      across_0_lo = across_0_left_rest - across_0_right_rest;
+  const double across_1a = B->h.x * s->m5, across_1b = B->h.z * s->m3,
+      across_1 = across_1a - across_1b, across_1_right = across_1a - across_1,
+      across_1_left = across_1 + across_1_right,
+      across_1_left_rest = ksl_product_rest(B->h.x, s->m5, across_1a, across_1_left),
+      across_1_right_rest = ksl_product_rest(B->h.z, s->m3, across_1b, across_1_right),
+      across_1_lo = across_1_left_rest - across_1_right_rest;
+  const double across_2a = B->h.y * s->m3, across_2b = B->h.x * s->m4,
+      across_2 = across_2a - across_2b, across_2_right = across_2a - across_2,
+      across_2_left = across_2 + across_2_right,
+      across_2_left_rest = ksl_product_rest(B->h.y, s->m3, across_2a, across_2_left),
+      across_2_right_rest = ksl_product_rest(B->h.x, s->m4, across_2b, across_2_right),
+      across_2_lo = across_2_left_rest - across_2_right_rest;
+  const double twice_across_0_of_across_0 = across_0 + across_0_lo,
+      twice_across_0_of_across_0_right = twice_across_0_of_across_0 - across_0,
+      twice_across_0_of_across_0_left = twice_across_0_of_across_0 - twice_across_0_of_across_0_right,
+      twice_across_0_of_across_0_left_rest = across_0 - twice_across_0_of_across_0_left,
+      twice_across_0_of_across_0_right_rest = across_0_lo - twice_across_0_of_across_0_right,
+      twice_across_0_of_across_0_lo = twice_across_0_of_across_0_left_rest + twice_across_0_of_across_0_right_rest,
+      twice_across_0 = 2.0 * twice_across_0_of_across_0,
+      twice_across_0_cross2 = 2.0 * twice_across_0_of_across_0_lo;
+  const double twice_across_1_of_across_1 = across_1 + across_1_lo,
+      twice_across_1_of_across_1_right = twice_across_1_of_across_1 - across_1,
+      twice_across_1_of_across_1_left = twice_across_1_of_across_1 - twice_across_1_of_across_1_right,
+      twice_across_1_of_across_1_left_rest = across_1 - twice_across_1_of_across_1_left,
+      twice_across_1_of_across_1_right_rest = across_1_lo - twice_across_1_of_across_1_right,
+      twice_across_1_of_across_1_lo = twice_across_1_of_across_1_left_rest + twice_across_1_of_across_1_right_rest,
+      twice_across_1 = 2.0 * twice_across_1_of_across_1,
+      twice_across_1_cross2 = 2.0 * twice_across_1_of_across_1_lo;
+  const double twice_across_2_of_across_2 = across_2 + across_2_lo,
+      twice_across_2_of_across_2_right = twice_across_2_of_across_2 - across_2,
+      twice_across_2_of_across_2_left = twice_across_2_of_across_2 - twice_across_2_of_across_2_right,
+      twice_across_2_of_across_2_left_rest = across_2 - twice_across_2_of_across_2_left,
+      twice_across_2_of_across_2_right_rest = across_2_lo - twice_across_2_of_across_2_right,
+      twice_across_2_of_across_2_lo = twice_across_2_of_across_2_left_rest + twice_across_2_of_across_2_right_rest,
+      twice_across_2 = 2.0 * twice_across_2_of_across_2,
+      twice_across_2_cross2 = 2.0 * twice_across_2_of_across_2_lo;
+  const double p_0a = B->m * s->m0, p_0 = p_0a + twice_across_0, p_0_right = p_0 - p_0a,
       p_0_left = p_0 - p_0_right, p_0_left_rest = ksl_product_rest(B->m, s->m0, p_0a, p_0_left),
-      p_0_right_rest = p_0d - p_0_right, p_0_lo1 = p_0_left_rest + p_0_right_rest,
-      p_0_lo = p_0_lo1 + p_0d_lo;
-  const double p_1a = B->m * s->m1, p_1b = B->h.x * s->m5, p_1c = B->h.z * s->m3,
-      p_1d = p_1b - p_1c, p_1d_right = p_1b - p_1d, p_1d_left = p_1d + p_1d_right,
-      p_1d_left_rest = ksl_product_rest(B->h.x, s->m5, p_1b, p_1d_left),
-      p_1d_right_rest = ksl_product_rest(B->h.z, s->m3, p_1c, p_1d_right),
-      p_1d_lo = p_1d_left_rest - p_1d_right_rest, p_1 = p_1a + p_1d, p_1_right = p_1 - p_1a,
+      p_0_right_rest = twice_across_0 - p_0_right, p_0_lo1 = p_0_left_rest + p_0_right_rest,
+      p_0_lo = p_0_lo1 + twice_across_0_cross2;
+  const double p_1a = B->m * s->m1, p_1 = p_1a + twice_across_1, p_1_right = p_1 - p_1a,
       p_1_left = p_1 - p_1_right, p_1_left_rest = ksl_product_rest(B->m, s->m1, p_1a, p_1_left),
-      p_1_right_rest = p_1d - p_1_right, p_1_lo1 = p_1_left_rest + p_1_right_rest,
-      p_1_lo = p_1_lo1 + p_1d_lo;
-  const double p_2a = B->m * s->m2, p_2b = B->h.y * s->m3, p_2c = B->h.x * s->m4,
-      p_2d = p_2b - p_2c, p_2d_right = p_2b - p_2d, p_2d_left = p_2d + p_2d_right,
-      p_2d_left_rest = ksl_product_rest(B->h.y, s->m3, p_2b, p_2d_left),
-      p_2d_right_rest = ksl_product_rest(B->h.x, s->m4, p_2c, p_2d_right),
-      p_2d_lo = p_2d_left_rest - p_2d_right_rest, p_2 = p_2a + p_2d, p_2_right = p_2 - p_2a,
+      p_1_right_rest = twice_across_1 - p_1_right, p_1_lo1 = p_1_left_rest + p_1_right_rest,
+      p_1_lo = p_1_lo1 + twice_across_1_cross2;
+  const double p_2a = B->m * s->m2, p_2 = p_2a + twice_across_2, p_2_right = p_2 - p_2a,
       p_2_left = p_2 - p_2_right, p_2_left_rest = ksl_product_rest(B->m, s->m2, p_2a, p_2_left),
-      p_2_right_rest = p_2d - p_2_right, p_2_lo1 = p_2_left_rest + p_2_right_rest,
-      p_2_lo = p_2_lo1 + p_2d_lo;
-  const double p_3a = B->h.y * s->m2, p_3b = B->h.z * s->m1, p_3c = p_3a - p_3b,
-      p_3c_right = p_3a - p_3c, p_3c_left = p_3c + p_3c_right,
-      p_3c_left_rest = ksl_product_rest(B->h.y, s->m2, p_3a, p_3c_left),
-      p_3c_right_rest = ksl_product_rest(B->h.z, s->m1, p_3b, p_3c_right),
-      p_3c_lo = p_3c_left_rest - p_3c_right_rest, p_3d = B->xx * s->m3, p_3e = B->xy * s->m4,
-      p_3f = p_3d + p_3e, p_3f_right = p_3f - p_3d, p_3f_left = p_3f - p_3f_right,
-      p_3f_left_rest = ksl_product_rest(B->xx, s->m3, p_3d, p_3f_left),
-      p_3f_right_rest = ksl_product_rest(B->xy, s->m4, p_3e, p_3f_right),
-      p_3f_lo = p_3f_left_rest + p_3f_right_rest, p_3g = B->xz * s->m5, p_3h = p_3f + p_3g,
-      p_3h_right = p_3h - p_3f, p_3h_left = p_3h - p_3h_right, p_3h_left_rest = p_3f - p_3h_left,
-      p_3h_right_rest = ksl_product_rest(B->xz, s->m5, p_3g, p_3h_right),
-      p_3h_lo1 = p_3h_left_rest + p_3h_right_rest, p_3h_lo = p_3h_lo1 + p_3f_lo, p_3 = p_3c + p_3h,
-      p_3_right = p_3 - p_3c, p_3_left = p_3 - p_3_right, p_3_left_rest = p_3c - p_3_left,
-      p_3_right_rest = p_3h - p_3_right, p_3_lo1 = p_3_left_rest + p_3_right_rest,
-      p_3_lo2 = p_3_lo1 + p_3h_lo, p_3_lo = p_3_lo2 + p_3c_lo;
-  const double p_4a = B->h.z * s->m0, p_4b = B->h.x * s->m2, p_4c = p_4a - p_4b,
-      p_4c_right = p_4a - p_4c, p_4c_left = p_4c + p_4c_right,
-      p_4c_left_rest = ksl_product_rest(B->h.z, s->m0, p_4a, p_4c_left),
-      p_4c_right_rest = ksl_product_rest(B->h.x, s->m2, p_4b, p_4c_right),
-      p_4c_lo = p_4c_left_rest - p_4c_right_rest, p_4d = B->yy * s->m4, p_4e = B->xy * s->m3,
-      p_4f = p_4d + p_4e, p_4f_right = p_4f - p_4d, p_4f_left = p_4f - p_4f_right,
-      p_4f_left_rest = ksl_product_rest(B->yy, s->m4, p_4d, p_4f_left),
-      p_4f_right_rest = ksl_product_rest(B->xy, s->m3, p_4e, p_4f_right),
-      p_4f_lo = p_4f_left_rest + p_4f_right_rest, p_4g = B->yz * s->m5, p_4h = p_4f + p_4g,
-      p_4h_right = p_4h - p_4f, p_4h_left = p_4h - p_4h_right, p_4h_left_rest = p_4f - p_4h_left,
-      p_4h_right_rest = ksl_product_rest(B->yz, s->m5, p_4g, p_4h_right),
-      p_4h_lo1 = p_4h_left_rest + p_4h_right_rest, p_4h_lo = p_4h_lo1 + p_4f_lo, p_4 = p_4c + p_4h,
-      p_4_right = p_4 - p_4c, p_4_left = p_4 - p_4_right, p_4_left_rest = p_4c - p_4_left,
-      p_4_right_rest = p_4h - p_4_right, p_4_lo1 = p_4_left_rest + p_4_right_rest,
-      p_4_lo2 = p_4_lo1 + p_4h_lo, p_4_lo = p_4_lo2 + p_4c_lo;
-  const double p_5a = B->h.x * s->m1, p_5b = B->h.y * s->m0, p_5c = p_5a - p_5b,
-      p_5c_right = p_5a - p_5c, p_5c_left = p_5c + p_5c_right,
-      p_5c_left_rest = ksl_product_rest(B->h.x, s->m1, p_5a, p_5c_left),
-      p_5c_right_rest = ksl_product_rest(B->h.y, s->m0, p_5b, p_5c_right),
-      p_5c_lo = p_5c_left_rest - p_5c_right_rest, p_5d = B->zz * s->m5, p_5e = B->xz * s->m3,
-      p_5f = p_5d + p_5e, p_5f_right = p_5f - p_5d, p_5f_left = p_5f - p_5f_right,
-      p_5f_left_rest = ksl_product_rest(B->zz, s->m5, p_5d, p_5f_left),
-      p_5f_right_rest = ksl_product_rest(B->xz, s->m3, p_5e, p_5f_right),
-      p_5f_lo = p_5f_left_rest + p_5f_right_rest, p_5g = B->yz * s->m4, p_5h = p_5f + p_5g,
-      p_5h_right = p_5h - p_5f, p_5h_left = p_5h - p_5h_right, p_5h_left_rest = p_5f - p_5h_left,
-      p_5h_right_rest = ksl_product_rest(B->yz, s->m4, p_5g, p_5h_right),
-      p_5h_lo1 = p_5h_left_rest + p_5h_right_rest, p_5h_lo = p_5h_lo1 + p_5f_lo, p_5 = p_5c + p_5h,
-      p_5_right = p_5 - p_5c, p_5_left = p_5 - p_5_right, p_5_left_rest = p_5c - p_5_left,
-      p_5_right_rest = p_5h - p_5_right, p_5_lo1 = p_5_left_rest + p_5_right_rest,
-      p_5_lo2 = p_5_lo1 + p_5h_lo, p_5_lo = p_5_lo2 + p_5c_lo;
-  const double twice_a = s->m0 * p_0, twice_a_cross2 = s->m0 * p_0_lo, twice_b = s->m1 * p_1,
-      twice_b_cross2 = s->m1 * p_1_lo, twice_c = twice_a + twice_b,
-      twice_c_right = twice_c - twice_a, twice_c_left = twice_c - twice_c_right,
-      twice_c_left_rest = ksl_product_rest(s->m0, p_0, twice_a, twice_c_left),
-      twice_c_right_rest = ksl_product_rest(s->m1, p_1, twice_b, twice_c_right),
+      p_2_right_rest = twice_across_2 - p_2_right, p_2_lo1 = p_2_left_rest + p_2_right_rest,
+      p_2_lo = p_2_lo1 + twice_across_2_cross2;
+  const double L_0a = B->xx * s->m3, L_0b = B->xy * s->m4, L_0c = L_0a + L_0b,
+      L_0c_right = L_0c - L_0a, L_0c_left = L_0c - L_0c_right,
+      L_0c_left_rest = ksl_product_rest(B->xx, s->m3, L_0a, L_0c_left),
+      L_0c_right_rest = ksl_product_rest(B->xy, s->m4, L_0b, L_0c_right),
+      L_0c_lo = L_0c_left_rest + L_0c_right_rest, L_0d = B->xz * s->m5, L_0 = L_0c + L_0d,
+      L_0_right = L_0 - L_0c, L_0_left = L_0 - L_0_right, L_0_left_rest = L_0c - L_0_left,
+      L_0_right_rest = ksl_product_rest(B->xz, s->m5, L_0d, L_0_right),
+      L_0_lo1 = L_0_left_rest + L_0_right_rest, L_0_lo = L_0_lo1 + L_0c_lo;
+  const double L_1a = B->yy * s->m4, L_1b = B->xy * s->m3, L_1c = L_1a + L_1b,
+      L_1c_right = L_1c - L_1a, L_1c_left = L_1c - L_1c_right,
+      L_1c_left_rest = ksl_product_rest(B->yy, s->m4, L_1a, L_1c_left),
+      L_1c_right_rest = ksl_product_rest(B->xy, s->m3, L_1b, L_1c_right),
+      L_1c_lo = L_1c_left_rest + L_1c_right_rest, L_1d = B->yz * s->m5, L_1 = L_1c + L_1d,
+      L_1_right = L_1 - L_1c, L_1_left = L_1 - L_1_right, L_1_left_rest = L_1c - L_1_left,
+      L_1_right_rest = ksl_product_rest(B->yz, s->m5, L_1d, L_1_right),
+      L_1_lo1 = L_1_left_rest + L_1_right_rest, L_1_lo = L_1_lo1 + L_1c_lo;
+  const double L_2a = B->zz * s->m5, L_2b = B->xz * s->m3, L_2c = L_2a + L_2b,
+      L_2c_right = L_2c - L_2a, L_2c_left = L_2c - L_2c_right,
+      L_2c_left_rest = ksl_product_rest(B->zz, s->m5, L_2a, L_2c_left),
+      L_2c_right_rest = ksl_product_rest(B->xz, s->m3, L_2b, L_2c_right),
+      L_2c_lo = L_2c_left_rest + L_2c_right_rest, L_2d = B->yz * s->m4, L_2 = L_2c + L_2d,
+      L_2_right = L_2 - L_2c, L_2_left = L_2 - L_2_right, L_2_left_rest = L_2c - L_2_left,
+      L_2_right_rest = ksl_product_rest(B->yz, s->m4, L_2d, L_2_right),
+      L_2_lo1 = L_2_left_rest + L_2_right_rest, L_2_lo = L_2_lo1 + L_2c_lo;
+  const double twice_a_of_p_0 = p_0 + p_0_lo, twice_a_of_p_0_right = twice_a_of_p_0 - p_0,
+      twice_a_of_p_0_left = twice_a_of_p_0 - twice_a_of_p_0_right,
+      twice_a_of_p_0_left_rest = p_0 - twice_a_of_p_0_left,
+      twice_a_of_p_0_right_rest = p_0_lo - twice_a_of_p_0_right,
+      twice_a_of_p_0_lo = twice_a_of_p_0_left_rest + twice_a_of_p_0_right_rest,
+      twice_a = s->m0 * twice_a_of_p_0, twice_a_cross2 = s->m0 * twice_a_of_p_0_lo,
+      twice_b_of_p_1 = p_1 + p_1_lo, twice_b_of_p_1_right = twice_b_of_p_1 - p_1,
+      twice_b_of_p_1_left = twice_b_of_p_1 - twice_b_of_p_1_right,
+      twice_b_of_p_1_left_rest = p_1 - twice_b_of_p_1_left,
+      twice_b_of_p_1_right_rest = p_1_lo - twice_b_of_p_1_right,
+      twice_b_of_p_1_lo = twice_b_of_p_1_left_rest + twice_b_of_p_1_right_rest,
+      twice_b = s->m1 * twice_b_of_p_1, twice_b_cross2 = s->m1 * twice_b_of_p_1_lo,
+      twice_c = twice_a + twice_b, twice_c_right = twice_c - twice_a,
+      twice_c_left = twice_c - twice_c_right,
+      twice_c_left_rest = ksl_product_rest(s->m0, twice_a_of_p_0, twice_a, twice_c_left),
+      twice_c_right_rest = ksl_product_rest(s->m1, twice_b_of_p_1, twice_b, twice_c_right),
       twice_c_cross = twice_a_cross2 + twice_b_cross2,
       twice_c_lo1 = twice_c_left_rest + twice_c_right_rest,
-      twice_c_lo = twice_c_lo1 + twice_c_cross, twice_d = s->m2 * p_2,
-      twice_d_cross2 = s->m2 * p_2_lo, twice_e = twice_c + twice_d,
-      twice_e_right = twice_e - twice_c, twice_e_left = twice_e - twice_e_right,
-      twice_e_left_rest = twice_c - twice_e_left,
-      twice_e_right_rest = ksl_product_rest(s->m2, p_2, twice_d, twice_e_right),
+      twice_c_lo = twice_c_lo1 + twice_c_cross, twice_d_of_p_2 = p_2 + p_2_lo,
+      twice_d_of_p_2_right = twice_d_of_p_2 - p_2,
+      twice_d_of_p_2_left = twice_d_of_p_2 - twice_d_of_p_2_right,
+      twice_d_of_p_2_left_rest = p_2 - twice_d_of_p_2_left,
+      twice_d_of_p_2_right_rest = p_2_lo - twice_d_of_p_2_right,
+      twice_d_of_p_2_lo = twice_d_of_p_2_left_rest + twice_d_of_p_2_right_rest,
+      twice_d = s->m2 * twice_d_of_p_2, twice_d_cross2 = s->m2 * twice_d_of_p_2_lo,
+      twice_e = twice_c + twice_d, twice_e_right = twice_e - twice_c,
+      twice_e_left = twice_e - twice_e_right, twice_e_left_rest = twice_c - twice_e_left,
+      twice_e_right_rest = ksl_product_rest(s->m2, twice_d_of_p_2, twice_d, twice_e_right),
       twice_e_lo1 = twice_e_left_rest + twice_e_right_rest,
       twice_e_lo2 = twice_e_lo1 + twice_d_cross2, twice_e_lo = twice_e_lo2 + twice_c_lo,
-      twice_f = s->m3 * p_3, twice_f_cross2 = s->m3 * p_3_lo, twice_g = s->m4 * p_4,
-      twice_g_cross2 = s->m4 * p_4_lo, twice_h = twice_f + twice_g,
-      twice_h_right = twice_h - twice_f, twice_h_left = twice_h - twice_h_right,
-      twice_h_left_rest = ksl_product_rest(s->m3, p_3, twice_f, twice_h_left),
-      twice_h_right_rest = ksl_product_rest(s->m4, p_4, twice_g, twice_h_right),
+      twice_f_of_L_0 = L_0 + L_0_lo, twice_f_of_L_0_right = twice_f_of_L_0 - L_0,
+      twice_f_of_L_0_left = twice_f_of_L_0 - twice_f_of_L_0_right,
+      twice_f_of_L_0_left_rest = L_0 - twice_f_of_L_0_left,
+      twice_f_of_L_0_right_rest = L_0_lo - twice_f_of_L_0_right,
+      twice_f_of_L_0_lo = twice_f_of_L_0_left_rest + twice_f_of_L_0_right_rest,
+      twice_f = s->m3 * twice_f_of_L_0, twice_f_cross2 = s->m3 * twice_f_of_L_0_lo,
+      twice_g_of_L_1 = L_1 + L_1_lo, twice_g_of_L_1_right = twice_g_of_L_1 - L_1,
+      twice_g_of_L_1_left = twice_g_of_L_1 - twice_g_of_L_1_right,
+      twice_g_of_L_1_left_rest = L_1 - twice_g_of_L_1_left,
+      twice_g_of_L_1_right_rest = L_1_lo - twice_g_of_L_1_right,
+      twice_g_of_L_1_lo = twice_g_of_L_1_left_rest + twice_g_of_L_1_right_rest,
+      twice_g = s->m4 * twice_g_of_L_1, twice_g_cross2 = s->m4 * twice_g_of_L_1_lo,
+      twice_h = twice_f + twice_g, twice_h_right = twice_h - twice_f,
+      twice_h_left = twice_h - twice_h_right,
+      twice_h_left_rest = ksl_product_rest(s->m3, twice_f_of_L_0, twice_f, twice_h_left),
+      twice_h_right_rest = ksl_product_rest(s->m4, twice_g_of_L_1, twice_g, twice_h_right),
       twice_h_cross = twice_f_cross2 + twice_g_cross2,
       twice_h_lo1 = twice_h_left_rest + twice_h_right_rest,
-      twice_h_lo = twice_h_lo1 + twice_h_cross, twice_i = s->m5 * p_5,
-      twice_i_cross2 = s->m5 * p_5_lo, twice_j = twice_h + twice_i,
-      twice_j_right = twice_j - twice_h, twice_j_left = twice_j - twice_j_right,
-      twice_j_left_rest = twice_h - twice_j_left,
-      twice_j_right_rest = ksl_product_rest(s->m5, p_5, twice_i, twice_j_right),
+      twice_h_lo = twice_h_lo1 + twice_h_cross, twice_i_of_L_2 = L_2 + L_2_lo,
+      twice_i_of_L_2_right = twice_i_of_L_2 - L_2,
+      twice_i_of_L_2_left = twice_i_of_L_2 - twice_i_of_L_2_right,
+      twice_i_of_L_2_left_rest = L_2 - twice_i_of_L_2_left,
+      twice_i_of_L_2_right_rest = L_2_lo - twice_i_of_L_2_right,
+      twice_i_of_L_2_lo = twice_i_of_L_2_left_rest + twice_i_of_L_2_right_rest,
+      twice_i = s->m5 * twice_i_of_L_2, twice_i_cross2 = s->m5 * twice_i_of_L_2_lo,
+      twice_j = twice_h + twice_i, twice_j_right = twice_j - twice_h,
+      twice_j_left = twice_j - twice_j_right, twice_j_left_rest = twice_h - twice_j_left,
+      twice_j_right_rest = ksl_product_rest(s->m5, twice_i_of_L_2, twice_i, twice_j_right),
       twice_j_lo1 = twice_j_left_rest + twice_j_right_rest,
       twice_j_lo2 = twice_j_lo1 + twice_i_cross2, twice_j_lo = twice_j_lo2 + twice_h_lo,
       twice = twice_e + twice_j, twice_right = twice - twice_e, twice_left = twice - twice_right,
       twice_left_rest = twice_e - twice_left, twice_right_rest = twice_j - twice_right,
       twice_lo1 = twice_left_rest + twice_right_rest, twice_lo2 = twice_lo1 + twice_j_lo,
       twice_lo = twice_lo2 + twice_e_lo;
-  const double energy = 0.5 * twice, energy_cross2 = 0.5 * twice_lo;
+  const double energy_of_twice = twice + twice_lo, energy_of_twice_right = energy_of_twice - twice,
+      energy_of_twice_left = energy_of_twice - energy_of_twice_right,
+      energy_of_twice_left_rest = twice - energy_of_twice_left,
+      energy_of_twice_right_rest = twice_lo - energy_of_twice_right,
+      energy_of_twice_lo = energy_of_twice_left_rest + energy_of_twice_right_rest,
+      energy = 0.5 * energy_of_twice, energy_cross2 = 0.5 * energy_of_twice_lo;
   const double energy_rounded = energy + energy_cross2;
   return energy_rounded;
 }
@@ -18910,89 +18998,107 @@ static inline double ksl_inertia_energy_accurate(const ksl_inertia_t *B, const k
 /* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
    t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
      xy, xz, yz in kg m^2).
-   21 mul, 120 add, 15 product rest.
-   Error <= u |result| + (m: 0, h: 3, I: 31) u^2 S, S the sum of the |terms| of the expanded
+   33 mul, 138 add, 6 product error, 6 product rest.
+   Error <= u |result| + (m: 0, h: 2, I: 20) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertia_shifted_accurate(const ksl_vec3_t *t, const ksl_inertia_t *B,
     ksl_inertia_t *Bo) {
-  const double moved_0a = t->x * B->m, moved_0 = moved_0a + B->h.x,
-      moved_0_right = moved_0 - moved_0a, moved_0_left = moved_0 - moved_0_right,
-      moved_0_left_rest = ksl_product_rest(t->x, B->m, moved_0a, moved_0_left),
-      moved_0_right_rest = B->h.x - moved_0_right,
-      moved_0_lo = moved_0_left_rest + moved_0_right_rest;
-  const double moved_1a = t->y * B->m, moved_1 = moved_1a + B->h.y,
-      moved_1_right = moved_1 - moved_1a, moved_1_left = moved_1 - moved_1_right,
-      moved_1_left_rest = ksl_product_rest(t->y, B->m, moved_1a, moved_1_left),
-      moved_1_right_rest = B->h.y - moved_1_right,
-      moved_1_lo = moved_1_left_rest + moved_1_right_rest;
-  const double moved_2a = t->z * B->m, moved_2 = moved_2a + B->h.z,
-      moved_2_right = moved_2 - moved_2a, moved_2_left = moved_2 - moved_2_right,
-      moved_2_left_rest = ksl_product_rest(t->z, B->m, moved_2a, moved_2_left),
-      moved_2_right_rest = B->h.z - moved_2_right,
-      moved_2_lo = moved_2_left_rest + moved_2_right_rest;
-  const double own_0a = t->x * B->h.x, own_0b = t->x * moved_0, own_0b_cross2 = t->x * moved_0_lo,
-      own_0 = own_0a + own_0b, own_0_right = own_0 - own_0a, own_0_left = own_0 - own_0_right,
-      own_0_left_rest = ksl_product_rest(t->x, B->h.x, own_0a, own_0_left),
-      own_0_right_rest = ksl_product_rest(t->x, moved_0, own_0b, own_0_right),
-      own_0_lo1 = own_0_left_rest + own_0_right_rest, own_0_lo = own_0_lo1 + own_0b_cross2;
-  const double own_1a = t->y * B->h.y, own_1b = t->y * moved_1, own_1b_cross2 = t->y * moved_1_lo,
-      own_1 = own_1a + own_1b, own_1_right = own_1 - own_1a, own_1_left = own_1 - own_1_right,
-      own_1_left_rest = ksl_product_rest(t->y, B->h.y, own_1a, own_1_left),
-      own_1_right_rest = ksl_product_rest(t->y, moved_1, own_1b, own_1_right),
-      own_1_lo1 = own_1_left_rest + own_1_right_rest, own_1_lo = own_1_lo1 + own_1b_cross2;
-  const double own_2a = t->z * B->h.z, own_2b = t->z * moved_2, own_2b_cross2 = t->z * moved_2_lo,
-      own_2 = own_2a + own_2b, own_2_right = own_2 - own_2a, own_2_left = own_2 - own_2_right,
-      own_2_left_rest = ksl_product_rest(t->z, B->h.z, own_2a, own_2_left),
-      own_2_right_rest = ksl_product_rest(t->z, moved_2, own_2b, own_2_right),
-      own_2_lo1 = own_2_left_rest + own_2_right_rest, own_2_lo = own_2_lo1 + own_2b_cross2;
-  const double Bo_4a = own_1 + own_2, Bo_4a_right = Bo_4a - own_1, Bo_4a_left = Bo_4a - Bo_4a_right,
-      Bo_4a_left_rest = own_1 - Bo_4a_left, Bo_4a_right_rest = own_2 - Bo_4a_right,
-      Bo_4a_lo1 = Bo_4a_left_rest + Bo_4a_right_rest, Bo_4a_lo2 = Bo_4a_lo1 + own_2_lo,
-      Bo_4a_lo = Bo_4a_lo2 + own_1_lo, Bo_4 = B->xx + Bo_4a, Bo_4_right = Bo_4 - B->xx,
-      Bo_4_left = Bo_4 - Bo_4_right, Bo_4_left_rest = B->xx - Bo_4_left,
-      Bo_4_right_rest = Bo_4a - Bo_4_right, Bo_4_lo1 = Bo_4_left_rest + Bo_4_right_rest,
-      Bo_4_lo = Bo_4_lo1 + Bo_4a_lo;
-  const double Bo_5a = own_0 + own_2, Bo_5a_right = Bo_5a - own_0, Bo_5a_left = Bo_5a - Bo_5a_right,
-      Bo_5a_left_rest = own_0 - Bo_5a_left, Bo_5a_right_rest = own_2 - Bo_5a_right,
-      Bo_5a_lo1 = Bo_5a_left_rest + Bo_5a_right_rest, Bo_5a_lo2 = Bo_5a_lo1 + own_2_lo,
-      Bo_5a_lo = Bo_5a_lo2 + own_0_lo, Bo_5 = B->yy + Bo_5a, Bo_5_right = Bo_5 - B->yy,
-      Bo_5_left = Bo_5 - Bo_5_right, Bo_5_left_rest = B->yy - Bo_5_left,
-      Bo_5_right_rest = Bo_5a - Bo_5_right, Bo_5_lo1 = Bo_5_left_rest + Bo_5_right_rest,
-      Bo_5_lo = Bo_5_lo1 + Bo_5a_lo;
-  const double Bo_6a = own_0 + own_1, Bo_6a_right = Bo_6a - own_0, Bo_6a_left = Bo_6a - Bo_6a_right,
-      Bo_6a_left_rest = own_0 - Bo_6a_left, Bo_6a_right_rest = own_1 - Bo_6a_right,
-      Bo_6a_lo1 = Bo_6a_left_rest + Bo_6a_right_rest, Bo_6a_lo2 = Bo_6a_lo1 + own_1_lo,
-      Bo_6a_lo = Bo_6a_lo2 + own_0_lo, Bo_6 = B->zz + Bo_6a, Bo_6_right = Bo_6 - B->zz,
-      Bo_6_left = Bo_6 - Bo_6_right, Bo_6_left_rest = B->zz - Bo_6_left,
-      Bo_6_right_rest = Bo_6a - Bo_6_right, Bo_6_lo1 = Bo_6_left_rest + Bo_6_right_rest,
-      Bo_6_lo = Bo_6_lo1 + Bo_6a_lo;
-  const double Bo_7a = t->x * moved_1, Bo_7a_cross2 = t->x * moved_1_lo, Bo_7b = B->xy - Bo_7a,
-      Bo_7b_right = B->xy - Bo_7b, Bo_7b_left = Bo_7b + Bo_7b_right,
-      Bo_7b_left_rest = B->xy - Bo_7b_left,
-      Bo_7b_right_rest = ksl_product_rest(t->x, moved_1, Bo_7a, Bo_7b_right),
-      Bo_7b_lo1 = Bo_7b_left_rest - Bo_7b_right_rest, Bo_7b_lo = Bo_7b_lo1 - Bo_7a_cross2,
-      Bo_7c = t->y * B->h.x, Bo_7 = Bo_7b - Bo_7c, Bo_7_right = Bo_7b - Bo_7,
-      Bo_7_left = Bo_7 + Bo_7_right, Bo_7_left_rest = Bo_7b - Bo_7_left,
-      Bo_7_right_rest = ksl_product_rest(t->y, B->h.x, Bo_7c, Bo_7_right),
-      Bo_7_lo1 = Bo_7_left_rest - Bo_7_right_rest, Bo_7_lo = Bo_7_lo1 + Bo_7b_lo;
-  const double Bo_8a = t->x * moved_2, Bo_8a_cross2 = t->x * moved_2_lo, Bo_8b = B->xz - Bo_8a,
-      Bo_8b_right = B->xz - Bo_8b, Bo_8b_left = Bo_8b + Bo_8b_right,
-      Bo_8b_left_rest = B->xz - Bo_8b_left,
-      Bo_8b_right_rest = ksl_product_rest(t->x, moved_2, Bo_8a, Bo_8b_right),
-      Bo_8b_lo1 = Bo_8b_left_rest - Bo_8b_right_rest, Bo_8b_lo = Bo_8b_lo1 - Bo_8a_cross2,
-      Bo_8c = t->z * B->h.x, Bo_8 = Bo_8b - Bo_8c, Bo_8_right = Bo_8b - Bo_8,
-      Bo_8_left = Bo_8 + Bo_8_right, Bo_8_left_rest = Bo_8b - Bo_8_left,
-      Bo_8_right_rest = ksl_product_rest(t->z, B->h.x, Bo_8c, Bo_8_right),
-      Bo_8_lo1 = Bo_8_left_rest - Bo_8_right_rest, Bo_8_lo = Bo_8_lo1 + Bo_8b_lo;
-  const double Bo_9a = t->y * moved_2, Bo_9a_cross2 = t->y * moved_2_lo, Bo_9b = B->yz - Bo_9a,
-      Bo_9b_right = B->yz - Bo_9b, Bo_9b_left = Bo_9b + Bo_9b_right,
-      Bo_9b_left_rest = B->yz - Bo_9b_left,
-      Bo_9b_right_rest = ksl_product_rest(t->y, moved_2, Bo_9a, Bo_9b_right),
-      Bo_9b_lo1 = Bo_9b_left_rest - Bo_9b_right_rest, Bo_9b_lo = Bo_9b_lo1 - Bo_9a_cross2,
-      Bo_9c = t->z * B->h.y, Bo_9 = Bo_9b - Bo_9c, Bo_9_right = Bo_9b - Bo_9,
-      Bo_9_left = Bo_9 + Bo_9_right, Bo_9_left_rest = Bo_9b - Bo_9_left,
-      Bo_9_right_rest = ksl_product_rest(t->z, B->h.y, Bo_9c, Bo_9_right),
-      Bo_9_lo1 = Bo_9_left_rest - Bo_9_right_rest, Bo_9_lo = Bo_9_lo1 + Bo_9b_lo;
+  const double mt_0 = t->x * B->m;
+  const double mt_1 = t->y * B->m;
+  const double mt_2 = t->z * B->m;
+  const double mt_0_lo = ksl_product_error(t->x, B->m, mt_0), half_0 = 0.5 * mt_0,
+      half_0_cross2 = 0.5 * mt_0_lo;
+  const double mt_1_lo = ksl_product_error(t->y, B->m, mt_1), half_1 = 0.5 * mt_1,
+      half_1_cross2 = 0.5 * mt_1_lo;
+  const double mt_2_lo = ksl_product_error(t->z, B->m, mt_2), half_2 = 0.5 * mt_2,
+      half_2_cross2 = 0.5 * mt_2_lo;
+  const double n_0 = B->h.x + half_0, n_0_right = n_0 - B->h.x, n_0_left = n_0 - n_0_right,
+      n_0_left_rest = B->h.x - n_0_left, n_0_right_rest = half_0 - n_0_right,
+      n_0_lo1 = n_0_left_rest + n_0_right_rest, n_0_lo = n_0_lo1 + half_0_cross2;
+  const double n_1 = B->h.y + half_1, n_1_right = n_1 - B->h.y, n_1_left = n_1 - n_1_right,
+      n_1_left_rest = B->h.y - n_1_left, n_1_right_rest = half_1 - n_1_right,
+      n_1_lo1 = n_1_left_rest + n_1_right_rest, n_1_lo = n_1_lo1 + half_1_cross2;
+  const double n_2 = B->h.z + half_2, n_2_right = n_2 - B->h.z, n_2_left = n_2 - n_2_right,
+      n_2_left_rest = B->h.z - n_2_left, n_2_right_rest = half_2 - n_2_right,
+      n_2_lo1 = n_2_left_rest + n_2_right_rest, n_2_lo = n_2_lo1 + half_2_cross2;
+  const double tn0 = t->x * n_0, tn0_cross2 = t->x * n_0_lo;
+  const double tn1 = t->y * n_1, tn1_cross2 = t->y * n_1_lo;
+  const double tn2 = t->z * n_2, tn2_cross2 = t->z * n_2_lo;
+  const double tn0_error = ksl_product_error(t->x, n_0, tn0), tn0_lo = tn0_error + tn0_cross2,
+      own_0 = 2.0 * tn0, own_0_cross2 = 2.0 * tn0_lo;
+  const double tn1_error = ksl_product_error(t->y, n_1, tn1), tn1_lo = tn1_error + tn1_cross2,
+      own_1 = 2.0 * tn1, own_1_cross2 = 2.0 * tn1_lo;
+  const double tn2_error = ksl_product_error(t->z, n_2, tn2), tn2_lo = tn2_error + tn2_cross2,
+      own_2 = 2.0 * tn2, own_2_cross2 = 2.0 * tn2_lo;
+  const double pairs_0 = own_1 + own_2, pairs_0_right = pairs_0 - own_1,
+      pairs_0_left = pairs_0 - pairs_0_right, pairs_0_left_rest = own_1 - pairs_0_left,
+      pairs_0_right_rest = own_2 - pairs_0_right,
+      pairs_0_lo1 = pairs_0_left_rest + pairs_0_right_rest,
+      pairs_0_lo2 = pairs_0_lo1 + own_2_cross2, pairs_0_lo = pairs_0_lo2 + own_1_cross2;
+  const double pairs_1 = own_0 + own_2, pairs_1_right = pairs_1 - own_0,
+      pairs_1_left = pairs_1 - pairs_1_right, pairs_1_left_rest = own_0 - pairs_1_left,
+      pairs_1_right_rest = own_2 - pairs_1_right,
+      pairs_1_lo1 = pairs_1_left_rest + pairs_1_right_rest,
+      pairs_1_lo2 = pairs_1_lo1 + own_2_cross2, pairs_1_lo = pairs_1_lo2 + own_0_cross2;
+  const double pairs_2 = own_0 + own_1, pairs_2_right = pairs_2 - own_0,
+      pairs_2_left = pairs_2 - pairs_2_right, pairs_2_left_rest = own_0 - pairs_2_left,
+      pairs_2_right_rest = own_1 - pairs_2_right,
+      pairs_2_lo1 = pairs_2_left_rest + pairs_2_right_rest,
+      pairs_2_lo2 = pairs_2_lo1 + own_1_cross2, pairs_2_lo = pairs_2_lo2 + own_0_cross2;
+  const double pairs_3a = t->x * n_1, pairs_3a_cross2 = t->x * n_1_lo, pairs_3b = t->y * n_0,
+      pairs_3b_cross2 = t->y * n_0_lo, pairs_3 = pairs_3a + pairs_3b,
+      pairs_3_right = pairs_3 - pairs_3a, pairs_3_left = pairs_3 - pairs_3_right,
+      pairs_3_left_rest = ksl_product_rest(t->x, n_1, pairs_3a, pairs_3_left),
+      pairs_3_right_rest = ksl_product_rest(t->y, n_0, pairs_3b, pairs_3_right),
+      pairs_3_cross = pairs_3a_cross2 + pairs_3b_cross2,
+      pairs_3_lo1 = pairs_3_left_rest + pairs_3_right_rest,
+      pairs_3_lo = pairs_3_lo1 + pairs_3_cross;
+  const double pairs_4a = t->x * n_2, pairs_4a_cross2 = t->x * n_2_lo, pairs_4b = t->z * n_0,
+      pairs_4b_cross2 = t->z * n_0_lo, pairs_4 = pairs_4a + pairs_4b,
+      pairs_4_right = pairs_4 - pairs_4a, pairs_4_left = pairs_4 - pairs_4_right,
+      pairs_4_left_rest = ksl_product_rest(t->x, n_2, pairs_4a, pairs_4_left),
+      pairs_4_right_rest = ksl_product_rest(t->z, n_0, pairs_4b, pairs_4_right),
+      pairs_4_cross = pairs_4a_cross2 + pairs_4b_cross2,
+      pairs_4_lo1 = pairs_4_left_rest + pairs_4_right_rest,
+      pairs_4_lo = pairs_4_lo1 + pairs_4_cross;
+  const double pairs_5a = t->y * n_2, pairs_5a_cross2 = t->y * n_2_lo, pairs_5b = t->z * n_1,
+      pairs_5b_cross2 = t->z * n_1_lo, pairs_5 = pairs_5a + pairs_5b,
+      pairs_5_right = pairs_5 - pairs_5a, pairs_5_left = pairs_5 - pairs_5_right,
+      pairs_5_left_rest = ksl_product_rest(t->y, n_2, pairs_5a, pairs_5_left),
+      pairs_5_right_rest = ksl_product_rest(t->z, n_1, pairs_5b, pairs_5_right),
+      pairs_5_cross = pairs_5a_cross2 + pairs_5b_cross2,
+      pairs_5_lo1 = pairs_5_left_rest + pairs_5_right_rest,
+      pairs_5_lo = pairs_5_lo1 + pairs_5_cross;
+  const double moved_0 = B->h.x + mt_0, moved_0_right = moved_0 - B->h.x,
+      moved_0_left = moved_0 - moved_0_right, moved_0_left_rest = B->h.x - moved_0_left,
+      moved_0_right_rest = mt_0 - moved_0_right,
+      moved_0_lo1 = moved_0_left_rest + moved_0_right_rest, moved_0_lo = moved_0_lo1 + mt_0_lo;
+  const double moved_1 = B->h.y + mt_1, moved_1_right = moved_1 - B->h.y,
+      moved_1_left = moved_1 - moved_1_right, moved_1_left_rest = B->h.y - moved_1_left,
+      moved_1_right_rest = mt_1 - moved_1_right,
+      moved_1_lo1 = moved_1_left_rest + moved_1_right_rest, moved_1_lo = moved_1_lo1 + mt_1_lo;
+  const double moved_2 = B->h.z + mt_2, moved_2_right = moved_2 - B->h.z,
+      moved_2_left = moved_2 - moved_2_right, moved_2_left_rest = B->h.z - moved_2_left,
+      moved_2_right_rest = mt_2 - moved_2_right,
+      moved_2_lo1 = moved_2_left_rest + moved_2_right_rest, moved_2_lo = moved_2_lo1 + mt_2_lo;
+  const double Bo_4 = B->xx + pairs_0, Bo_4_right = Bo_4 - B->xx, Bo_4_left = Bo_4 - Bo_4_right,
+      Bo_4_left_rest = B->xx - Bo_4_left, Bo_4_right_rest = pairs_0 - Bo_4_right,
+      Bo_4_lo1 = Bo_4_left_rest + Bo_4_right_rest, Bo_4_lo = Bo_4_lo1 + pairs_0_lo;
+  const double Bo_5 = B->yy + pairs_1, Bo_5_right = Bo_5 - B->yy, Bo_5_left = Bo_5 - Bo_5_right,
+      Bo_5_left_rest = B->yy - Bo_5_left, Bo_5_right_rest = pairs_1 - Bo_5_right,
+      Bo_5_lo1 = Bo_5_left_rest + Bo_5_right_rest, Bo_5_lo = Bo_5_lo1 + pairs_1_lo;
+  const double Bo_6 = B->zz + pairs_2, Bo_6_right = Bo_6 - B->zz, Bo_6_left = Bo_6 - Bo_6_right,
+      Bo_6_left_rest = B->zz - Bo_6_left, Bo_6_right_rest = pairs_2 - Bo_6_right,
+      Bo_6_lo1 = Bo_6_left_rest + Bo_6_right_rest, Bo_6_lo = Bo_6_lo1 + pairs_2_lo;
+  const double Bo_7 = B->xy - pairs_3, Bo_7_right = B->xy - Bo_7, Bo_7_left = Bo_7 + Bo_7_right,
+      Bo_7_left_rest = B->xy - Bo_7_left, Bo_7_right_rest = pairs_3 - Bo_7_right,
+      Bo_7_lo1 = Bo_7_left_rest - Bo_7_right_rest, Bo_7_lo = Bo_7_lo1 - pairs_3_lo;
+  const double Bo_8 = B->xz - pairs_4, Bo_8_right = B->xz - Bo_8, Bo_8_left = Bo_8 + Bo_8_right,
+      Bo_8_left_rest = B->xz - Bo_8_left, Bo_8_right_rest = pairs_4 - Bo_8_right,
+      Bo_8_lo1 = Bo_8_left_rest - Bo_8_right_rest, Bo_8_lo = Bo_8_lo1 - pairs_4_lo;
+  const double Bo_9 = B->yz - pairs_5, Bo_9_right = B->yz - Bo_9, Bo_9_left = Bo_9 + Bo_9_right,
+      Bo_9_left_rest = B->yz - Bo_9_left, Bo_9_right_rest = pairs_5 - Bo_9_right,
+      Bo_9_lo1 = Bo_9_left_rest - Bo_9_right_rest, Bo_9_lo = Bo_9_lo1 - pairs_5_lo;
   const double moved_0_rounded = moved_0 + moved_0_lo;
   const double moved_1_rounded = moved_1 + moved_1_lo;
   const double moved_2_rounded = moved_2 + moved_2_lo;
@@ -19018,8 +19124,8 @@ static inline void ksl_inertia_shifted_accurate(const ksl_vec3_t *t, const ksl_i
 /* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
    D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
      I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
-   99 mul, 333 add, 69 product rest.
-   Error <= u |result| + (m: 0, h: 17, I: 119/2) u^2 S, S the sum of the |terms| of the expanded
+   105 mul, 420 add, 6 product error, 60 product rest.
+   Error <= u |result| + (m: 0, h: 16, I: 35) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertia_transformed_accurate(const ksl_SE3_t *D, const ksl_inertia_t *B,
     ksl_inertia_t *Bo) {
@@ -19128,186 +19234,267 @@ static inline void ksl_inertia_transformed_accurate(const ksl_SE3_t *D, const ks
       turned_3_right_rest = ksl_product_rest(D->m22, B->h.z, turned_3d, turned_3_right),
       turned_3_lo1 = turned_3_left_rest + turned_3_right_rest,
       turned_3_lo = turned_3_lo1 + turned_3c_lo;
-  const double turned_4a = D->m00 * RI_0, turned_4a_cross2 = D->m00 * RI_0_lo,
-      turned_4b = D->m01 * RI_1, turned_4b_cross2 = D->m01 * RI_1_lo,
+  const double turned_4a_of_RI_0 = RI_0 + RI_0_lo,
+      turned_4a_of_RI_0_right = turned_4a_of_RI_0 - RI_0,
+      turned_4a_of_RI_0_left = turned_4a_of_RI_0 - turned_4a_of_RI_0_right,
+      turned_4a_of_RI_0_left_rest = RI_0 - turned_4a_of_RI_0_left,
+      turned_4a_of_RI_0_right_rest = RI_0_lo - turned_4a_of_RI_0_right,
+      turned_4a_of_RI_0_lo = turned_4a_of_RI_0_left_rest + turned_4a_of_RI_0_right_rest,
+      turned_4a = D->m00 * turned_4a_of_RI_0, turned_4a_cross2 = D->m00 * turned_4a_of_RI_0_lo,
+      turned_4b_of_RI_1 = RI_1 + RI_1_lo, turned_4b_of_RI_1_right = turned_4b_of_RI_1 - RI_1,
+      turned_4b_of_RI_1_left = turned_4b_of_RI_1 - turned_4b_of_RI_1_right,
+      turned_4b_of_RI_1_left_rest = RI_1 - turned_4b_of_RI_1_left,
+      turned_4b_of_RI_1_right_rest = RI_1_lo - turned_4b_of_RI_1_right,
+      turned_4b_of_RI_1_lo = turned_4b_of_RI_1_left_rest + turned_4b_of_RI_1_right_rest,
+      turned_4b = D->m01 * turned_4b_of_RI_1, turned_4b_cross2 = D->m01 * turned_4b_of_RI_1_lo,
       turned_4c = turned_4a + turned_4b, turned_4c_right = turned_4c - turned_4a,
       turned_4c_left = turned_4c - turned_4c_right,
-      turned_4c_left_rest = ksl_product_rest(D->m00, RI_0, turned_4a, turned_4c_left),
-      turned_4c_right_rest = ksl_product_rest(D->m01, RI_1, turned_4b, turned_4c_right),
+      turned_4c_left_rest = ksl_product_rest(D->m00, turned_4a_of_RI_0, turned_4a, turned_4c_left),
+      turned_4c_right_rest = ksl_product_rest(D->m01, turned_4b_of_RI_1, turned_4b, turned_4c_right),
       turned_4c_cross = turned_4a_cross2 + turned_4b_cross2,
       turned_4c_lo1 = turned_4c_left_rest + turned_4c_right_rest,
-      turned_4c_lo = turned_4c_lo1 + turned_4c_cross, turned_4d = D->m02 * RI_2,
-      turned_4d_cross2 = D->m02 * RI_2_lo, turned_4 = turned_4c + turned_4d,
-      turned_4_right = turned_4 - turned_4c, turned_4_left = turned_4 - turned_4_right,
-      turned_4_left_rest = turned_4c - turned_4_left,
-      turned_4_right_rest = ksl_product_rest(D->m02, RI_2, turned_4d, turned_4_right),
+      turned_4c_lo = turned_4c_lo1 + turned_4c_cross, turned_4d_of_RI_2 = RI_2 + RI_2_lo,
+      turned_4d_of_RI_2_right = turned_4d_of_RI_2 - RI_2,
+      turned_4d_of_RI_2_left = turned_4d_of_RI_2 - turned_4d_of_RI_2_right,
+      turned_4d_of_RI_2_left_rest = RI_2 - turned_4d_of_RI_2_left,
+      turned_4d_of_RI_2_right_rest = RI_2_lo - turned_4d_of_RI_2_right,
+      turned_4d_of_RI_2_lo = turned_4d_of_RI_2_left_rest + turned_4d_of_RI_2_right_rest,
+      turned_4d = D->m02 * turned_4d_of_RI_2, turned_4d_cross2 = D->m02 * turned_4d_of_RI_2_lo,
+      turned_4 = turned_4c + turned_4d, turned_4_right = turned_4 - turned_4c,
+      turned_4_left = turned_4 - turned_4_right, turned_4_left_rest = turned_4c - turned_4_left,
+      turned_4_right_rest = ksl_product_rest(D->m02, turned_4d_of_RI_2, turned_4d, turned_4_right),
       turned_4_lo1 = turned_4_left_rest + turned_4_right_rest,
       turned_4_lo2 = turned_4_lo1 + turned_4d_cross2, turned_4_lo = turned_4_lo2 + turned_4c_lo;
-  const double turned_5a = D->m10 * RI_3, turned_5a_cross2 = D->m10 * RI_3_lo,
-      turned_5b = D->m11 * RI_4, turned_5b_cross2 = D->m11 * RI_4_lo,
+  const double turned_5a_of_RI_3 = RI_3 + RI_3_lo,
+      turned_5a_of_RI_3_right = turned_5a_of_RI_3 - RI_3,
+      turned_5a_of_RI_3_left = turned_5a_of_RI_3 - turned_5a_of_RI_3_right,
+      turned_5a_of_RI_3_left_rest = RI_3 - turned_5a_of_RI_3_left,
+      turned_5a_of_RI_3_right_rest = RI_3_lo - turned_5a_of_RI_3_right,
+      turned_5a_of_RI_3_lo = turned_5a_of_RI_3_left_rest + turned_5a_of_RI_3_right_rest,
+      turned_5a = D->m10 * turned_5a_of_RI_3, turned_5a_cross2 = D->m10 * turned_5a_of_RI_3_lo,
+      turned_5b_of_RI_4 = RI_4 + RI_4_lo, turned_5b_of_RI_4_right = turned_5b_of_RI_4 - RI_4,
+      turned_5b_of_RI_4_left = turned_5b_of_RI_4 - turned_5b_of_RI_4_right,
+      turned_5b_of_RI_4_left_rest = RI_4 - turned_5b_of_RI_4_left,
+      turned_5b_of_RI_4_right_rest = RI_4_lo - turned_5b_of_RI_4_right,
+      turned_5b_of_RI_4_lo = turned_5b_of_RI_4_left_rest + turned_5b_of_RI_4_right_rest,
+      turned_5b = D->m11 * turned_5b_of_RI_4, turned_5b_cross2 = D->m11 * turned_5b_of_RI_4_lo,
       turned_5c = turned_5a + turned_5b, turned_5c_right = turned_5c - turned_5a,
       turned_5c_left = turned_5c - turned_5c_right,
-      turned_5c_left_rest = ksl_product_rest(D->m10, RI_3, turned_5a, turned_5c_left),
-      turned_5c_right_rest = ksl_product_rest(D->m11, RI_4, turned_5b, turned_5c_right),
+      turned_5c_left_rest = ksl_product_rest(D->m10, turned_5a_of_RI_3, turned_5a, turned_5c_left),
+      turned_5c_right_rest = ksl_product_rest(D->m11, turned_5b_of_RI_4, turned_5b, turned_5c_right),
       turned_5c_cross = turned_5a_cross2 + turned_5b_cross2,
       turned_5c_lo1 = turned_5c_left_rest + turned_5c_right_rest,
-      turned_5c_lo = turned_5c_lo1 + turned_5c_cross, turned_5d = D->m12 * RI_5,
-      turned_5d_cross2 = D->m12 * RI_5_lo, turned_5 = turned_5c + turned_5d,
-      turned_5_right = turned_5 - turned_5c, turned_5_left = turned_5 - turned_5_right,
-      turned_5_left_rest = turned_5c - turned_5_left,
-      turned_5_right_rest = ksl_product_rest(D->m12, RI_5, turned_5d, turned_5_right),
+      turned_5c_lo = turned_5c_lo1 + turned_5c_cross, turned_5d_of_RI_5 = RI_5 + RI_5_lo,
+      turned_5d_of_RI_5_right = turned_5d_of_RI_5 - RI_5,
+      turned_5d_of_RI_5_left = turned_5d_of_RI_5 - turned_5d_of_RI_5_right,
+      turned_5d_of_RI_5_left_rest = RI_5 - turned_5d_of_RI_5_left,
+      turned_5d_of_RI_5_right_rest = RI_5_lo - turned_5d_of_RI_5_right,
+      turned_5d_of_RI_5_lo = turned_5d_of_RI_5_left_rest + turned_5d_of_RI_5_right_rest,
+      turned_5d = D->m12 * turned_5d_of_RI_5, turned_5d_cross2 = D->m12 * turned_5d_of_RI_5_lo,
+      turned_5 = turned_5c + turned_5d, turned_5_right = turned_5 - turned_5c,
+      turned_5_left = turned_5 - turned_5_right, turned_5_left_rest = turned_5c - turned_5_left,
+      turned_5_right_rest = ksl_product_rest(D->m12, turned_5d_of_RI_5, turned_5d, turned_5_right),
       turned_5_lo1 = turned_5_left_rest + turned_5_right_rest,
       turned_5_lo2 = turned_5_lo1 + turned_5d_cross2, turned_5_lo = turned_5_lo2 + turned_5c_lo;
-  const double turned_6a = D->m20 * RI_6, turned_6a_cross2 = D->m20 * RI_6_lo,
-      turned_6b = D->m21 * RI_7, turned_6b_cross2 = D->m21 * RI_7_lo,
+  const double turned_6a_of_RI_6 = RI_6 + RI_6_lo,
+      turned_6a_of_RI_6_right = turned_6a_of_RI_6 - RI_6,
+      turned_6a_of_RI_6_left = turned_6a_of_RI_6 - turned_6a_of_RI_6_right,
+      turned_6a_of_RI_6_left_rest = RI_6 - turned_6a_of_RI_6_left,
+      turned_6a_of_RI_6_right_rest = RI_6_lo - turned_6a_of_RI_6_right,
+      turned_6a_of_RI_6_lo = turned_6a_of_RI_6_left_rest + turned_6a_of_RI_6_right_rest,
+      turned_6a = D->m20 * turned_6a_of_RI_6, turned_6a_cross2 = D->m20 * turned_6a_of_RI_6_lo,
+      turned_6b_of_RI_7 = RI_7 + RI_7_lo, turned_6b_of_RI_7_right = turned_6b_of_RI_7 - RI_7,
+      turned_6b_of_RI_7_left = turned_6b_of_RI_7 - turned_6b_of_RI_7_right,
+      turned_6b_of_RI_7_left_rest = RI_7 - turned_6b_of_RI_7_left,
+      turned_6b_of_RI_7_right_rest = RI_7_lo - turned_6b_of_RI_7_right,
+      turned_6b_of_RI_7_lo = turned_6b_of_RI_7_left_rest + turned_6b_of_RI_7_right_rest,
+      turned_6b = D->m21 * turned_6b_of_RI_7, turned_6b_cross2 = D->m21 * turned_6b_of_RI_7_lo,
       turned_6c = turned_6a + turned_6b, turned_6c_right = turned_6c - turned_6a,
       turned_6c_left = turned_6c - turned_6c_right,
-      turned_6c_left_rest = ksl_product_rest(D->m20, RI_6, turned_6a, turned_6c_left),
-      turned_6c_right_rest = ksl_product_rest(D->m21, RI_7, turned_6b, turned_6c_right),
+      turned_6c_left_rest = ksl_product_rest(D->m20, turned_6a_of_RI_6, turned_6a, turned_6c_left),
+      turned_6c_right_rest = ksl_product_rest(D->m21, turned_6b_of_RI_7, turned_6b, turned_6c_right),
       turned_6c_cross = turned_6a_cross2 + turned_6b_cross2,
       turned_6c_lo1 = turned_6c_left_rest + turned_6c_right_rest,
-      turned_6c_lo = turned_6c_lo1 + turned_6c_cross, turned_6d = D->m22 * RI_8,
-      turned_6d_cross2 = D->m22 * RI_8_lo, turned_6 = turned_6c + turned_6d,
-      turned_6_right = turned_6 - turned_6c, turned_6_left = turned_6 - turned_6_right,
-      turned_6_left_rest = turned_6c - turned_6_left,
-      turned_6_right_rest = ksl_product_rest(D->m22, RI_8, turned_6d, turned_6_right),
+      turned_6c_lo = turned_6c_lo1 + turned_6c_cross, turned_6d_of_RI_8 = RI_8 + RI_8_lo,
+      turned_6d_of_RI_8_right = turned_6d_of_RI_8 - RI_8,
+      turned_6d_of_RI_8_left = turned_6d_of_RI_8 - turned_6d_of_RI_8_right,
+      turned_6d_of_RI_8_left_rest = RI_8 - turned_6d_of_RI_8_left,
+      turned_6d_of_RI_8_right_rest = RI_8_lo - turned_6d_of_RI_8_right,
+      turned_6d_of_RI_8_lo = turned_6d_of_RI_8_left_rest + turned_6d_of_RI_8_right_rest,
+      turned_6d = D->m22 * turned_6d_of_RI_8, turned_6d_cross2 = D->m22 * turned_6d_of_RI_8_lo,
+      turned_6 = turned_6c + turned_6d, turned_6_right = turned_6 - turned_6c,
+      turned_6_left = turned_6 - turned_6_right, turned_6_left_rest = turned_6c - turned_6_left,
+      turned_6_right_rest = ksl_product_rest(D->m22, turned_6d_of_RI_8, turned_6d, turned_6_right),
       turned_6_lo1 = turned_6_left_rest + turned_6_right_rest,
       turned_6_lo2 = turned_6_lo1 + turned_6d_cross2, turned_6_lo = turned_6_lo2 + turned_6c_lo;
-  const double turned_7a = D->m10 * RI_0, turned_7a_cross2 = D->m10 * RI_0_lo,
-      turned_7b = D->m11 * RI_1, turned_7b_cross2 = D->m11 * RI_1_lo,
-      turned_7c = turned_7a + turned_7b, turned_7c_right = turned_7c - turned_7a,
-      turned_7c_left = turned_7c - turned_7c_right,
-      turned_7c_left_rest = ksl_product_rest(D->m10, RI_0, turned_7a, turned_7c_left),
-      turned_7c_right_rest = ksl_product_rest(D->m11, RI_1, turned_7b, turned_7c_right),
+  const double turned_7a = D->m10 * turned_4a_of_RI_0,
+      turned_7a_cross2 = D->m10 * turned_4a_of_RI_0_lo, turned_7b = D->m11 * turned_4b_of_RI_1,
+      turned_7b_cross2 = D->m11 * turned_4b_of_RI_1_lo, turned_7c = turned_7a + turned_7b,
+      turned_7c_right = turned_7c - turned_7a, turned_7c_left = turned_7c - turned_7c_right,
+      turned_7c_left_rest = ksl_product_rest(D->m10, turned_4a_of_RI_0, turned_7a, turned_7c_left),
+      turned_7c_right_rest = ksl_product_rest(D->m11, turned_4b_of_RI_1, turned_7b, turned_7c_right),
       turned_7c_cross = turned_7a_cross2 + turned_7b_cross2,
       turned_7c_lo1 = turned_7c_left_rest + turned_7c_right_rest,
-      turned_7c_lo = turned_7c_lo1 + turned_7c_cross, turned_7d = D->m12 * RI_2,
-      turned_7d_cross2 = D->m12 * RI_2_lo, turned_7 = turned_7c + turned_7d,
+      turned_7c_lo = turned_7c_lo1 + turned_7c_cross, turned_7d = D->m12 * turned_4d_of_RI_2,
+      turned_7d_cross2 = D->m12 * turned_4d_of_RI_2_lo, turned_7 = turned_7c + turned_7d,
       turned_7_right = turned_7 - turned_7c, turned_7_left = turned_7 - turned_7_right,
       turned_7_left_rest = turned_7c - turned_7_left,
-      turned_7_right_rest = ksl_product_rest(D->m12, RI_2, turned_7d, turned_7_right),
+      turned_7_right_rest = ksl_product_rest(D->m12, turned_4d_of_RI_2, turned_7d, turned_7_right),
       turned_7_lo1 = turned_7_left_rest + turned_7_right_rest,
       turned_7_lo2 = turned_7_lo1 + turned_7d_cross2, turned_7_lo = turned_7_lo2 + turned_7c_lo;
-  const double turned_8a = D->m20 * RI_0, turned_8a_cross2 = D->m20 * RI_0_lo,
-      turned_8b = D->m21 * RI_1, turned_8b_cross2 = D->m21 * RI_1_lo,
-      turned_8c = turned_8a + turned_8b, turned_8c_right = turned_8c - turned_8a,
-      turned_8c_left = turned_8c - turned_8c_right,
-      turned_8c_left_rest = ksl_product_rest(D->m20, RI_0, turned_8a, turned_8c_left),
-      turned_8c_right_rest = ksl_product_rest(D->m21, RI_1, turned_8b, turned_8c_right),
+  const double turned_8a = D->m20 * turned_4a_of_RI_0,
+      turned_8a_cross2 = D->m20 * turned_4a_of_RI_0_lo, turned_8b = D->m21 * turned_4b_of_RI_1,
+      turned_8b_cross2 = D->m21 * turned_4b_of_RI_1_lo, turned_8c = turned_8a + turned_8b,
+      turned_8c_right = turned_8c - turned_8a, turned_8c_left = turned_8c - turned_8c_right,
+      turned_8c_left_rest = ksl_product_rest(D->m20, turned_4a_of_RI_0, turned_8a, turned_8c_left),
+      turned_8c_right_rest = ksl_product_rest(D->m21, turned_4b_of_RI_1, turned_8b, turned_8c_right),
       turned_8c_cross = turned_8a_cross2 + turned_8b_cross2,
       turned_8c_lo1 = turned_8c_left_rest + turned_8c_right_rest,
-      turned_8c_lo = turned_8c_lo1 + turned_8c_cross, turned_8d = D->m22 * RI_2,
-      turned_8d_cross2 = D->m22 * RI_2_lo, turned_8 = turned_8c + turned_8d,
+      turned_8c_lo = turned_8c_lo1 + turned_8c_cross, turned_8d = D->m22 * turned_4d_of_RI_2,
+      turned_8d_cross2 = D->m22 * turned_4d_of_RI_2_lo, turned_8 = turned_8c + turned_8d,
       turned_8_right = turned_8 - turned_8c, turned_8_left = turned_8 - turned_8_right,
       turned_8_left_rest = turned_8c - turned_8_left,
-      turned_8_right_rest = ksl_product_rest(D->m22, RI_2, turned_8d, turned_8_right),
+      turned_8_right_rest = ksl_product_rest(D->m22, turned_4d_of_RI_2, turned_8d, turned_8_right),
       turned_8_lo1 = turned_8_left_rest + turned_8_right_rest,
       turned_8_lo2 = turned_8_lo1 + turned_8d_cross2, turned_8_lo = turned_8_lo2 + turned_8c_lo;
-  const double turned_9a = D->m20 * RI_3, turned_9a_cross2 = D->m20 * RI_3_lo,
-      turned_9b = D->m21 * RI_4, turned_9b_cross2 = D->m21 * RI_4_lo,
-      turned_9c = turned_9a + turned_9b, turned_9c_right = turned_9c - turned_9a,
-      turned_9c_left = turned_9c - turned_9c_right,
-      turned_9c_left_rest = ksl_product_rest(D->m20, RI_3, turned_9a, turned_9c_left),
-      turned_9c_right_rest = ksl_product_rest(D->m21, RI_4, turned_9b, turned_9c_right),
+  const double turned_9a = D->m20 * turned_5a_of_RI_3,
+      turned_9a_cross2 = D->m20 * turned_5a_of_RI_3_lo, turned_9b = D->m21 * turned_5b_of_RI_4,
+      turned_9b_cross2 = D->m21 * turned_5b_of_RI_4_lo, turned_9c = turned_9a + turned_9b,
+      turned_9c_right = turned_9c - turned_9a, turned_9c_left = turned_9c - turned_9c_right,
+      turned_9c_left_rest = ksl_product_rest(D->m20, turned_5a_of_RI_3, turned_9a, turned_9c_left),
+      turned_9c_right_rest = ksl_product_rest(D->m21, turned_5b_of_RI_4, turned_9b, turned_9c_right),
       turned_9c_cross = turned_9a_cross2 + turned_9b_cross2,
       turned_9c_lo1 = turned_9c_left_rest + turned_9c_right_rest,
-      turned_9c_lo = turned_9c_lo1 + turned_9c_cross, turned_9d = D->m22 * RI_5,
-      turned_9d_cross2 = D->m22 * RI_5_lo, turned_9 = turned_9c + turned_9d,
+      turned_9c_lo = turned_9c_lo1 + turned_9c_cross, turned_9d = D->m22 * turned_5d_of_RI_5,
+      turned_9d_cross2 = D->m22 * turned_5d_of_RI_5_lo, turned_9 = turned_9c + turned_9d,
       turned_9_right = turned_9 - turned_9c, turned_9_left = turned_9 - turned_9_right,
       turned_9_left_rest = turned_9c - turned_9_left,
-      turned_9_right_rest = ksl_product_rest(D->m22, RI_5, turned_9d, turned_9_right),
+      turned_9_right_rest = ksl_product_rest(D->m22, turned_5d_of_RI_5, turned_9d, turned_9_right),
       turned_9_lo1 = turned_9_left_rest + turned_9_right_rest,
       turned_9_lo2 = turned_9_lo1 + turned_9d_cross2, turned_9_lo = turned_9_lo2 + turned_9c_lo;
-  const double moved_0a = D->m03 * B->m, moved_0 = moved_0a + turned_1,
-      moved_0_right = moved_0 - moved_0a, moved_0_left = moved_0 - moved_0_right,
-      moved_0_left_rest = ksl_product_rest(D->m03, B->m, moved_0a, moved_0_left),
-      moved_0_right_rest = turned_1 - moved_0_right,
-      moved_0_lo1 = moved_0_left_rest + moved_0_right_rest, moved_0_lo = moved_0_lo1 + turned_1_lo;
-  const double moved_1a = D->m13 * B->m, moved_1 = moved_1a + turned_2,
-      moved_1_right = moved_1 - moved_1a, moved_1_left = moved_1 - moved_1_right,
-      moved_1_left_rest = ksl_product_rest(D->m13, B->m, moved_1a, moved_1_left),
-      moved_1_right_rest = turned_2 - moved_1_right,
-      moved_1_lo1 = moved_1_left_rest + moved_1_right_rest, moved_1_lo = moved_1_lo1 + turned_2_lo;
-  const double moved_2a = D->m23 * B->m, moved_2 = moved_2a + turned_3,
-      moved_2_right = moved_2 - moved_2a, moved_2_left = moved_2 - moved_2_right,
-      moved_2_left_rest = ksl_product_rest(D->m23, B->m, moved_2a, moved_2_left),
-      moved_2_right_rest = turned_3 - moved_2_right,
-      moved_2_lo1 = moved_2_left_rest + moved_2_right_rest, moved_2_lo = moved_2_lo1 + turned_3_lo;
-  const double own_0a = D->m03 * turned_1, own_0a_cross2 = D->m03 * turned_1_lo,
-      own_0b = D->m03 * moved_0, own_0b_cross2 = D->m03 * moved_0_lo, own_0 = own_0a + own_0b,
-      own_0_right = own_0 - own_0a, own_0_left = own_0 - own_0_right,
-      own_0_left_rest = ksl_product_rest(D->m03, turned_1, own_0a, own_0_left),
-      own_0_right_rest = ksl_product_rest(D->m03, moved_0, own_0b, own_0_right),
-      own_0_cross = own_0a_cross2 + own_0b_cross2, own_0_lo1 = own_0_left_rest + own_0_right_rest,
-      own_0_lo = own_0_lo1 + own_0_cross;
-  const double own_1a = D->m13 * turned_2, own_1a_cross2 = D->m13 * turned_2_lo,
-      own_1b = D->m13 * moved_1, own_1b_cross2 = D->m13 * moved_1_lo, own_1 = own_1a + own_1b,
-      own_1_right = own_1 - own_1a, own_1_left = own_1 - own_1_right,
-      own_1_left_rest = ksl_product_rest(D->m13, turned_2, own_1a, own_1_left),
-      own_1_right_rest = ksl_product_rest(D->m13, moved_1, own_1b, own_1_right),
-      own_1_cross = own_1a_cross2 + own_1b_cross2, own_1_lo1 = own_1_left_rest + own_1_right_rest,
-      own_1_lo = own_1_lo1 + own_1_cross;
-  const double own_2a = D->m23 * turned_3, own_2a_cross2 = D->m23 * turned_3_lo,
-      own_2b = D->m23 * moved_2, own_2b_cross2 = D->m23 * moved_2_lo, own_2 = own_2a + own_2b,
-      own_2_right = own_2 - own_2a, own_2_left = own_2 - own_2_right,
-      own_2_left_rest = ksl_product_rest(D->m23, turned_3, own_2a, own_2_left),
-      own_2_right_rest = ksl_product_rest(D->m23, moved_2, own_2b, own_2_right),
-      own_2_cross = own_2a_cross2 + own_2b_cross2, own_2_lo1 = own_2_left_rest + own_2_right_rest,
-      own_2_lo = own_2_lo1 + own_2_cross;
-  const double Bo_4a = own_1 + own_2, Bo_4a_right = Bo_4a - own_1, Bo_4a_left = Bo_4a - Bo_4a_right,
-      Bo_4a_left_rest = own_1 - Bo_4a_left, Bo_4a_right_rest = own_2 - Bo_4a_right,
-      Bo_4a_lo1 = Bo_4a_left_rest + Bo_4a_right_rest, Bo_4a_lo2 = Bo_4a_lo1 + own_2_lo,
-      Bo_4a_lo = Bo_4a_lo2 + own_1_lo, Bo_4 = turned_4 + Bo_4a, Bo_4_right = Bo_4 - turned_4,
+  const double mt_0 = D->m03 * B->m;
+  const double mt_1 = D->m13 * B->m;
+  const double mt_2 = D->m23 * B->m;
+  const double mt_0_lo = ksl_product_error(D->m03, B->m, mt_0), half_0 = 0.5 * mt_0,
+      half_0_cross2 = 0.5 * mt_0_lo;
+  const double mt_1_lo = ksl_product_error(D->m13, B->m, mt_1), half_1 = 0.5 * mt_1,
+      half_1_cross2 = 0.5 * mt_1_lo;
+  const double mt_2_lo = ksl_product_error(D->m23, B->m, mt_2), half_2 = 0.5 * mt_2,
+      half_2_cross2 = 0.5 * mt_2_lo;
+  const double n_0 = turned_1 + half_0, n_0_right = n_0 - turned_1, n_0_left = n_0 - n_0_right,
+      n_0_left_rest = turned_1 - n_0_left, n_0_right_rest = half_0 - n_0_right,
+      n_0_lo1 = n_0_left_rest + n_0_right_rest, n_0_lo2 = n_0_lo1 + half_0_cross2,
+      n_0_lo = n_0_lo2 + turned_1_lo;
+  const double n_1 = turned_2 + half_1, n_1_right = n_1 - turned_2, n_1_left = n_1 - n_1_right,
+      n_1_left_rest = turned_2 - n_1_left, n_1_right_rest = half_1 - n_1_right,
+      n_1_lo1 = n_1_left_rest + n_1_right_rest, n_1_lo2 = n_1_lo1 + half_1_cross2,
+      n_1_lo = n_1_lo2 + turned_2_lo;
+  const double n_2 = turned_3 + half_2, n_2_right = n_2 - turned_3, n_2_left = n_2 - n_2_right,
+      n_2_left_rest = turned_3 - n_2_left, n_2_right_rest = half_2 - n_2_right,
+      n_2_lo1 = n_2_left_rest + n_2_right_rest, n_2_lo2 = n_2_lo1 + half_2_cross2,
+      n_2_lo = n_2_lo2 + turned_3_lo;
+  const double tn0_of_n_0 = n_0 + n_0_lo, tn0_of_n_0_right = tn0_of_n_0 - n_0,
+      tn0_of_n_0_left = tn0_of_n_0 - tn0_of_n_0_right, tn0_of_n_0_left_rest = n_0 - tn0_of_n_0_left,
+      tn0_of_n_0_right_rest = n_0_lo - tn0_of_n_0_right,
+      tn0_of_n_0_lo = tn0_of_n_0_left_rest + tn0_of_n_0_right_rest, tn0 = D->m03 * tn0_of_n_0,
+      tn0_cross2 = D->m03 * tn0_of_n_0_lo;
+  const double tn1_of_n_1 = n_1 + n_1_lo, tn1_of_n_1_right = tn1_of_n_1 - n_1,
+      tn1_of_n_1_left = tn1_of_n_1 - tn1_of_n_1_right, tn1_of_n_1_left_rest = n_1 - tn1_of_n_1_left,
+      tn1_of_n_1_right_rest = n_1_lo - tn1_of_n_1_right,
+      tn1_of_n_1_lo = tn1_of_n_1_left_rest + tn1_of_n_1_right_rest, tn1 = D->m13 * tn1_of_n_1,
+      tn1_cross2 = D->m13 * tn1_of_n_1_lo;
+  const double tn2_of_n_2 = n_2 + n_2_lo, tn2_of_n_2_right = tn2_of_n_2 - n_2,
+      tn2_of_n_2_left = tn2_of_n_2 - tn2_of_n_2_right, tn2_of_n_2_left_rest = n_2 - tn2_of_n_2_left,
+      tn2_of_n_2_right_rest = n_2_lo - tn2_of_n_2_right,
+      tn2_of_n_2_lo = tn2_of_n_2_left_rest + tn2_of_n_2_right_rest, tn2 = D->m23 * tn2_of_n_2,
+      tn2_cross2 = D->m23 * tn2_of_n_2_lo;
+  const double tn0_error = ksl_product_error(D->m03, tn0_of_n_0, tn0),
+      tn0_lo = tn0_error + tn0_cross2, own_0 = 2.0 * tn0, own_0_cross2 = 2.0 * tn0_lo;
+  const double tn1_error = ksl_product_error(D->m13, tn1_of_n_1, tn1),
+      tn1_lo = tn1_error + tn1_cross2, own_1 = 2.0 * tn1, own_1_cross2 = 2.0 * tn1_lo;
+  const double tn2_error = ksl_product_error(D->m23, tn2_of_n_2, tn2),
+      tn2_lo = tn2_error + tn2_cross2, own_2 = 2.0 * tn2, own_2_cross2 = 2.0 * tn2_lo;
+  const double pairs_0 = own_1 + own_2, pairs_0_right = pairs_0 - own_1,
+      pairs_0_left = pairs_0 - pairs_0_right, pairs_0_left_rest = own_1 - pairs_0_left,
+      pairs_0_right_rest = own_2 - pairs_0_right,
+      pairs_0_lo1 = pairs_0_left_rest + pairs_0_right_rest,
+      pairs_0_lo2 = pairs_0_lo1 + own_2_cross2, pairs_0_lo = pairs_0_lo2 + own_1_cross2;
+  const double pairs_1 = own_0 + own_2, pairs_1_right = pairs_1 - own_0,
+      pairs_1_left = pairs_1 - pairs_1_right, pairs_1_left_rest = own_0 - pairs_1_left,
+      pairs_1_right_rest = own_2 - pairs_1_right,
+      pairs_1_lo1 = pairs_1_left_rest + pairs_1_right_rest,
+      pairs_1_lo2 = pairs_1_lo1 + own_2_cross2, pairs_1_lo = pairs_1_lo2 + own_0_cross2;
+  const double pairs_2 = own_0 + own_1, pairs_2_right = pairs_2 - own_0,
+      pairs_2_left = pairs_2 - pairs_2_right, pairs_2_left_rest = own_0 - pairs_2_left,
+      pairs_2_right_rest = own_1 - pairs_2_right,
+      pairs_2_lo1 = pairs_2_left_rest + pairs_2_right_rest,
+      pairs_2_lo2 = pairs_2_lo1 + own_1_cross2, pairs_2_lo = pairs_2_lo2 + own_0_cross2;
+  const double pairs_3a = D->m03 * tn1_of_n_1, pairs_3a_cross2 = D->m03 * tn1_of_n_1_lo,
+      pairs_3b = D->m13 * tn0_of_n_0, pairs_3b_cross2 = D->m13 * tn0_of_n_0_lo,
+      pairs_3 = pairs_3a + pairs_3b, pairs_3_right = pairs_3 - pairs_3a,
+      pairs_3_left = pairs_3 - pairs_3_right,
+      pairs_3_left_rest = ksl_product_rest(D->m03, tn1_of_n_1, pairs_3a, pairs_3_left),
+      pairs_3_right_rest = ksl_product_rest(D->m13, tn0_of_n_0, pairs_3b, pairs_3_right),
+      pairs_3_cross = pairs_3a_cross2 + pairs_3b_cross2,
+      pairs_3_lo1 = pairs_3_left_rest + pairs_3_right_rest,
+      pairs_3_lo = pairs_3_lo1 + pairs_3_cross;
+  const double pairs_4a = D->m03 * tn2_of_n_2, pairs_4a_cross2 = D->m03 * tn2_of_n_2_lo,
+      pairs_4b = D->m23 * tn0_of_n_0, pairs_4b_cross2 = D->m23 * tn0_of_n_0_lo,
+      pairs_4 = pairs_4a + pairs_4b, pairs_4_right = pairs_4 - pairs_4a,
+      pairs_4_left = pairs_4 - pairs_4_right,
+      pairs_4_left_rest = ksl_product_rest(D->m03, tn2_of_n_2, pairs_4a, pairs_4_left),
+      pairs_4_right_rest = ksl_product_rest(D->m23, tn0_of_n_0, pairs_4b, pairs_4_right),
+      pairs_4_cross = pairs_4a_cross2 + pairs_4b_cross2,
+      pairs_4_lo1 = pairs_4_left_rest + pairs_4_right_rest,
+      pairs_4_lo = pairs_4_lo1 + pairs_4_cross;
+  const double pairs_5a = D->m13 * tn2_of_n_2, pairs_5a_cross2 = D->m13 * tn2_of_n_2_lo,
+      pairs_5b = D->m23 * tn1_of_n_1, pairs_5b_cross2 = D->m23 * tn1_of_n_1_lo,
+      pairs_5 = pairs_5a + pairs_5b, pairs_5_right = pairs_5 - pairs_5a,
+      pairs_5_left = pairs_5 - pairs_5_right,
+      pairs_5_left_rest = ksl_product_rest(D->m13, tn2_of_n_2, pairs_5a, pairs_5_left),
+      pairs_5_right_rest = ksl_product_rest(D->m23, tn1_of_n_1, pairs_5b, pairs_5_right),
+      pairs_5_cross = pairs_5a_cross2 + pairs_5b_cross2,
+      pairs_5_lo1 = pairs_5_left_rest + pairs_5_right_rest,
+      pairs_5_lo = pairs_5_lo1 + pairs_5_cross;
+  const double moved_0 = turned_1 + mt_0, moved_0_right = moved_0 - turned_1,
+      moved_0_left = moved_0 - moved_0_right, moved_0_left_rest = turned_1 - moved_0_left,
+      moved_0_right_rest = mt_0 - moved_0_right,
+      moved_0_lo1 = moved_0_left_rest + moved_0_right_rest, moved_0_lo2 = moved_0_lo1 + mt_0_lo,
+      moved_0_lo = moved_0_lo2 + turned_1_lo;
+  const double moved_1 = turned_2 + mt_1, moved_1_right = moved_1 - turned_2,
+      moved_1_left = moved_1 - moved_1_right, moved_1_left_rest = turned_2 - moved_1_left,
+      moved_1_right_rest = mt_1 - moved_1_right,
+      moved_1_lo1 = moved_1_left_rest + moved_1_right_rest, moved_1_lo2 = moved_1_lo1 + mt_1_lo,
+      moved_1_lo = moved_1_lo2 + turned_2_lo;
+  const double moved_2 = turned_3 + mt_2, moved_2_right = moved_2 - turned_3,
+      moved_2_left = moved_2 - moved_2_right, moved_2_left_rest = turned_3 - moved_2_left,
+      moved_2_right_rest = mt_2 - moved_2_right,
+      moved_2_lo1 = moved_2_left_rest + moved_2_right_rest, moved_2_lo2 = moved_2_lo1 + mt_2_lo,
+      moved_2_lo = moved_2_lo2 + turned_3_lo;
+  const double Bo_4 = turned_4 + pairs_0, Bo_4_right = Bo_4 - turned_4,
       Bo_4_left = Bo_4 - Bo_4_right, Bo_4_left_rest = turned_4 - Bo_4_left,
-      Bo_4_right_rest = Bo_4a - Bo_4_right, Bo_4_lo1 = Bo_4_left_rest + Bo_4_right_rest,
-      Bo_4_lo2 = Bo_4_lo1 + Bo_4a_lo, Bo_4_lo = Bo_4_lo2 + turned_4_lo;
-  const double Bo_5a = own_0 + own_2, Bo_5a_right = Bo_5a - own_0, Bo_5a_left = Bo_5a - Bo_5a_right,
-      Bo_5a_left_rest = own_0 - Bo_5a_left, Bo_5a_right_rest = own_2 - Bo_5a_right,
-      Bo_5a_lo1 = Bo_5a_left_rest + Bo_5a_right_rest, Bo_5a_lo2 = Bo_5a_lo1 + own_2_lo,
-      Bo_5a_lo = Bo_5a_lo2 + own_0_lo, Bo_5 = turned_5 + Bo_5a, Bo_5_right = Bo_5 - turned_5,
+      Bo_4_right_rest = pairs_0 - Bo_4_right, Bo_4_lo1 = Bo_4_left_rest + Bo_4_right_rest,
+      Bo_4_lo2 = Bo_4_lo1 + pairs_0_lo, Bo_4_lo = Bo_4_lo2 + turned_4_lo;
+  const double Bo_5 = turned_5 + pairs_1, Bo_5_right = Bo_5 - turned_5,
       Bo_5_left = Bo_5 - Bo_5_right, Bo_5_left_rest = turned_5 - Bo_5_left,
-      Bo_5_right_rest = Bo_5a - Bo_5_right, Bo_5_lo1 = Bo_5_left_rest + Bo_5_right_rest,
-      Bo_5_lo2 = Bo_5_lo1 + Bo_5a_lo, Bo_5_lo = Bo_5_lo2 + turned_5_lo;
-  const double Bo_6a = own_0 + own_1, Bo_6a_right = Bo_6a - own_0, Bo_6a_left = Bo_6a - Bo_6a_right,
-      Bo_6a_left_rest = own_0 - Bo_6a_left, Bo_6a_right_rest = own_1 - Bo_6a_right,
-      Bo_6a_lo1 = Bo_6a_left_rest + Bo_6a_right_rest, Bo_6a_lo2 = Bo_6a_lo1 + own_1_lo,
-      Bo_6a_lo = Bo_6a_lo2 + own_0_lo, Bo_6 = turned_6 + Bo_6a, Bo_6_right = Bo_6 - turned_6,
+      Bo_5_right_rest = pairs_1 - Bo_5_right, Bo_5_lo1 = Bo_5_left_rest + Bo_5_right_rest,
+      Bo_5_lo2 = Bo_5_lo1 + pairs_1_lo, Bo_5_lo = Bo_5_lo2 + turned_5_lo;
+  const double Bo_6 = turned_6 + pairs_2, Bo_6_right = Bo_6 - turned_6,
       Bo_6_left = Bo_6 - Bo_6_right, Bo_6_left_rest = turned_6 - Bo_6_left,
-      Bo_6_right_rest = Bo_6a - Bo_6_right, Bo_6_lo1 = Bo_6_left_rest + Bo_6_right_rest,
-      Bo_6_lo2 = Bo_6_lo1 + Bo_6a_lo, Bo_6_lo = Bo_6_lo2 + turned_6_lo;
-  const double Bo_7a = D->m03 * moved_1, Bo_7a_cross2 = D->m03 * moved_1_lo,
-      Bo_7b = turned_7 - Bo_7a, Bo_7b_right = turned_7 - Bo_7b, Bo_7b_left = Bo_7b + Bo_7b_right,
-      Bo_7b_left_rest = turned_7 - Bo_7b_left,
-      Bo_7b_right_rest = ksl_product_rest(D->m03, moved_1, Bo_7a, Bo_7b_right),
-      Bo_7b_lo1 = Bo_7b_left_rest - Bo_7b_right_rest, Bo_7b_lo2 = Bo_7b_lo1 - Bo_7a_cross2,
-      Bo_7b_lo = Bo_7b_lo2 + turned_7_lo, Bo_7c = D->m13 * turned_1,
-      Bo_7c_cross2 = D->m13 * turned_1_lo, Bo_7 = Bo_7b - Bo_7c, Bo_7_right = Bo_7b - Bo_7,
-      Bo_7_left = Bo_7 + Bo_7_right, Bo_7_left_rest = Bo_7b - Bo_7_left,
-      Bo_7_right_rest = ksl_product_rest(D->m13, turned_1, Bo_7c, Bo_7_right),
-      Bo_7_lo1 = Bo_7_left_rest - Bo_7_right_rest, Bo_7_lo2 = Bo_7_lo1 - Bo_7c_cross2,
-      Bo_7_lo = Bo_7_lo2 + Bo_7b_lo;
-  const double Bo_8a = D->m03 * moved_2, Bo_8a_cross2 = D->m03 * moved_2_lo,
-      Bo_8b = turned_8 - Bo_8a, Bo_8b_right = turned_8 - Bo_8b, Bo_8b_left = Bo_8b + Bo_8b_right,
-      Bo_8b_left_rest = turned_8 - Bo_8b_left,
-      Bo_8b_right_rest = ksl_product_rest(D->m03, moved_2, Bo_8a, Bo_8b_right),
-      Bo_8b_lo1 = Bo_8b_left_rest - Bo_8b_right_rest, Bo_8b_lo2 = Bo_8b_lo1 - Bo_8a_cross2,
-      Bo_8b_lo = Bo_8b_lo2 + turned_8_lo, Bo_8c = D->m23 * turned_1,
-      Bo_8c_cross2 = D->m23 * turned_1_lo, Bo_8 = Bo_8b - Bo_8c, Bo_8_right = Bo_8b - Bo_8,
-      Bo_8_left = Bo_8 + Bo_8_right, Bo_8_left_rest = Bo_8b - Bo_8_left,
-      Bo_8_right_rest = ksl_product_rest(D->m23, turned_1, Bo_8c, Bo_8_right),
-      Bo_8_lo1 = Bo_8_left_rest - Bo_8_right_rest, Bo_8_lo2 = Bo_8_lo1 - Bo_8c_cross2,
-      Bo_8_lo = Bo_8_lo2 + Bo_8b_lo;
-  const double Bo_9a = D->m13 * moved_2, Bo_9a_cross2 = D->m13 * moved_2_lo,
-      Bo_9b = turned_9 - Bo_9a, Bo_9b_right = turned_9 - Bo_9b, Bo_9b_left = Bo_9b + Bo_9b_right,
-      Bo_9b_left_rest = turned_9 - Bo_9b_left,
-      Bo_9b_right_rest = ksl_product_rest(D->m13, moved_2, Bo_9a, Bo_9b_right),
-      Bo_9b_lo1 = Bo_9b_left_rest - Bo_9b_right_rest, Bo_9b_lo2 = Bo_9b_lo1 - Bo_9a_cross2,
-      Bo_9b_lo = Bo_9b_lo2 + turned_9_lo, Bo_9c = D->m23 * turned_2,
-      Bo_9c_cross2 = D->m23 * turned_2_lo, Bo_9 = Bo_9b - Bo_9c, Bo_9_right = Bo_9b - Bo_9,
-      Bo_9_left = Bo_9 + Bo_9_right, Bo_9_left_rest = Bo_9b - Bo_9_left,
-      Bo_9_right_rest = ksl_product_rest(D->m23, turned_2, Bo_9c, Bo_9_right),
-      Bo_9_lo1 = Bo_9_left_rest - Bo_9_right_rest, Bo_9_lo2 = Bo_9_lo1 - Bo_9c_cross2,
-      Bo_9_lo = Bo_9_lo2 + Bo_9b_lo;
+      Bo_6_right_rest = pairs_2 - Bo_6_right, Bo_6_lo1 = Bo_6_left_rest + Bo_6_right_rest,
+      Bo_6_lo2 = Bo_6_lo1 + pairs_2_lo, Bo_6_lo = Bo_6_lo2 + turned_6_lo;
+  const double Bo_7 = turned_7 - pairs_3, Bo_7_right = turned_7 - Bo_7,
+      Bo_7_left = Bo_7 + Bo_7_right, Bo_7_left_rest = turned_7 - Bo_7_left,
+      Bo_7_right_rest = pairs_3 - Bo_7_right, Bo_7_lo1 = Bo_7_left_rest - Bo_7_right_rest,
+      Bo_7_lo2 = Bo_7_lo1 - pairs_3_lo, Bo_7_lo = Bo_7_lo2 + turned_7_lo;
+  const double Bo_8 = turned_8 - pairs_4, Bo_8_right = turned_8 - Bo_8,
+      Bo_8_left = Bo_8 + Bo_8_right, Bo_8_left_rest = turned_8 - Bo_8_left,
+      Bo_8_right_rest = pairs_4 - Bo_8_right, Bo_8_lo1 = Bo_8_left_rest - Bo_8_right_rest,
+      Bo_8_lo2 = Bo_8_lo1 - pairs_4_lo, Bo_8_lo = Bo_8_lo2 + turned_8_lo;
+  const double Bo_9 = turned_9 - pairs_5, Bo_9_right = turned_9 - Bo_9,
+      Bo_9_left = Bo_9 + Bo_9_right, Bo_9_left_rest = turned_9 - Bo_9_left,
+      Bo_9_right_rest = pairs_5 - Bo_9_right, Bo_9_lo1 = Bo_9_left_rest - Bo_9_right_rest,
+      Bo_9_lo2 = Bo_9_lo1 - pairs_5_lo, Bo_9_lo = Bo_9_lo2 + turned_9_lo;
   const double moved_0_rounded = moved_0 + moved_0_lo;
   const double moved_1_rounded = moved_1 + moved_1_lo;
   const double moved_2_rounded = moved_2 + moved_2_lo;
@@ -19737,32 +19924,32 @@ static inline void ksl_product_Bsf_accurate(const ksl_inertiaf_t *B, const ksl_s
 /* s·B s / 2, the kinetic energy in J of a body that moves with s.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
-   31 mul, 23 add.
-   Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   28 mul, 17 add.
+   Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline float ksl_inertiaf_energy_accurate(const ksl_inertiaf_t *B, const ksl_screwf_t *s) {
-  const double p_0a = (double)B->m * (double)s->m0, p_0b = (double)B->h.z * (double)s->m4,
-      p_0c = (double)B->h.y * (double)s->m5, p_0d = p_0b - p_0c, p_0 = p_0a + p_0d;
-  const double p_1a = (double)B->m * (double)s->m1, p_1b = (double)B->h.x * (double)s->m5,
-      p_1c = (double)B->h.z * (double)s->m3, p_1d = p_1b - p_1c, p_1 = p_1a + p_1d;
-  const double p_2a = (double)B->m * (double)s->m2, p_2b = (double)B->h.y * (double)s->m3,
-      p_2c = (double)B->h.x * (double)s->m4, p_2d = p_2b - p_2c, p_2 = p_2a + p_2d;
-  const double p_3a = (double)B->h.y * (double)s->m2, p_3b = (double)B->h.z * (double)s->m1,
-      p_3c = p_3a - p_3b, p_3d = (double)B->xx * (double)s->m3,
-      p_3e = (double)B->xy * (double)s->m4, p_3f = p_3d + p_3e,
-      p_3g = (double)B->xz * (double)s->m5, p_3h = p_3f + p_3g, p_3 = p_3c + p_3h;
-  const double p_4a = (double)B->h.z * (double)s->m0, p_4b = (double)B->h.x * (double)s->m2,
-      p_4c = p_4a - p_4b, p_4d = (double)B->yy * (double)s->m4,
-      p_4e = (double)B->xy * (double)s->m3, p_4f = p_4d + p_4e,
-      p_4g = (double)B->yz * (double)s->m5, p_4h = p_4f + p_4g, p_4 = p_4c + p_4h;
-  const double p_5a = (double)B->h.x * (double)s->m1, p_5b = (double)B->h.y * (double)s->m0,
-      p_5c = p_5a - p_5b, p_5d = (double)B->zz * (double)s->m5,
-      p_5e = (double)B->xz * (double)s->m3, p_5f = p_5d + p_5e,
-      p_5g = (double)B->yz * (double)s->m4, p_5h = p_5f + p_5g, p_5 = p_5c + p_5h;
+  const double across_0a = (double)B->h.z * (double)s->m4,
+      across_0b = (double)B->h.y * (double)s->m5, across_0 = across_0a - across_0b;
+  const double across_1a = (double)B->h.x * (double)s->m5,
+      across_1b = (double)B->h.z * (double)s->m3, across_1 = across_1a - across_1b;
+  const double across_2a = (double)B->h.y * (double)s->m3,
+      across_2b = (double)B->h.x * (double)s->m4, across_2 = across_2a - across_2b;
+  const double twice_across_0 = 2.0 * across_0;
+  const double twice_across_1 = 2.0 * across_1;
+  const double twice_across_2 = 2.0 * across_2;
+  const double p_0a = (double)B->m * (double)s->m0, p_0 = p_0a + twice_across_0;
+  const double p_1a = (double)B->m * (double)s->m1, p_1 = p_1a + twice_across_1;
+  const double p_2a = (double)B->m * (double)s->m2, p_2 = p_2a + twice_across_2;
+  const double L_0a = (double)B->xx * (double)s->m3, L_0b = (double)B->xy * (double)s->m4,
+      L_0c = L_0a + L_0b, L_0d = (double)B->xz * (double)s->m5, L_0 = L_0c + L_0d;
+  const double L_1a = (double)B->yy * (double)s->m4, L_1b = (double)B->xy * (double)s->m3,
+      L_1c = L_1a + L_1b, L_1d = (double)B->yz * (double)s->m5, L_1 = L_1c + L_1d;
+  const double L_2a = (double)B->zz * (double)s->m5, L_2b = (double)B->xz * (double)s->m3,
+      L_2c = L_2a + L_2b, L_2d = (double)B->yz * (double)s->m4, L_2 = L_2c + L_2d;
   const double twice_a = (double)s->m0 * p_0, twice_b = (double)s->m1 * p_1,
       twice_c = twice_a + twice_b, twice_d = (double)s->m2 * p_2, twice_e = twice_c + twice_d,
-      twice_f = (double)s->m3 * p_3, twice_g = (double)s->m4 * p_4, twice_h = twice_f + twice_g,
-      twice_i = (double)s->m5 * p_5, twice_j = twice_h + twice_i, twice = twice_e + twice_j;
+      twice_f = (double)s->m3 * L_0, twice_g = (double)s->m4 * L_1, twice_h = twice_f + twice_g,
+      twice_i = (double)s->m5 * L_2, twice_j = twice_h + twice_i, twice = twice_e + twice_j;
   const double energy = 0.5 * twice;
   return (float)energy;
 }
@@ -19770,29 +19957,44 @@ static inline float ksl_inertiaf_energy_accurate(const ksl_inertiaf_t *B, const 
 /* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
    t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
      xy, xz, yz in kg m^2).
-   15 mul, 18 add.
-   Error <= u |result| + (m: 0, h: 1/16, I: 3/16) u^2 S, S the sum of the |terms| of the expanded
+   18 mul, 18 add.
+   Error <= u |result| + (m: 0, h: 1/16, I: 5/32) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_shifted_accurate(const ksl_vec3f_t *t, const ksl_inertiaf_t *B,
     ksl_inertiaf_t *Bo) {
-  const double moved_0a = (double)t->x * (double)B->m, moved_0 = moved_0a + (double)B->h.x;
-  const double moved_1a = (double)t->y * (double)B->m, moved_1 = moved_1a + (double)B->h.y;
-  const double moved_2a = (double)t->z * (double)B->m, moved_2 = moved_2a + (double)B->h.z;
-  const double own_0a = (double)t->x * (double)B->h.x, own_0b = (double)t->x * moved_0,
-      own_0 = own_0a + own_0b;
-  const double own_1a = (double)t->y * (double)B->h.y, own_1b = (double)t->y * moved_1,
-      own_1 = own_1a + own_1b;
-  const double own_2a = (double)t->z * (double)B->h.z, own_2b = (double)t->z * moved_2,
-      own_2 = own_2a + own_2b;
-  const double Bo_4a = own_1 + own_2, Bo_4 = (double)B->xx + Bo_4a;
-  const double Bo_5a = own_0 + own_2, Bo_5 = (double)B->yy + Bo_5a;
-  const double Bo_6a = own_0 + own_1, Bo_6 = (double)B->zz + Bo_6a;
-  const double Bo_7a = (double)t->x * moved_1, Bo_7b = (double)B->xy - Bo_7a,
-      Bo_7c = (double)t->y * (double)B->h.x, Bo_7 = Bo_7b - Bo_7c;
-  const double Bo_8a = (double)t->x * moved_2, Bo_8b = (double)B->xz - Bo_8a,
-      Bo_8c = (double)t->z * (double)B->h.x, Bo_8 = Bo_8b - Bo_8c;
-  const double Bo_9a = (double)t->y * moved_2, Bo_9b = (double)B->yz - Bo_9a,
-      Bo_9c = (double)t->z * (double)B->h.y, Bo_9 = Bo_9b - Bo_9c;
+  const double mt_0 = (double)t->x * (double)B->m;
+  const double mt_1 = (double)t->y * (double)B->m;
+  const double mt_2 = (double)t->z * (double)B->m;
+  const double half_0 = 0.5 * mt_0;
+  const double half_1 = 0.5 * mt_1;
+  const double half_2 = 0.5 * mt_2;
+  const double n_0 = (double)B->h.x + half_0;
+  const double n_1 = (double)B->h.y + half_1;
+  const double n_2 = (double)B->h.z + half_2;
+  const double tn0 = (double)t->x * n_0;
+  const double tn1 = (double)t->y * n_1;
+  const double tn2 = (double)t->z * n_2;
+  const double own_0 = 2.0 * tn0;
+  const double own_1 = 2.0 * tn1;
+  const double own_2 = 2.0 * tn2;
+  const double pairs_0 = own_1 + own_2;
+  const double pairs_1 = own_0 + own_2;
+  const double pairs_2 = own_0 + own_1;
+  const double pairs_3a = (double)t->x * n_1, pairs_3b = (double)t->y * n_0,
+      pairs_3 = pairs_3a + pairs_3b;
+  const double pairs_4a = (double)t->x * n_2, pairs_4b = (double)t->z * n_0,
+      pairs_4 = pairs_4a + pairs_4b;
+  const double pairs_5a = (double)t->y * n_2, pairs_5b = (double)t->z * n_1,
+      pairs_5 = pairs_5a + pairs_5b;
+  const double moved_0 = (double)B->h.x + mt_0;
+  const double moved_1 = (double)B->h.y + mt_1;
+  const double moved_2 = (double)B->h.z + mt_2;
+  const double Bo_4 = (double)B->xx + pairs_0;
+  const double Bo_5 = (double)B->yy + pairs_1;
+  const double Bo_6 = (double)B->zz + pairs_2;
+  const double Bo_7 = (double)B->xy - pairs_3;
+  const double Bo_8 = (double)B->xz - pairs_4;
+  const double Bo_9 = (double)B->yz - pairs_5;
   const float B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = (float)moved_0;
@@ -19809,8 +20011,8 @@ static inline void ksl_inertiaf_shifted_accurate(const ksl_vec3f_t *t, const ksl
 /* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
    D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
      I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
-   69 mul, 54 add.
-   Error <= u |result| + (m: 0, h: 1/8, I: 1/4) u^2 S, S the sum of the |terms| of the expanded
+   72 mul, 54 add.
+   Error <= u |result| + (m: 0, h: 1/8, I: 7/32) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_transformed_accurate(const ksl_SE3f_t *D, const ksl_inertiaf_t *B,
     ksl_inertiaf_t *Bo) {
@@ -19859,24 +20061,39 @@ static inline void ksl_inertiaf_transformed_accurate(const ksl_SE3f_t *D, const 
   const double turned_9a = (double)D->m20 * RI_3, turned_9b = (double)D->m21 * RI_4,
       turned_9c = turned_9a + turned_9b, turned_9d = (double)D->m22 * RI_5,
       turned_9 = turned_9c + turned_9d;
-  const double moved_0a = (double)D->m03 * (double)B->m, moved_0 = moved_0a + turned_1;
-  const double moved_1a = (double)D->m13 * (double)B->m, moved_1 = moved_1a + turned_2;
-  const double moved_2a = (double)D->m23 * (double)B->m, moved_2 = moved_2a + turned_3;
-  const double own_0a = (double)D->m03 * turned_1, own_0b = (double)D->m03 * moved_0,
-      own_0 = own_0a + own_0b;
-  const double own_1a = (double)D->m13 * turned_2, own_1b = (double)D->m13 * moved_1,
-      own_1 = own_1a + own_1b;
-  const double own_2a = (double)D->m23 * turned_3, own_2b = (double)D->m23 * moved_2,
-      own_2 = own_2a + own_2b;
-  const double Bo_4a = own_1 + own_2, Bo_4 = turned_4 + Bo_4a;
-  const double Bo_5a = own_0 + own_2, Bo_5 = turned_5 + Bo_5a;
-  const double Bo_6a = own_0 + own_1, Bo_6 = turned_6 + Bo_6a;
-  const double Bo_7a = (double)D->m03 * moved_1, Bo_7b = turned_7 - Bo_7a,
-      Bo_7c = (double)D->m13 * turned_1, Bo_7 = Bo_7b - Bo_7c;
-  const double Bo_8a = (double)D->m03 * moved_2, Bo_8b = turned_8 - Bo_8a,
-      Bo_8c = (double)D->m23 * turned_1, Bo_8 = Bo_8b - Bo_8c;
-  const double Bo_9a = (double)D->m13 * moved_2, Bo_9b = turned_9 - Bo_9a,
-      Bo_9c = (double)D->m23 * turned_2, Bo_9 = Bo_9b - Bo_9c;
+  const double mt_0 = (double)D->m03 * (double)B->m;
+  const double mt_1 = (double)D->m13 * (double)B->m;
+  const double mt_2 = (double)D->m23 * (double)B->m;
+  const double half_0 = 0.5 * mt_0;
+  const double half_1 = 0.5 * mt_1;
+  const double half_2 = 0.5 * mt_2;
+  const double n_0 = turned_1 + half_0;
+  const double n_1 = turned_2 + half_1;
+  const double n_2 = turned_3 + half_2;
+  const double tn0 = (double)D->m03 * n_0;
+  const double tn1 = (double)D->m13 * n_1;
+  const double tn2 = (double)D->m23 * n_2;
+  const double own_0 = 2.0 * tn0;
+  const double own_1 = 2.0 * tn1;
+  const double own_2 = 2.0 * tn2;
+  const double pairs_0 = own_1 + own_2;
+  const double pairs_1 = own_0 + own_2;
+  const double pairs_2 = own_0 + own_1;
+  const double pairs_3a = (double)D->m03 * n_1, pairs_3b = (double)D->m13 * n_0,
+      pairs_3 = pairs_3a + pairs_3b;
+  const double pairs_4a = (double)D->m03 * n_2, pairs_4b = (double)D->m23 * n_0,
+      pairs_4 = pairs_4a + pairs_4b;
+  const double pairs_5a = (double)D->m13 * n_2, pairs_5b = (double)D->m23 * n_1,
+      pairs_5 = pairs_5a + pairs_5b;
+  const double moved_0 = turned_1 + mt_0;
+  const double moved_1 = turned_2 + mt_1;
+  const double moved_2 = turned_3 + mt_2;
+  const double Bo_4 = turned_4 + pairs_0;
+  const double Bo_5 = turned_5 + pairs_1;
+  const double Bo_6 = turned_6 + pairs_2;
+  const double Bo_7 = turned_7 - pairs_3;
+  const double Bo_8 = turned_8 - pairs_4;
+  const double Bo_9 = turned_9 - pairs_5;
   const float B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = (float)moved_0;

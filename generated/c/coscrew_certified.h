@@ -14010,44 +14010,53 @@ static inline void ksl_product_Bs_certified(const ksl_inertia_t *B, const ksl_sc
      energy_bound unless inf or NaN.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s); energy_bound: number.
-   39 mul, 54 add, 30 abs. */
+   39 mul, 45 add, 24 abs. */
 static inline double ksl_inertia_energy_certified(const ksl_inertia_t *B, const ksl_screw_t *s,
     double *energy_bound) {
-  const double p_0a = B->m * s->m0, p_0b = B->h.z * s->m4, p_0c = B->h.y * s->m5,
-      p_0d = p_0b - p_0c, p_0 = p_0a + p_0d;
-  const double p_1a = B->m * s->m1, p_1b = B->h.x * s->m5, p_1c = B->h.z * s->m3,
-      p_1d = p_1b - p_1c, p_1 = p_1a + p_1d;
-  const double p_2a = B->m * s->m2, p_2b = B->h.y * s->m3, p_2c = B->h.x * s->m4,
-      p_2d = p_2b - p_2c, p_2 = p_2a + p_2d;
-  const double p_3a = B->h.y * s->m2, p_3b = B->h.z * s->m1, p_3c = p_3a - p_3b,
-      p_3d = B->xx * s->m3, p_3e = B->xy * s->m4, p_3f = p_3d + p_3e, p_3g = B->xz * s->m5,
-      p_3h = p_3f + p_3g, p_3 = p_3c + p_3h;
-  const double p_4a = B->h.z * s->m0, p_4b = B->h.x * s->m2, p_4c = p_4a - p_4b,
-      p_4d = B->yy * s->m4, p_4e = B->xy * s->m3, p_4f = p_4d + p_4e, p_4g = B->yz * s->m5,
-      p_4h = p_4f + p_4g, p_4 = p_4c + p_4h;
-  const double p_5a = B->h.x * s->m1, p_5b = B->h.y * s->m0, p_5c = p_5a - p_5b,
-      p_5d = B->zz * s->m5, p_5e = B->xz * s->m3, p_5f = p_5d + p_5e, p_5g = B->yz * s->m4,
-      p_5h = p_5f + p_5g, p_5 = p_5c + p_5h;
+  const double across_0a = B->h.z * s->m4, across_0b = B->h.y * s->m5,
+      across_0 = across_0a - across_0b;
+  const double across_1a = B->h.x * s->m5, across_1b = B->h.z * s->m3,
+      across_1 = across_1a - across_1b;
+  const double across_2a = B->h.y * s->m3, across_2b = B->h.x * s->m4,
+      across_2 = across_2a - across_2b;
+  const double twice_across_0 = 2.0 * across_0;
+  const double twice_across_1 = 2.0 * across_1;
+  const double twice_across_2 = 2.0 * across_2;
+  const double p_0a = B->m * s->m0, p_0 = p_0a + twice_across_0;
+  const double p_1a = B->m * s->m1, p_1 = p_1a + twice_across_1;
+  const double p_2a = B->m * s->m2, p_2 = p_2a + twice_across_2;
+  const double L_0a = B->xx * s->m3, L_0b = B->xy * s->m4, L_0c = L_0a + L_0b, L_0d = B->xz * s->m5,
+      L_0 = L_0c + L_0d;
+  const double L_1a = B->yy * s->m4, L_1b = B->xy * s->m3, L_1c = L_1a + L_1b, L_1d = B->yz * s->m5,
+      L_1 = L_1c + L_1d;
+  const double L_2a = B->zz * s->m5, L_2b = B->xz * s->m3, L_2c = L_2a + L_2b, L_2d = B->yz * s->m4,
+      L_2 = L_2c + L_2d;
   const double twice_a = s->m0 * p_0, twice_b = s->m1 * p_1, twice_c = twice_a + twice_b,
-      twice_d = s->m2 * p_2, twice_e = twice_c + twice_d, twice_f = s->m3 * p_3,
-      twice_g = s->m4 * p_4, twice_h = twice_f + twice_g, twice_i = s->m5 * p_5,
+      twice_d = s->m2 * p_2, twice_e = twice_c + twice_d, twice_f = s->m3 * L_0,
+      twice_g = s->m4 * L_1, twice_h = twice_f + twice_g, twice_i = s->m5 * L_2,
       twice_j = twice_h + twice_i, twice = twice_e + twice_j;
   const double energy = 0.5 * twice;
-  const double p_0b_abs = fabs(p_0b), p_0c_abs = fabs(p_0c), p_0d_size = p_0b_abs + p_0c_abs,
-      p_0a_abs = fabs(p_0a), p_0_size = p_0a_abs + p_0d_size;
-  const double p_1b_abs = fabs(p_1b), p_1c_abs = fabs(p_1c), p_1d_size = p_1b_abs + p_1c_abs,
-      p_1a_abs = fabs(p_1a), p_1_size = p_1a_abs + p_1d_size;
-  const double p_2b_abs = fabs(p_2b), p_2c_abs = fabs(p_2c), p_2d_size = p_2b_abs + p_2c_abs,
-      p_2a_abs = fabs(p_2a), p_2_size = p_2a_abs + p_2d_size;
-  const double p_3a_abs = fabs(p_3a), p_3b_abs = fabs(p_3b), p_3c_size = p_3a_abs + p_3b_abs,
-      p_3d_abs = fabs(p_3d), p_3e_abs = fabs(p_3e), p_3f_size = p_3d_abs + p_3e_abs,
-      p_3g_abs = fabs(p_3g), p_3h_size = p_3f_size + p_3g_abs, p_3_size = p_3c_size + p_3h_size;
-  const double p_4a_abs = fabs(p_4a), p_4b_abs = fabs(p_4b), p_4c_size = p_4a_abs + p_4b_abs,
-      p_4d_abs = fabs(p_4d), p_4e_abs = fabs(p_4e), p_4f_size = p_4d_abs + p_4e_abs,
-      p_4g_abs = fabs(p_4g), p_4h_size = p_4f_size + p_4g_abs, p_4_size = p_4c_size + p_4h_size;
-  const double p_5a_abs = fabs(p_5a), p_5b_abs = fabs(p_5b), p_5c_size = p_5a_abs + p_5b_abs,
-      p_5d_abs = fabs(p_5d), p_5e_abs = fabs(p_5e), p_5f_size = p_5d_abs + p_5e_abs,
-      p_5g_abs = fabs(p_5g), p_5h_size = p_5f_size + p_5g_abs, p_5_size = p_5c_size + p_5h_size;
+  const double across_0a_abs = fabs(across_0a), across_0b_abs = fabs(across_0b),
+      across_0_size = across_0a_abs + across_0b_abs;
+  const double across_1a_abs = fabs(across_1a), across_1b_abs = fabs(across_1b),
+      across_1_size = across_1a_abs + across_1b_abs;
+  const double across_2a_abs = fabs(across_2a), across_2b_abs = fabs(across_2b),
+      across_2_size = across_2a_abs + across_2b_abs;
+  const double across_0_padded = across_0_size + 2.004168360008973e-292;
+  const double twice_across_0_size = 2.0 * across_0_padded;
+  const double across_1_padded = across_1_size + 2.004168360008973e-292;
+  const double twice_across_1_size = 2.0 * across_1_padded;
+  const double across_2_padded = across_2_size + 2.004168360008973e-292;
+  const double twice_across_2_size = 2.0 * across_2_padded;
+  const double p_0a_abs = fabs(p_0a), p_0_size = p_0a_abs + twice_across_0_size;
+  const double p_1a_abs = fabs(p_1a), p_1_size = p_1a_abs + twice_across_1_size;
+  const double p_2a_abs = fabs(p_2a), p_2_size = p_2a_abs + twice_across_2_size;
+  const double L_0a_abs = fabs(L_0a), L_0b_abs = fabs(L_0b), L_0c_size = L_0a_abs + L_0b_abs,
+      L_0d_abs = fabs(L_0d), L_0_size = L_0c_size + L_0d_abs;
+  const double L_1a_abs = fabs(L_1a), L_1b_abs = fabs(L_1b), L_1c_size = L_1a_abs + L_1b_abs,
+      L_1d_abs = fabs(L_1d), L_1_size = L_1c_size + L_1d_abs;
+  const double L_2a_abs = fabs(L_2a), L_2b_abs = fabs(L_2b), L_2c_size = L_2a_abs + L_2b_abs,
+      L_2d_abs = fabs(L_2d), L_2_size = L_2c_size + L_2d_abs;
   const double p_0_padded = p_0_size + 2.004168360008973e-292;
   const double s_0_abs = fabs(s->m0), twice_a_size = s_0_abs * p_0_padded;
   const double p_1_padded = p_1_size + 2.004168360008973e-292;
@@ -14056,13 +14065,13 @@ static inline double ksl_inertia_energy_certified(const ksl_inertia_t *B, const 
   const double p_2_padded = p_2_size + 2.004168360008973e-292;
   const double s_2_abs = fabs(s->m2), twice_d_size = s_2_abs * p_2_padded,
       twice_e_size = twice_c_size + twice_d_size;
-  const double p_3_padded = p_3_size + 2.004168360008973e-292;
-  const double s_3_abs = fabs(s->m3), twice_f_size = s_3_abs * p_3_padded;
-  const double p_4_padded = p_4_size + 2.004168360008973e-292;
-  const double s_4_abs = fabs(s->m4), twice_g_size = s_4_abs * p_4_padded,
+  const double L_0_padded = L_0_size + 2.004168360008973e-292;
+  const double s_3_abs = fabs(s->m3), twice_f_size = s_3_abs * L_0_padded;
+  const double L_1_padded = L_1_size + 2.004168360008973e-292;
+  const double s_4_abs = fabs(s->m4), twice_g_size = s_4_abs * L_1_padded,
       twice_h_size = twice_f_size + twice_g_size;
-  const double p_5_padded = p_5_size + 2.004168360008973e-292;
-  const double s_5_abs = fabs(s->m5), twice_i_size = s_5_abs * p_5_padded,
+  const double L_2_padded = L_2_size + 2.004168360008973e-292;
+  const double s_5_abs = fabs(s->m5), twice_i_size = s_5_abs * L_2_padded,
       twice_j_size = twice_h_size + twice_i_size, twice_size = twice_e_size + twice_j_size;
   const double twice_padded = twice_size + 2.004168360008973e-292;
   const double energy_size = 0.5 * twice_padded;
@@ -14076,69 +14085,96 @@ static inline double ksl_inertia_energy_certified(const ksl_inertia_t *B, const 
      inf or NaN.
    t: vector; B, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx,
      yy, zz, xy, xz, yz in kg m^2).
-   30 mul, 45 add, 21 abs. */
+   42 mul, 54 add, 15 abs. */
 static inline void ksl_inertia_shifted_certified(const ksl_vec3_t *t, const ksl_inertia_t *B,
     ksl_inertia_t *Bo, ksl_inertia_t *Bo_bound) {
-  const double moved_0a = t->x * B->m, moved_0 = moved_0a + B->h.x;
-  const double moved_1a = t->y * B->m, moved_1 = moved_1a + B->h.y;
-  const double moved_2a = t->z * B->m, moved_2 = moved_2a + B->h.z;
-  const double own_0a = t->x * B->h.x, own_0b = t->x * moved_0, own_0 = own_0a + own_0b;
-  const double own_1a = t->y * B->h.y, own_1b = t->y * moved_1, own_1 = own_1a + own_1b;
-  const double own_2a = t->z * B->h.z, own_2b = t->z * moved_2, own_2 = own_2a + own_2b;
-  const double Bo_4a = own_1 + own_2, Bo_4 = B->xx + Bo_4a;
-  const double Bo_5a = own_0 + own_2, Bo_5 = B->yy + Bo_5a;
-  const double Bo_6a = own_0 + own_1, Bo_6 = B->zz + Bo_6a;
-  const double Bo_7a = t->x * moved_1, Bo_7b = B->xy - Bo_7a, Bo_7c = t->y * B->h.x,
-      Bo_7 = Bo_7b - Bo_7c;
-  const double Bo_8a = t->x * moved_2, Bo_8b = B->xz - Bo_8a, Bo_8c = t->z * B->h.x,
-      Bo_8 = Bo_8b - Bo_8c;
-  const double Bo_9a = t->y * moved_2, Bo_9b = B->yz - Bo_9a, Bo_9c = t->z * B->h.y,
-      Bo_9 = Bo_9b - Bo_9c;
-  const double moved_0a_abs = fabs(moved_0a), B_1_abs = fabs(B->h.x),
-      moved_0_size = moved_0a_abs + B_1_abs;
-  const double moved_1a_abs = fabs(moved_1a), B_2_abs = fabs(B->h.y),
-      moved_1_size = moved_1a_abs + B_2_abs;
-  const double moved_2a_abs = fabs(moved_2a), B_3_abs = fabs(B->h.z),
-      moved_2_size = moved_2a_abs + B_3_abs;
-  const double moved_0_padded = moved_0_size + 2.004168360008973e-292;
-  const double t_0_abs = fabs(t->x), own_0b_size = t_0_abs * moved_0_padded,
-      own_0a_abs = fabs(own_0a), own_0_size = own_0a_abs + own_0b_size;
-  const double moved_1_padded = moved_1_size + 2.004168360008973e-292;
-  const double t_1_abs = fabs(t->y), own_1b_size = t_1_abs * moved_1_padded,
-      own_1a_abs = fabs(own_1a), own_1_size = own_1a_abs + own_1b_size;
-  const double moved_2_padded = moved_2_size + 2.004168360008973e-292;
-  const double t_2_abs = fabs(t->z), own_2b_size = t_2_abs * moved_2_padded,
-      own_2a_abs = fabs(own_2a), own_2_size = own_2a_abs + own_2b_size;
-  const double Bo_4a_size = own_1_size + own_2_size, B_4_abs = fabs(B->xx),
-      Bo_4_size = B_4_abs + Bo_4a_size;
-  const double Bo_5a_size = own_0_size + own_2_size, B_5_abs = fabs(B->yy),
-      Bo_5_size = B_5_abs + Bo_5a_size;
-  const double Bo_6a_size = own_0_size + own_1_size, B_6_abs = fabs(B->zz),
-      Bo_6_size = B_6_abs + Bo_6a_size;
-  const double Bo_7a_size = t_0_abs * moved_1_padded, B_7_abs = fabs(B->xy),
-      Bo_7b_size = B_7_abs + Bo_7a_size, Bo_7c_abs = fabs(Bo_7c),
-      Bo_7_size = Bo_7b_size + Bo_7c_abs;
-  const double Bo_8a_size = t_0_abs * moved_2_padded, B_8_abs = fabs(B->xz),
-      Bo_8b_size = B_8_abs + Bo_8a_size, Bo_8c_abs = fabs(Bo_8c),
-      Bo_8_size = Bo_8b_size + Bo_8c_abs;
-  const double Bo_9a_size = t_1_abs * moved_2_padded, B_9_abs = fabs(B->yz),
-      Bo_9b_size = B_9_abs + Bo_9a_size, Bo_9c_abs = fabs(Bo_9c),
-      Bo_9_size = Bo_9b_size + Bo_9c_abs;
-  const double moved_0_error_bound = 2.2204460492503136e-16 * moved_0_padded;
-  const double moved_1_error_bound = 2.2204460492503136e-16 * moved_1_padded;
-  const double moved_2_error_bound = 2.2204460492503136e-16 * moved_2_padded;
+  const double mt_0 = t->x * B->m;
+  const double mt_1 = t->y * B->m;
+  const double mt_2 = t->z * B->m;
+  const double half_0 = 0.5 * mt_0;
+  const double half_1 = 0.5 * mt_1;
+  const double half_2 = 0.5 * mt_2;
+  const double n_0 = B->h.x + half_0;
+  const double n_1 = B->h.y + half_1;
+  const double n_2 = B->h.z + half_2;
+  const double tn0 = t->x * n_0;
+  const double tn1 = t->y * n_1;
+  const double tn2 = t->z * n_2;
+  const double own_0 = 2.0 * tn0;
+  const double own_1 = 2.0 * tn1;
+  const double own_2 = 2.0 * tn2;
+  const double pairs_0 = own_1 + own_2;
+  const double pairs_1 = own_0 + own_2;
+  const double pairs_2 = own_0 + own_1;
+  const double pairs_3a = t->x * n_1, pairs_3b = t->y * n_0, pairs_3 = pairs_3a + pairs_3b;
+  const double pairs_4a = t->x * n_2, pairs_4b = t->z * n_0, pairs_4 = pairs_4a + pairs_4b;
+  const double pairs_5a = t->y * n_2, pairs_5b = t->z * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const double moved_0 = B->h.x + mt_0;
+  const double moved_1 = B->h.y + mt_1;
+  const double moved_2 = B->h.z + mt_2;
+  const double Bo_4 = B->xx + pairs_0;
+  const double Bo_5 = B->yy + pairs_1;
+  const double Bo_6 = B->zz + pairs_2;
+  const double Bo_7 = B->xy - pairs_3;
+  const double Bo_8 = B->xz - pairs_4;
+  const double Bo_9 = B->yz - pairs_5;
+  const double mt_0_abs = fabs(mt_0), mt_0_padded = mt_0_abs + 2.004168360008973e-292;
+  const double half_0_size = 0.5 * mt_0_padded;
+  const double mt_1_abs = fabs(mt_1), mt_1_padded = mt_1_abs + 2.004168360008973e-292;
+  const double half_1_size = 0.5 * mt_1_padded;
+  const double mt_2_abs = fabs(mt_2), mt_2_padded = mt_2_abs + 2.004168360008973e-292;
+  const double half_2_size = 0.5 * mt_2_padded;
+  const double B_1_abs = fabs(B->h.x), n_0_size = B_1_abs + half_0_size;
+  const double B_2_abs = fabs(B->h.y), n_1_size = B_2_abs + half_1_size;
+  const double B_3_abs = fabs(B->h.z), n_2_size = B_3_abs + half_2_size;
+  const double n_0_padded = n_0_size + 2.004168360008973e-292;
+  const double t_0_abs = fabs(t->x), tn0_size = t_0_abs * n_0_padded;
+  const double n_1_padded = n_1_size + 2.004168360008973e-292;
+  const double t_1_abs = fabs(t->y), tn1_size = t_1_abs * n_1_padded;
+  const double n_2_padded = n_2_size + 2.004168360008973e-292;
+  const double t_2_abs = fabs(t->z), tn2_size = t_2_abs * n_2_padded;
+  const double tn0_padded = tn0_size + 2.004168360008973e-292;
+  const double own_0_size = 2.0 * tn0_padded;
+  const double tn1_padded = tn1_size + 2.004168360008973e-292;
+  const double own_1_size = 2.0 * tn1_padded;
+  const double tn2_padded = tn2_size + 2.004168360008973e-292;
+  const double own_2_size = 2.0 * tn2_padded;
+  const double pairs_0_size = own_1_size + own_2_size;
+  const double pairs_1_size = own_0_size + own_2_size;
+  const double pairs_2_size = own_0_size + own_1_size;
+  const double pairs_3a_size = t_0_abs * n_1_padded, pairs_3b_size = t_1_abs * n_0_padded,
+      pairs_3_size = pairs_3a_size + pairs_3b_size;
+  const double pairs_4a_size = t_0_abs * n_2_padded, pairs_4b_size = t_2_abs * n_0_padded,
+      pairs_4_size = pairs_4a_size + pairs_4b_size;
+  const double pairs_5a_size = t_1_abs * n_2_padded, pairs_5b_size = t_2_abs * n_1_padded,
+      pairs_5_size = pairs_5a_size + pairs_5b_size;
+  const double moved_0_size = B_1_abs + mt_0_abs;
+  const double moved_1_size = B_2_abs + mt_1_abs;
+  const double moved_2_size = B_3_abs + mt_2_abs;
+  const double B_4_abs = fabs(B->xx), Bo_4_size = B_4_abs + pairs_0_size;
+  const double B_5_abs = fabs(B->yy), Bo_5_size = B_5_abs + pairs_1_size;
+  const double B_6_abs = fabs(B->zz), Bo_6_size = B_6_abs + pairs_2_size;
+  const double B_7_abs = fabs(B->xy), Bo_7_size = B_7_abs + pairs_3_size;
+  const double B_8_abs = fabs(B->xz), Bo_8_size = B_8_abs + pairs_4_size;
+  const double B_9_abs = fabs(B->yz), Bo_9_size = B_9_abs + pairs_5_size;
+  const double moved_0_padded = moved_0_size + 2.004168360008973e-292,
+      moved_0_error_bound = 2.2204460492503136e-16 * moved_0_padded;
+  const double moved_1_padded = moved_1_size + 2.004168360008973e-292,
+      moved_1_error_bound = 2.2204460492503136e-16 * moved_1_padded;
+  const double moved_2_padded = moved_2_size + 2.004168360008973e-292,
+      moved_2_error_bound = 2.2204460492503136e-16 * moved_2_padded;
   const double Bo_4_padded = Bo_4_size + 2.004168360008973e-292,
-      Bo_4_error_bound = 6.661338147750942e-16 * Bo_4_padded;
+      Bo_4_error_bound = 7.7715611723761e-16 * Bo_4_padded;
   const double Bo_5_padded = Bo_5_size + 2.004168360008973e-292,
-      Bo_5_error_bound = 6.661338147750942e-16 * Bo_5_padded;
+      Bo_5_error_bound = 7.7715611723761e-16 * Bo_5_padded;
   const double Bo_6_padded = Bo_6_size + 2.004168360008973e-292,
-      Bo_6_error_bound = 6.661338147750942e-16 * Bo_6_padded;
+      Bo_6_error_bound = 7.7715611723761e-16 * Bo_6_padded;
   const double Bo_7_padded = Bo_7_size + 2.004168360008973e-292,
-      Bo_7_error_bound = 5.551115123125785e-16 * Bo_7_padded;
+      Bo_7_error_bound = 6.661338147750942e-16 * Bo_7_padded;
   const double Bo_8_padded = Bo_8_size + 2.004168360008973e-292,
-      Bo_8_error_bound = 5.551115123125785e-16 * Bo_8_padded;
+      Bo_8_error_bound = 6.661338147750942e-16 * Bo_8_padded;
   const double Bo_9_padded = Bo_9_size + 2.004168360008973e-292,
-      Bo_9_error_bound = 5.551115123125785e-16 * Bo_9_padded;
+      Bo_9_error_bound = 6.661338147750942e-16 * Bo_9_padded;
   const double B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -14166,7 +14202,7 @@ static inline void ksl_inertia_shifted_certified(const ksl_vec3_t *t, const ksl_
      Bo_bound unless inf or NaN.
    D: displacement [R | t], R rotation, t in m; B, Bo, Bo_bound: spatial inertia (m in kg; h = m
      c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
-   108 mul, 129 add, 51 abs. */
+   114 mul, 135 add, 51 abs. */
 static inline void ksl_inertia_transformed_certified(const ksl_SE3_t *D, const ksl_inertia_t *B,
     ksl_inertia_t *Bo, ksl_inertia_t *Bo_bound) {
   const double RI_0a = D->m00 * B->xx, RI_0b = D->m01 * B->xy, RI_0c = RI_0a + RI_0b,
@@ -14214,21 +14250,36 @@ static inline void ksl_inertia_transformed_certified(const ksl_SE3_t *D, const k
   const double turned_9a = D->m20 * RI_3, turned_9b = D->m21 * RI_4,
       turned_9c = turned_9a + turned_9b, turned_9d = D->m22 * RI_5,
       turned_9 = turned_9c + turned_9d;
-  const double moved_0a = D->m03 * B->m, moved_0 = moved_0a + turned_1;
-  const double moved_1a = D->m13 * B->m, moved_1 = moved_1a + turned_2;
-  const double moved_2a = D->m23 * B->m, moved_2 = moved_2a + turned_3;
-  const double own_0a = D->m03 * turned_1, own_0b = D->m03 * moved_0, own_0 = own_0a + own_0b;
-  const double own_1a = D->m13 * turned_2, own_1b = D->m13 * moved_1, own_1 = own_1a + own_1b;
-  const double own_2a = D->m23 * turned_3, own_2b = D->m23 * moved_2, own_2 = own_2a + own_2b;
-  const double Bo_4a = own_1 + own_2, Bo_4 = turned_4 + Bo_4a;
-  const double Bo_5a = own_0 + own_2, Bo_5 = turned_5 + Bo_5a;
-  const double Bo_6a = own_0 + own_1, Bo_6 = turned_6 + Bo_6a;
-  const double Bo_7a = D->m03 * moved_1, Bo_7b = turned_7 - Bo_7a, Bo_7c = D->m13 * turned_1,
-      Bo_7 = Bo_7b - Bo_7c;
-  const double Bo_8a = D->m03 * moved_2, Bo_8b = turned_8 - Bo_8a, Bo_8c = D->m23 * turned_1,
-      Bo_8 = Bo_8b - Bo_8c;
-  const double Bo_9a = D->m13 * moved_2, Bo_9b = turned_9 - Bo_9a, Bo_9c = D->m23 * turned_2,
-      Bo_9 = Bo_9b - Bo_9c;
+  const double mt_0 = D->m03 * B->m;
+  const double mt_1 = D->m13 * B->m;
+  const double mt_2 = D->m23 * B->m;
+  const double half_0 = 0.5 * mt_0;
+  const double half_1 = 0.5 * mt_1;
+  const double half_2 = 0.5 * mt_2;
+  const double n_0 = turned_1 + half_0;
+  const double n_1 = turned_2 + half_1;
+  const double n_2 = turned_3 + half_2;
+  const double tn0 = D->m03 * n_0;
+  const double tn1 = D->m13 * n_1;
+  const double tn2 = D->m23 * n_2;
+  const double own_0 = 2.0 * tn0;
+  const double own_1 = 2.0 * tn1;
+  const double own_2 = 2.0 * tn2;
+  const double pairs_0 = own_1 + own_2;
+  const double pairs_1 = own_0 + own_2;
+  const double pairs_2 = own_0 + own_1;
+  const double pairs_3a = D->m03 * n_1, pairs_3b = D->m13 * n_0, pairs_3 = pairs_3a + pairs_3b;
+  const double pairs_4a = D->m03 * n_2, pairs_4b = D->m23 * n_0, pairs_4 = pairs_4a + pairs_4b;
+  const double pairs_5a = D->m13 * n_2, pairs_5b = D->m23 * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const double moved_0 = turned_1 + mt_0;
+  const double moved_1 = turned_2 + mt_1;
+  const double moved_2 = turned_3 + mt_2;
+  const double Bo_4 = turned_4 + pairs_0;
+  const double Bo_5 = turned_5 + pairs_1;
+  const double Bo_6 = turned_6 + pairs_2;
+  const double Bo_7 = turned_7 - pairs_3;
+  const double Bo_8 = turned_8 - pairs_4;
+  const double Bo_9 = turned_9 - pairs_5;
   const double RI_0a_abs = fabs(RI_0a), RI_0b_abs = fabs(RI_0b), RI_0c_size = RI_0a_abs + RI_0b_abs,
       RI_0d_abs = fabs(RI_0d), RI_0_size = RI_0c_size + RI_0d_abs;
   const double RI_1a_abs = fabs(RI_1a), RI_1b_abs = fabs(RI_1b), RI_1c_size = RI_1a_abs + RI_1b_abs,
@@ -14289,33 +14340,51 @@ static inline void ksl_inertia_transformed_certified(const ksl_SE3_t *D, const k
   const double turned_9a_size = D_20_abs * RI_3_padded, turned_9b_size = D_21_abs * RI_4_padded,
       turned_9c_size = turned_9a_size + turned_9b_size, turned_9d_size = D_22_abs * RI_5_padded,
       turned_9_size = turned_9c_size + turned_9d_size;
-  const double moved_0a_abs = fabs(moved_0a), moved_0_size = moved_0a_abs + turned_1_size;
-  const double moved_1a_abs = fabs(moved_1a), moved_1_size = moved_1a_abs + turned_2_size;
-  const double moved_2a_abs = fabs(moved_2a), moved_2_size = moved_2a_abs + turned_3_size;
-  const double turned_1_padded = turned_1_size + 2.004168360008973e-292;
-  const double D_03_abs = fabs(D->m03), own_0a_size = D_03_abs * turned_1_padded;
-  const double moved_0_padded = moved_0_size + 2.004168360008973e-292;
-  const double own_0b_size = D_03_abs * moved_0_padded, own_0_size = own_0a_size + own_0b_size;
-  const double turned_2_padded = turned_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), own_1a_size = D_13_abs * turned_2_padded;
-  const double moved_1_padded = moved_1_size + 2.004168360008973e-292;
-  const double own_1b_size = D_13_abs * moved_1_padded, own_1_size = own_1a_size + own_1b_size;
-  const double turned_3_padded = turned_3_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), own_2a_size = D_23_abs * turned_3_padded;
-  const double moved_2_padded = moved_2_size + 2.004168360008973e-292;
-  const double own_2b_size = D_23_abs * moved_2_padded, own_2_size = own_2a_size + own_2b_size;
-  const double Bo_4a_size = own_1_size + own_2_size, Bo_4_size = turned_4_size + Bo_4a_size;
-  const double Bo_5a_size = own_0_size + own_2_size, Bo_5_size = turned_5_size + Bo_5a_size;
-  const double Bo_6a_size = own_0_size + own_1_size, Bo_6_size = turned_6_size + Bo_6a_size;
-  const double Bo_7a_size = D_03_abs * moved_1_padded, Bo_7b_size = turned_7_size + Bo_7a_size,
-      Bo_7c_size = D_13_abs * turned_1_padded, Bo_7_size = Bo_7b_size + Bo_7c_size;
-  const double Bo_8a_size = D_03_abs * moved_2_padded, Bo_8b_size = turned_8_size + Bo_8a_size,
-      Bo_8c_size = D_23_abs * turned_1_padded, Bo_8_size = Bo_8b_size + Bo_8c_size;
-  const double Bo_9a_size = D_13_abs * moved_2_padded, Bo_9b_size = turned_9_size + Bo_9a_size,
-      Bo_9c_size = D_23_abs * turned_2_padded, Bo_9_size = Bo_9b_size + Bo_9c_size;
-  const double moved_0_error_bound = 4.440892098500628e-16 * moved_0_padded;
-  const double moved_1_error_bound = 4.440892098500628e-16 * moved_1_padded;
-  const double moved_2_error_bound = 4.440892098500628e-16 * moved_2_padded;
+  const double mt_0_abs = fabs(mt_0), mt_0_padded = mt_0_abs + 2.004168360008973e-292;
+  const double half_0_size = 0.5 * mt_0_padded;
+  const double mt_1_abs = fabs(mt_1), mt_1_padded = mt_1_abs + 2.004168360008973e-292;
+  const double half_1_size = 0.5 * mt_1_padded;
+  const double mt_2_abs = fabs(mt_2), mt_2_padded = mt_2_abs + 2.004168360008973e-292;
+  const double half_2_size = 0.5 * mt_2_padded;
+  const double n_0_size = turned_1_size + half_0_size;
+  const double n_1_size = turned_2_size + half_1_size;
+  const double n_2_size = turned_3_size + half_2_size;
+  const double n_0_padded = n_0_size + 2.004168360008973e-292;
+  const double D_03_abs = fabs(D->m03), tn0_size = D_03_abs * n_0_padded;
+  const double n_1_padded = n_1_size + 2.004168360008973e-292;
+  const double D_13_abs = fabs(D->m13), tn1_size = D_13_abs * n_1_padded;
+  const double n_2_padded = n_2_size + 2.004168360008973e-292;
+  const double D_23_abs = fabs(D->m23), tn2_size = D_23_abs * n_2_padded;
+  const double tn0_padded = tn0_size + 2.004168360008973e-292;
+  const double own_0_size = 2.0 * tn0_padded;
+  const double tn1_padded = tn1_size + 2.004168360008973e-292;
+  const double own_1_size = 2.0 * tn1_padded;
+  const double tn2_padded = tn2_size + 2.004168360008973e-292;
+  const double own_2_size = 2.0 * tn2_padded;
+  const double pairs_0_size = own_1_size + own_2_size;
+  const double pairs_1_size = own_0_size + own_2_size;
+  const double pairs_2_size = own_0_size + own_1_size;
+  const double pairs_3a_size = D_03_abs * n_1_padded, pairs_3b_size = D_13_abs * n_0_padded,
+      pairs_3_size = pairs_3a_size + pairs_3b_size;
+  const double pairs_4a_size = D_03_abs * n_2_padded, pairs_4b_size = D_23_abs * n_0_padded,
+      pairs_4_size = pairs_4a_size + pairs_4b_size;
+  const double pairs_5a_size = D_13_abs * n_2_padded, pairs_5b_size = D_23_abs * n_1_padded,
+      pairs_5_size = pairs_5a_size + pairs_5b_size;
+  const double moved_0_size = turned_1_size + mt_0_abs;
+  const double moved_1_size = turned_2_size + mt_1_abs;
+  const double moved_2_size = turned_3_size + mt_2_abs;
+  const double Bo_4_size = turned_4_size + pairs_0_size;
+  const double Bo_5_size = turned_5_size + pairs_1_size;
+  const double Bo_6_size = turned_6_size + pairs_2_size;
+  const double Bo_7_size = turned_7_size + pairs_3_size;
+  const double Bo_8_size = turned_8_size + pairs_4_size;
+  const double Bo_9_size = turned_9_size + pairs_5_size;
+  const double moved_0_padded = moved_0_size + 2.004168360008973e-292,
+      moved_0_error_bound = 4.440892098500628e-16 * moved_0_padded;
+  const double moved_1_padded = moved_1_size + 2.004168360008973e-292,
+      moved_1_error_bound = 4.440892098500628e-16 * moved_1_padded;
+  const double moved_2_padded = moved_2_size + 2.004168360008973e-292,
+      moved_2_error_bound = 4.440892098500628e-16 * moved_2_padded;
   const double Bo_4_padded = Bo_4_size + 2.004168360008973e-292,
       Bo_4_error_bound = 8.881784197001258e-16 * Bo_4_padded;
   const double Bo_5_padded = Bo_5_size + 2.004168360008973e-292,
@@ -14323,11 +14392,11 @@ static inline void ksl_inertia_transformed_certified(const ksl_SE3_t *D, const k
   const double Bo_6_padded = Bo_6_size + 2.004168360008973e-292,
       Bo_6_error_bound = 8.881784197001258e-16 * Bo_6_padded;
   const double Bo_7_padded = Bo_7_size + 2.004168360008973e-292,
-      Bo_7_error_bound = 8.881784197001258e-16 * Bo_7_padded;
+      Bo_7_error_bound = 7.7715611723761e-16 * Bo_7_padded;
   const double Bo_8_padded = Bo_8_size + 2.004168360008973e-292,
-      Bo_8_error_bound = 8.881784197001258e-16 * Bo_8_padded;
+      Bo_8_error_bound = 7.7715611723761e-16 * Bo_8_padded;
   const double Bo_9_padded = Bo_9_size + 2.004168360008973e-292,
-      Bo_9_error_bound = 8.881784197001258e-16 * Bo_9_padded;
+      Bo_9_error_bound = 7.7715611723761e-16 * Bo_9_padded;
   const double B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -14663,44 +14732,53 @@ static inline void ksl_product_Bsf_certified(const ksl_inertiaf_t *B, const ksl_
      energy_bound unless inf or NaN.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s); energy_bound: number.
-   39 mul, 54 add, 30 abs. */
+   39 mul, 45 add, 24 abs. */
 static inline float ksl_inertiaf_energy_certified(const ksl_inertiaf_t *B, const ksl_screwf_t *s,
     float *energy_bound) {
-  const float p_0a = B->m * s->m0, p_0b = B->h.z * s->m4, p_0c = B->h.y * s->m5, p_0d = p_0b - p_0c,
-      p_0 = p_0a + p_0d;
-  const float p_1a = B->m * s->m1, p_1b = B->h.x * s->m5, p_1c = B->h.z * s->m3, p_1d = p_1b - p_1c,
-      p_1 = p_1a + p_1d;
-  const float p_2a = B->m * s->m2, p_2b = B->h.y * s->m3, p_2c = B->h.x * s->m4, p_2d = p_2b - p_2c,
-      p_2 = p_2a + p_2d;
-  const float p_3a = B->h.y * s->m2, p_3b = B->h.z * s->m1, p_3c = p_3a - p_3b,
-      p_3d = B->xx * s->m3, p_3e = B->xy * s->m4, p_3f = p_3d + p_3e, p_3g = B->xz * s->m5,
-      p_3h = p_3f + p_3g, p_3 = p_3c + p_3h;
-  const float p_4a = B->h.z * s->m0, p_4b = B->h.x * s->m2, p_4c = p_4a - p_4b,
-      p_4d = B->yy * s->m4, p_4e = B->xy * s->m3, p_4f = p_4d + p_4e, p_4g = B->yz * s->m5,
-      p_4h = p_4f + p_4g, p_4 = p_4c + p_4h;
-  const float p_5a = B->h.x * s->m1, p_5b = B->h.y * s->m0, p_5c = p_5a - p_5b,
-      p_5d = B->zz * s->m5, p_5e = B->xz * s->m3, p_5f = p_5d + p_5e, p_5g = B->yz * s->m4,
-      p_5h = p_5f + p_5g, p_5 = p_5c + p_5h;
+  const float across_0a = B->h.z * s->m4, across_0b = B->h.y * s->m5,
+      across_0 = across_0a - across_0b;
+  const float across_1a = B->h.x * s->m5, across_1b = B->h.z * s->m3,
+      across_1 = across_1a - across_1b;
+  const float across_2a = B->h.y * s->m3, across_2b = B->h.x * s->m4,
+      across_2 = across_2a - across_2b;
+  const float twice_across_0 = 2.0f * across_0;
+  const float twice_across_1 = 2.0f * across_1;
+  const float twice_across_2 = 2.0f * across_2;
+  const float p_0a = B->m * s->m0, p_0 = p_0a + twice_across_0;
+  const float p_1a = B->m * s->m1, p_1 = p_1a + twice_across_1;
+  const float p_2a = B->m * s->m2, p_2 = p_2a + twice_across_2;
+  const float L_0a = B->xx * s->m3, L_0b = B->xy * s->m4, L_0c = L_0a + L_0b, L_0d = B->xz * s->m5,
+      L_0 = L_0c + L_0d;
+  const float L_1a = B->yy * s->m4, L_1b = B->xy * s->m3, L_1c = L_1a + L_1b, L_1d = B->yz * s->m5,
+      L_1 = L_1c + L_1d;
+  const float L_2a = B->zz * s->m5, L_2b = B->xz * s->m3, L_2c = L_2a + L_2b, L_2d = B->yz * s->m4,
+      L_2 = L_2c + L_2d;
   const float twice_a = s->m0 * p_0, twice_b = s->m1 * p_1, twice_c = twice_a + twice_b,
-      twice_d = s->m2 * p_2, twice_e = twice_c + twice_d, twice_f = s->m3 * p_3,
-      twice_g = s->m4 * p_4, twice_h = twice_f + twice_g, twice_i = s->m5 * p_5,
+      twice_d = s->m2 * p_2, twice_e = twice_c + twice_d, twice_f = s->m3 * L_0,
+      twice_g = s->m4 * L_1, twice_h = twice_f + twice_g, twice_i = s->m5 * L_2,
       twice_j = twice_h + twice_i, twice = twice_e + twice_j;
   const float energy = 0.5f * twice;
-  const float p_0b_abs = fabsf(p_0b), p_0c_abs = fabsf(p_0c), p_0d_size = p_0b_abs + p_0c_abs,
-      p_0a_abs = fabsf(p_0a), p_0_size = p_0a_abs + p_0d_size;
-  const float p_1b_abs = fabsf(p_1b), p_1c_abs = fabsf(p_1c), p_1d_size = p_1b_abs + p_1c_abs,
-      p_1a_abs = fabsf(p_1a), p_1_size = p_1a_abs + p_1d_size;
-  const float p_2b_abs = fabsf(p_2b), p_2c_abs = fabsf(p_2c), p_2d_size = p_2b_abs + p_2c_abs,
-      p_2a_abs = fabsf(p_2a), p_2_size = p_2a_abs + p_2d_size;
-  const float p_3a_abs = fabsf(p_3a), p_3b_abs = fabsf(p_3b), p_3c_size = p_3a_abs + p_3b_abs,
-      p_3d_abs = fabsf(p_3d), p_3e_abs = fabsf(p_3e), p_3f_size = p_3d_abs + p_3e_abs,
-      p_3g_abs = fabsf(p_3g), p_3h_size = p_3f_size + p_3g_abs, p_3_size = p_3c_size + p_3h_size;
-  const float p_4a_abs = fabsf(p_4a), p_4b_abs = fabsf(p_4b), p_4c_size = p_4a_abs + p_4b_abs,
-      p_4d_abs = fabsf(p_4d), p_4e_abs = fabsf(p_4e), p_4f_size = p_4d_abs + p_4e_abs,
-      p_4g_abs = fabsf(p_4g), p_4h_size = p_4f_size + p_4g_abs, p_4_size = p_4c_size + p_4h_size;
-  const float p_5a_abs = fabsf(p_5a), p_5b_abs = fabsf(p_5b), p_5c_size = p_5a_abs + p_5b_abs,
-      p_5d_abs = fabsf(p_5d), p_5e_abs = fabsf(p_5e), p_5f_size = p_5d_abs + p_5e_abs,
-      p_5g_abs = fabsf(p_5g), p_5h_size = p_5f_size + p_5g_abs, p_5_size = p_5c_size + p_5h_size;
+  const float across_0a_abs = fabsf(across_0a), across_0b_abs = fabsf(across_0b),
+      across_0_size = across_0a_abs + across_0b_abs;
+  const float across_1a_abs = fabsf(across_1a), across_1b_abs = fabsf(across_1b),
+      across_1_size = across_1a_abs + across_1b_abs;
+  const float across_2a_abs = fabsf(across_2a), across_2b_abs = fabsf(across_2b),
+      across_2_size = across_2a_abs + across_2b_abs;
+  const float across_0_padded = across_0_size + 1.9721523e-31f;
+  const float twice_across_0_size = 2.0f * across_0_padded;
+  const float across_1_padded = across_1_size + 1.9721523e-31f;
+  const float twice_across_1_size = 2.0f * across_1_padded;
+  const float across_2_padded = across_2_size + 1.9721523e-31f;
+  const float twice_across_2_size = 2.0f * across_2_padded;
+  const float p_0a_abs = fabsf(p_0a), p_0_size = p_0a_abs + twice_across_0_size;
+  const float p_1a_abs = fabsf(p_1a), p_1_size = p_1a_abs + twice_across_1_size;
+  const float p_2a_abs = fabsf(p_2a), p_2_size = p_2a_abs + twice_across_2_size;
+  const float L_0a_abs = fabsf(L_0a), L_0b_abs = fabsf(L_0b), L_0c_size = L_0a_abs + L_0b_abs,
+      L_0d_abs = fabsf(L_0d), L_0_size = L_0c_size + L_0d_abs;
+  const float L_1a_abs = fabsf(L_1a), L_1b_abs = fabsf(L_1b), L_1c_size = L_1a_abs + L_1b_abs,
+      L_1d_abs = fabsf(L_1d), L_1_size = L_1c_size + L_1d_abs;
+  const float L_2a_abs = fabsf(L_2a), L_2b_abs = fabsf(L_2b), L_2c_size = L_2a_abs + L_2b_abs,
+      L_2d_abs = fabsf(L_2d), L_2_size = L_2c_size + L_2d_abs;
   const float p_0_padded = p_0_size + 1.9721523e-31f;
   const float s_0_abs = fabsf(s->m0), twice_a_size = s_0_abs * p_0_padded;
   const float p_1_padded = p_1_size + 1.9721523e-31f;
@@ -14709,13 +14787,13 @@ static inline float ksl_inertiaf_energy_certified(const ksl_inertiaf_t *B, const
   const float p_2_padded = p_2_size + 1.9721523e-31f;
   const float s_2_abs = fabsf(s->m2), twice_d_size = s_2_abs * p_2_padded,
       twice_e_size = twice_c_size + twice_d_size;
-  const float p_3_padded = p_3_size + 1.9721523e-31f;
-  const float s_3_abs = fabsf(s->m3), twice_f_size = s_3_abs * p_3_padded;
-  const float p_4_padded = p_4_size + 1.9721523e-31f;
-  const float s_4_abs = fabsf(s->m4), twice_g_size = s_4_abs * p_4_padded,
+  const float L_0_padded = L_0_size + 1.9721523e-31f;
+  const float s_3_abs = fabsf(s->m3), twice_f_size = s_3_abs * L_0_padded;
+  const float L_1_padded = L_1_size + 1.9721523e-31f;
+  const float s_4_abs = fabsf(s->m4), twice_g_size = s_4_abs * L_1_padded,
       twice_h_size = twice_f_size + twice_g_size;
-  const float p_5_padded = p_5_size + 1.9721523e-31f;
-  const float s_5_abs = fabsf(s->m5), twice_i_size = s_5_abs * p_5_padded,
+  const float L_2_padded = L_2_size + 1.9721523e-31f;
+  const float s_5_abs = fabsf(s->m5), twice_i_size = s_5_abs * L_2_padded,
       twice_j_size = twice_h_size + twice_i_size, twice_size = twice_e_size + twice_j_size;
   const float twice_padded = twice_size + 1.9721523e-31f;
   const float energy_size = 0.5f * twice_padded;
@@ -14729,69 +14807,96 @@ static inline float ksl_inertiaf_energy_certified(const ksl_inertiaf_t *B, const
      inf or NaN.
    t: vector; B, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx,
      yy, zz, xy, xz, yz in kg m^2).
-   30 mul, 45 add, 21 abs. */
+   42 mul, 54 add, 15 abs. */
 static inline void ksl_inertiaf_shifted_certified(const ksl_vec3f_t *t, const ksl_inertiaf_t *B,
     ksl_inertiaf_t *Bo, ksl_inertiaf_t *Bo_bound) {
-  const float moved_0a = t->x * B->m, moved_0 = moved_0a + B->h.x;
-  const float moved_1a = t->y * B->m, moved_1 = moved_1a + B->h.y;
-  const float moved_2a = t->z * B->m, moved_2 = moved_2a + B->h.z;
-  const float own_0a = t->x * B->h.x, own_0b = t->x * moved_0, own_0 = own_0a + own_0b;
-  const float own_1a = t->y * B->h.y, own_1b = t->y * moved_1, own_1 = own_1a + own_1b;
-  const float own_2a = t->z * B->h.z, own_2b = t->z * moved_2, own_2 = own_2a + own_2b;
-  const float Bo_4a = own_1 + own_2, Bo_4 = B->xx + Bo_4a;
-  const float Bo_5a = own_0 + own_2, Bo_5 = B->yy + Bo_5a;
-  const float Bo_6a = own_0 + own_1, Bo_6 = B->zz + Bo_6a;
-  const float Bo_7a = t->x * moved_1, Bo_7b = B->xy - Bo_7a, Bo_7c = t->y * B->h.x,
-      Bo_7 = Bo_7b - Bo_7c;
-  const float Bo_8a = t->x * moved_2, Bo_8b = B->xz - Bo_8a, Bo_8c = t->z * B->h.x,
-      Bo_8 = Bo_8b - Bo_8c;
-  const float Bo_9a = t->y * moved_2, Bo_9b = B->yz - Bo_9a, Bo_9c = t->z * B->h.y,
-      Bo_9 = Bo_9b - Bo_9c;
-  const float moved_0a_abs = fabsf(moved_0a), B_1_abs = fabsf(B->h.x),
-      moved_0_size = moved_0a_abs + B_1_abs;
-  const float moved_1a_abs = fabsf(moved_1a), B_2_abs = fabsf(B->h.y),
-      moved_1_size = moved_1a_abs + B_2_abs;
-  const float moved_2a_abs = fabsf(moved_2a), B_3_abs = fabsf(B->h.z),
-      moved_2_size = moved_2a_abs + B_3_abs;
-  const float moved_0_padded = moved_0_size + 1.9721523e-31f;
-  const float t_0_abs = fabsf(t->x), own_0b_size = t_0_abs * moved_0_padded,
-      own_0a_abs = fabsf(own_0a), own_0_size = own_0a_abs + own_0b_size;
-  const float moved_1_padded = moved_1_size + 1.9721523e-31f;
-  const float t_1_abs = fabsf(t->y), own_1b_size = t_1_abs * moved_1_padded,
-      own_1a_abs = fabsf(own_1a), own_1_size = own_1a_abs + own_1b_size;
-  const float moved_2_padded = moved_2_size + 1.9721523e-31f;
-  const float t_2_abs = fabsf(t->z), own_2b_size = t_2_abs * moved_2_padded,
-      own_2a_abs = fabsf(own_2a), own_2_size = own_2a_abs + own_2b_size;
-  const float Bo_4a_size = own_1_size + own_2_size, B_4_abs = fabsf(B->xx),
-      Bo_4_size = B_4_abs + Bo_4a_size;
-  const float Bo_5a_size = own_0_size + own_2_size, B_5_abs = fabsf(B->yy),
-      Bo_5_size = B_5_abs + Bo_5a_size;
-  const float Bo_6a_size = own_0_size + own_1_size, B_6_abs = fabsf(B->zz),
-      Bo_6_size = B_6_abs + Bo_6a_size;
-  const float Bo_7a_size = t_0_abs * moved_1_padded, B_7_abs = fabsf(B->xy),
-      Bo_7b_size = B_7_abs + Bo_7a_size, Bo_7c_abs = fabsf(Bo_7c),
-      Bo_7_size = Bo_7b_size + Bo_7c_abs;
-  const float Bo_8a_size = t_0_abs * moved_2_padded, B_8_abs = fabsf(B->xz),
-      Bo_8b_size = B_8_abs + Bo_8a_size, Bo_8c_abs = fabsf(Bo_8c),
-      Bo_8_size = Bo_8b_size + Bo_8c_abs;
-  const float Bo_9a_size = t_1_abs * moved_2_padded, B_9_abs = fabsf(B->yz),
-      Bo_9b_size = B_9_abs + Bo_9a_size, Bo_9c_abs = fabsf(Bo_9c),
-      Bo_9_size = Bo_9b_size + Bo_9c_abs;
-  const float moved_0_error_bound = 1.192093e-07f * moved_0_padded;
-  const float moved_1_error_bound = 1.192093e-07f * moved_1_padded;
-  const float moved_2_error_bound = 1.192093e-07f * moved_2_padded;
+  const float mt_0 = t->x * B->m;
+  const float mt_1 = t->y * B->m;
+  const float mt_2 = t->z * B->m;
+  const float half_0 = 0.5f * mt_0;
+  const float half_1 = 0.5f * mt_1;
+  const float half_2 = 0.5f * mt_2;
+  const float n_0 = B->h.x + half_0;
+  const float n_1 = B->h.y + half_1;
+  const float n_2 = B->h.z + half_2;
+  const float tn0 = t->x * n_0;
+  const float tn1 = t->y * n_1;
+  const float tn2 = t->z * n_2;
+  const float own_0 = 2.0f * tn0;
+  const float own_1 = 2.0f * tn1;
+  const float own_2 = 2.0f * tn2;
+  const float pairs_0 = own_1 + own_2;
+  const float pairs_1 = own_0 + own_2;
+  const float pairs_2 = own_0 + own_1;
+  const float pairs_3a = t->x * n_1, pairs_3b = t->y * n_0, pairs_3 = pairs_3a + pairs_3b;
+  const float pairs_4a = t->x * n_2, pairs_4b = t->z * n_0, pairs_4 = pairs_4a + pairs_4b;
+  const float pairs_5a = t->y * n_2, pairs_5b = t->z * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const float moved_0 = B->h.x + mt_0;
+  const float moved_1 = B->h.y + mt_1;
+  const float moved_2 = B->h.z + mt_2;
+  const float Bo_4 = B->xx + pairs_0;
+  const float Bo_5 = B->yy + pairs_1;
+  const float Bo_6 = B->zz + pairs_2;
+  const float Bo_7 = B->xy - pairs_3;
+  const float Bo_8 = B->xz - pairs_4;
+  const float Bo_9 = B->yz - pairs_5;
+  const float mt_0_abs = fabsf(mt_0), mt_0_padded = mt_0_abs + 1.9721523e-31f;
+  const float half_0_size = 0.5f * mt_0_padded;
+  const float mt_1_abs = fabsf(mt_1), mt_1_padded = mt_1_abs + 1.9721523e-31f;
+  const float half_1_size = 0.5f * mt_1_padded;
+  const float mt_2_abs = fabsf(mt_2), mt_2_padded = mt_2_abs + 1.9721523e-31f;
+  const float half_2_size = 0.5f * mt_2_padded;
+  const float B_1_abs = fabsf(B->h.x), n_0_size = B_1_abs + half_0_size;
+  const float B_2_abs = fabsf(B->h.y), n_1_size = B_2_abs + half_1_size;
+  const float B_3_abs = fabsf(B->h.z), n_2_size = B_3_abs + half_2_size;
+  const float n_0_padded = n_0_size + 1.9721523e-31f;
+  const float t_0_abs = fabsf(t->x), tn0_size = t_0_abs * n_0_padded;
+  const float n_1_padded = n_1_size + 1.9721523e-31f;
+  const float t_1_abs = fabsf(t->y), tn1_size = t_1_abs * n_1_padded;
+  const float n_2_padded = n_2_size + 1.9721523e-31f;
+  const float t_2_abs = fabsf(t->z), tn2_size = t_2_abs * n_2_padded;
+  const float tn0_padded = tn0_size + 1.9721523e-31f;
+  const float own_0_size = 2.0f * tn0_padded;
+  const float tn1_padded = tn1_size + 1.9721523e-31f;
+  const float own_1_size = 2.0f * tn1_padded;
+  const float tn2_padded = tn2_size + 1.9721523e-31f;
+  const float own_2_size = 2.0f * tn2_padded;
+  const float pairs_0_size = own_1_size + own_2_size;
+  const float pairs_1_size = own_0_size + own_2_size;
+  const float pairs_2_size = own_0_size + own_1_size;
+  const float pairs_3a_size = t_0_abs * n_1_padded, pairs_3b_size = t_1_abs * n_0_padded,
+      pairs_3_size = pairs_3a_size + pairs_3b_size;
+  const float pairs_4a_size = t_0_abs * n_2_padded, pairs_4b_size = t_2_abs * n_0_padded,
+      pairs_4_size = pairs_4a_size + pairs_4b_size;
+  const float pairs_5a_size = t_1_abs * n_2_padded, pairs_5b_size = t_2_abs * n_1_padded,
+      pairs_5_size = pairs_5a_size + pairs_5b_size;
+  const float moved_0_size = B_1_abs + mt_0_abs;
+  const float moved_1_size = B_2_abs + mt_1_abs;
+  const float moved_2_size = B_3_abs + mt_2_abs;
+  const float B_4_abs = fabsf(B->xx), Bo_4_size = B_4_abs + pairs_0_size;
+  const float B_5_abs = fabsf(B->yy), Bo_5_size = B_5_abs + pairs_1_size;
+  const float B_6_abs = fabsf(B->zz), Bo_6_size = B_6_abs + pairs_2_size;
+  const float B_7_abs = fabsf(B->xy), Bo_7_size = B_7_abs + pairs_3_size;
+  const float B_8_abs = fabsf(B->xz), Bo_8_size = B_8_abs + pairs_4_size;
+  const float B_9_abs = fabsf(B->yz), Bo_9_size = B_9_abs + pairs_5_size;
+  const float moved_0_padded = moved_0_size + 1.9721523e-31f,
+      moved_0_error_bound = 1.192093e-07f * moved_0_padded;
+  const float moved_1_padded = moved_1_size + 1.9721523e-31f,
+      moved_1_error_bound = 1.192093e-07f * moved_1_padded;
+  const float moved_2_padded = moved_2_size + 1.9721523e-31f,
+      moved_2_error_bound = 1.192093e-07f * moved_2_padded;
   const float Bo_4_padded = Bo_4_size + 1.9721523e-31f,
-      Bo_4_error_bound = 3.5762795e-07f * Bo_4_padded;
+      Bo_4_error_bound = 4.1723263e-07f * Bo_4_padded;
   const float Bo_5_padded = Bo_5_size + 1.9721523e-31f,
-      Bo_5_error_bound = 3.5762795e-07f * Bo_5_padded;
+      Bo_5_error_bound = 4.1723263e-07f * Bo_5_padded;
   const float Bo_6_padded = Bo_6_size + 1.9721523e-31f,
-      Bo_6_error_bound = 3.5762795e-07f * Bo_6_padded;
+      Bo_6_error_bound = 4.1723263e-07f * Bo_6_padded;
   const float Bo_7_padded = Bo_7_size + 1.9721523e-31f,
-      Bo_7_error_bound = 2.9802328e-07f * Bo_7_padded;
+      Bo_7_error_bound = 3.5762795e-07f * Bo_7_padded;
   const float Bo_8_padded = Bo_8_size + 1.9721523e-31f,
-      Bo_8_error_bound = 2.9802328e-07f * Bo_8_padded;
+      Bo_8_error_bound = 3.5762795e-07f * Bo_8_padded;
   const float Bo_9_padded = Bo_9_size + 1.9721523e-31f,
-      Bo_9_error_bound = 2.9802328e-07f * Bo_9_padded;
+      Bo_9_error_bound = 3.5762795e-07f * Bo_9_padded;
   const float B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -14819,7 +14924,7 @@ static inline void ksl_inertiaf_shifted_certified(const ksl_vec3f_t *t, const ks
      Bo_bound unless inf or NaN.
    D: displacement [R | t], R rotation, t in m; B, Bo, Bo_bound: spatial inertia (m in kg; h = m
      c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
-   108 mul, 129 add, 51 abs. */
+   114 mul, 135 add, 51 abs. */
 static inline void ksl_inertiaf_transformed_certified(const ksl_SE3f_t *D,
     const ksl_inertiaf_t *B, ksl_inertiaf_t *Bo, ksl_inertiaf_t *Bo_bound) {
   const float RI_0a = D->m00 * B->xx, RI_0b = D->m01 * B->xy, RI_0c = RI_0a + RI_0b,
@@ -14867,21 +14972,36 @@ static inline void ksl_inertiaf_transformed_certified(const ksl_SE3f_t *D,
   const float turned_9a = D->m20 * RI_3, turned_9b = D->m21 * RI_4,
       turned_9c = turned_9a + turned_9b, turned_9d = D->m22 * RI_5,
       turned_9 = turned_9c + turned_9d;
-  const float moved_0a = D->m03 * B->m, moved_0 = moved_0a + turned_1;
-  const float moved_1a = D->m13 * B->m, moved_1 = moved_1a + turned_2;
-  const float moved_2a = D->m23 * B->m, moved_2 = moved_2a + turned_3;
-  const float own_0a = D->m03 * turned_1, own_0b = D->m03 * moved_0, own_0 = own_0a + own_0b;
-  const float own_1a = D->m13 * turned_2, own_1b = D->m13 * moved_1, own_1 = own_1a + own_1b;
-  const float own_2a = D->m23 * turned_3, own_2b = D->m23 * moved_2, own_2 = own_2a + own_2b;
-  const float Bo_4a = own_1 + own_2, Bo_4 = turned_4 + Bo_4a;
-  const float Bo_5a = own_0 + own_2, Bo_5 = turned_5 + Bo_5a;
-  const float Bo_6a = own_0 + own_1, Bo_6 = turned_6 + Bo_6a;
-  const float Bo_7a = D->m03 * moved_1, Bo_7b = turned_7 - Bo_7a, Bo_7c = D->m13 * turned_1,
-      Bo_7 = Bo_7b - Bo_7c;
-  const float Bo_8a = D->m03 * moved_2, Bo_8b = turned_8 - Bo_8a, Bo_8c = D->m23 * turned_1,
-      Bo_8 = Bo_8b - Bo_8c;
-  const float Bo_9a = D->m13 * moved_2, Bo_9b = turned_9 - Bo_9a, Bo_9c = D->m23 * turned_2,
-      Bo_9 = Bo_9b - Bo_9c;
+  const float mt_0 = D->m03 * B->m;
+  const float mt_1 = D->m13 * B->m;
+  const float mt_2 = D->m23 * B->m;
+  const float half_0 = 0.5f * mt_0;
+  const float half_1 = 0.5f * mt_1;
+  const float half_2 = 0.5f * mt_2;
+  const float n_0 = turned_1 + half_0;
+  const float n_1 = turned_2 + half_1;
+  const float n_2 = turned_3 + half_2;
+  const float tn0 = D->m03 * n_0;
+  const float tn1 = D->m13 * n_1;
+  const float tn2 = D->m23 * n_2;
+  const float own_0 = 2.0f * tn0;
+  const float own_1 = 2.0f * tn1;
+  const float own_2 = 2.0f * tn2;
+  const float pairs_0 = own_1 + own_2;
+  const float pairs_1 = own_0 + own_2;
+  const float pairs_2 = own_0 + own_1;
+  const float pairs_3a = D->m03 * n_1, pairs_3b = D->m13 * n_0, pairs_3 = pairs_3a + pairs_3b;
+  const float pairs_4a = D->m03 * n_2, pairs_4b = D->m23 * n_0, pairs_4 = pairs_4a + pairs_4b;
+  const float pairs_5a = D->m13 * n_2, pairs_5b = D->m23 * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const float moved_0 = turned_1 + mt_0;
+  const float moved_1 = turned_2 + mt_1;
+  const float moved_2 = turned_3 + mt_2;
+  const float Bo_4 = turned_4 + pairs_0;
+  const float Bo_5 = turned_5 + pairs_1;
+  const float Bo_6 = turned_6 + pairs_2;
+  const float Bo_7 = turned_7 - pairs_3;
+  const float Bo_8 = turned_8 - pairs_4;
+  const float Bo_9 = turned_9 - pairs_5;
   const float RI_0a_abs = fabsf(RI_0a), RI_0b_abs = fabsf(RI_0b),
       RI_0c_size = RI_0a_abs + RI_0b_abs, RI_0d_abs = fabsf(RI_0d),
       RI_0_size = RI_0c_size + RI_0d_abs;
@@ -14951,33 +15071,51 @@ static inline void ksl_inertiaf_transformed_certified(const ksl_SE3f_t *D,
   const float turned_9a_size = D_20_abs * RI_3_padded, turned_9b_size = D_21_abs * RI_4_padded,
       turned_9c_size = turned_9a_size + turned_9b_size, turned_9d_size = D_22_abs * RI_5_padded,
       turned_9_size = turned_9c_size + turned_9d_size;
-  const float moved_0a_abs = fabsf(moved_0a), moved_0_size = moved_0a_abs + turned_1_size;
-  const float moved_1a_abs = fabsf(moved_1a), moved_1_size = moved_1a_abs + turned_2_size;
-  const float moved_2a_abs = fabsf(moved_2a), moved_2_size = moved_2a_abs + turned_3_size;
-  const float turned_1_padded = turned_1_size + 1.9721523e-31f;
-  const float D_03_abs = fabsf(D->m03), own_0a_size = D_03_abs * turned_1_padded;
-  const float moved_0_padded = moved_0_size + 1.9721523e-31f;
-  const float own_0b_size = D_03_abs * moved_0_padded, own_0_size = own_0a_size + own_0b_size;
-  const float turned_2_padded = turned_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), own_1a_size = D_13_abs * turned_2_padded;
-  const float moved_1_padded = moved_1_size + 1.9721523e-31f;
-  const float own_1b_size = D_13_abs * moved_1_padded, own_1_size = own_1a_size + own_1b_size;
-  const float turned_3_padded = turned_3_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), own_2a_size = D_23_abs * turned_3_padded;
-  const float moved_2_padded = moved_2_size + 1.9721523e-31f;
-  const float own_2b_size = D_23_abs * moved_2_padded, own_2_size = own_2a_size + own_2b_size;
-  const float Bo_4a_size = own_1_size + own_2_size, Bo_4_size = turned_4_size + Bo_4a_size;
-  const float Bo_5a_size = own_0_size + own_2_size, Bo_5_size = turned_5_size + Bo_5a_size;
-  const float Bo_6a_size = own_0_size + own_1_size, Bo_6_size = turned_6_size + Bo_6a_size;
-  const float Bo_7a_size = D_03_abs * moved_1_padded, Bo_7b_size = turned_7_size + Bo_7a_size,
-      Bo_7c_size = D_13_abs * turned_1_padded, Bo_7_size = Bo_7b_size + Bo_7c_size;
-  const float Bo_8a_size = D_03_abs * moved_2_padded, Bo_8b_size = turned_8_size + Bo_8a_size,
-      Bo_8c_size = D_23_abs * turned_1_padded, Bo_8_size = Bo_8b_size + Bo_8c_size;
-  const float Bo_9a_size = D_13_abs * moved_2_padded, Bo_9b_size = turned_9_size + Bo_9a_size,
-      Bo_9c_size = D_23_abs * turned_2_padded, Bo_9_size = Bo_9b_size + Bo_9c_size;
-  const float moved_0_error_bound = 2.3841864e-07f * moved_0_padded;
-  const float moved_1_error_bound = 2.3841864e-07f * moved_1_padded;
-  const float moved_2_error_bound = 2.3841864e-07f * moved_2_padded;
+  const float mt_0_abs = fabsf(mt_0), mt_0_padded = mt_0_abs + 1.9721523e-31f;
+  const float half_0_size = 0.5f * mt_0_padded;
+  const float mt_1_abs = fabsf(mt_1), mt_1_padded = mt_1_abs + 1.9721523e-31f;
+  const float half_1_size = 0.5f * mt_1_padded;
+  const float mt_2_abs = fabsf(mt_2), mt_2_padded = mt_2_abs + 1.9721523e-31f;
+  const float half_2_size = 0.5f * mt_2_padded;
+  const float n_0_size = turned_1_size + half_0_size;
+  const float n_1_size = turned_2_size + half_1_size;
+  const float n_2_size = turned_3_size + half_2_size;
+  const float n_0_padded = n_0_size + 1.9721523e-31f;
+  const float D_03_abs = fabsf(D->m03), tn0_size = D_03_abs * n_0_padded;
+  const float n_1_padded = n_1_size + 1.9721523e-31f;
+  const float D_13_abs = fabsf(D->m13), tn1_size = D_13_abs * n_1_padded;
+  const float n_2_padded = n_2_size + 1.9721523e-31f;
+  const float D_23_abs = fabsf(D->m23), tn2_size = D_23_abs * n_2_padded;
+  const float tn0_padded = tn0_size + 1.9721523e-31f;
+  const float own_0_size = 2.0f * tn0_padded;
+  const float tn1_padded = tn1_size + 1.9721523e-31f;
+  const float own_1_size = 2.0f * tn1_padded;
+  const float tn2_padded = tn2_size + 1.9721523e-31f;
+  const float own_2_size = 2.0f * tn2_padded;
+  const float pairs_0_size = own_1_size + own_2_size;
+  const float pairs_1_size = own_0_size + own_2_size;
+  const float pairs_2_size = own_0_size + own_1_size;
+  const float pairs_3a_size = D_03_abs * n_1_padded, pairs_3b_size = D_13_abs * n_0_padded,
+      pairs_3_size = pairs_3a_size + pairs_3b_size;
+  const float pairs_4a_size = D_03_abs * n_2_padded, pairs_4b_size = D_23_abs * n_0_padded,
+      pairs_4_size = pairs_4a_size + pairs_4b_size;
+  const float pairs_5a_size = D_13_abs * n_2_padded, pairs_5b_size = D_23_abs * n_1_padded,
+      pairs_5_size = pairs_5a_size + pairs_5b_size;
+  const float moved_0_size = turned_1_size + mt_0_abs;
+  const float moved_1_size = turned_2_size + mt_1_abs;
+  const float moved_2_size = turned_3_size + mt_2_abs;
+  const float Bo_4_size = turned_4_size + pairs_0_size;
+  const float Bo_5_size = turned_5_size + pairs_1_size;
+  const float Bo_6_size = turned_6_size + pairs_2_size;
+  const float Bo_7_size = turned_7_size + pairs_3_size;
+  const float Bo_8_size = turned_8_size + pairs_4_size;
+  const float Bo_9_size = turned_9_size + pairs_5_size;
+  const float moved_0_padded = moved_0_size + 1.9721523e-31f,
+      moved_0_error_bound = 2.3841864e-07f * moved_0_padded;
+  const float moved_1_padded = moved_1_size + 1.9721523e-31f,
+      moved_1_error_bound = 2.3841864e-07f * moved_1_padded;
+  const float moved_2_padded = moved_2_size + 1.9721523e-31f,
+      moved_2_error_bound = 2.3841864e-07f * moved_2_padded;
   const float Bo_4_padded = Bo_4_size + 1.9721523e-31f,
       Bo_4_error_bound = 4.7683733e-07f * Bo_4_padded;
   const float Bo_5_padded = Bo_5_size + 1.9721523e-31f,
@@ -14985,11 +15123,11 @@ static inline void ksl_inertiaf_transformed_certified(const ksl_SE3f_t *D,
   const float Bo_6_padded = Bo_6_size + 1.9721523e-31f,
       Bo_6_error_bound = 4.7683733e-07f * Bo_6_padded;
   const float Bo_7_padded = Bo_7_size + 1.9721523e-31f,
-      Bo_7_error_bound = 4.7683733e-07f * Bo_7_padded;
+      Bo_7_error_bound = 4.1723263e-07f * Bo_7_padded;
   const float Bo_8_padded = Bo_8_size + 1.9721523e-31f,
-      Bo_8_error_bound = 4.7683733e-07f * Bo_8_padded;
+      Bo_8_error_bound = 4.1723263e-07f * Bo_8_padded;
   const float Bo_9_padded = Bo_9_size + 1.9721523e-31f,
-      Bo_9_error_bound = 4.7683733e-07f * Bo_9_padded;
+      Bo_9_error_bound = 4.1723263e-07f * Bo_9_padded;
   const float B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;

@@ -1158,7 +1158,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "\n"
     "(10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,\n"
     "xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy: number.\n"
-    "31 mul, 23 add.  Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded\n"
+    "28 mul, 17 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
    2, 1, inertia_energy_loops},
   {"inertia_shifted", "(3),(10)->(10)",
@@ -1166,7 +1166,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "\n"
     "(3),(10)->(10).  t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the\n"
     "origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
-    "15 mul, 18 add.  Error <= u |result| + (m: 0, h: 1, I: 5) u S, S the sum of the |terms| of\n"
+    "18 mul, 18 add.  Error <= u |result| + (m: 0, h: 1, I: 4) u S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
    2, 1, inertia_shifted_loops},
   {"inertia_transformed", "(3,4),(10)->(10)",
@@ -1174,7 +1174,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "\n"
     "(3,4),(10)->(10).  D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in\n"
     "kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
-    "69 mul, 54 add.  Error <= u |result| + (m: 0, h: 3, I: 7) u S, S the sum of the |terms| of\n"
+    "72 mul, 54 add.  Error <= u |result| + (m: 0, h: 3, I: 6) u S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
    2, 1, inertia_transformed_loops},
   {"inertia_consistency", "(10)->()",

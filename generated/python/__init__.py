@@ -12,7 +12,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "08ac65e9f50f5a6f")
+COMPILED: bool = is_compiled("coscrew._gufunc", "16996694d5d0c7cb")
 
 if COMPILED:
     from coscrew._gufunc import (

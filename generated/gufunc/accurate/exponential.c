@@ -329,14 +329,14 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.\n"
     "\n"
     "(3,3)->(3,3).  self: rotation or other 3×3 matrix.\n"
-    "84 mul, 270 add, 45 product rest, 6 neg.  Error <= u |result| + 54 u^2 S, S the sum of the\n"
+    "84 mul, 288 add, 45 product rest, 6 neg.  Error <= u |result| + 44 u^2 S, S the sum of the\n"
     "|terms| of the expanded formula; barring over- and underflow.\n",
    1, 1, mat3x3_orthonormalize_loops},
   {"mat3x3_orthonormalized", "(3,3)->(3,3)",
     "Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.\n"
     "\n"
     "(3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.\n"
-    "84 mul, 270 add, 45 product rest, 6 neg.  Error <= u |result| + 54 u^2 S, S the sum of the\n"
+    "84 mul, 288 add, 45 product rest, 6 neg.  Error <= u |result| + 44 u^2 S, S the sum of the\n"
     "|terms| of the expanded formula; barring over- and underflow.\n",
    1, 1, mat3x3_orthonormalized_loops},
   {NULL, NULL, NULL, 0, 0, NULL},

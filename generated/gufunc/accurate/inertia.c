@@ -982,7 +982,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "\n"
     "(10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,\n"
     "xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy: number.\n"
-    "38 mul, 131 add, 30 product rest.  Error <= u |result| + 64 u^2 S, S the sum of the |terms|\n"
+    "38 mul, 155 add, 24 product rest.  Error <= u |result| + 38 u^2 S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
    2, 1, inertia_energy_loops},
   {"inertia_shifted", "(3),(10)->(10)",
@@ -990,16 +990,16 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "\n"
     "(3),(10)->(10).  t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the\n"
     "origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
-    "21 mul, 120 add, 15 product rest.  Error <= u |result| + (m: 0, h: 3, I: 31) u^2 S, S the\n"
-    "sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "33 mul, 138 add, 6 product error, 6 product rest.  Error <= u |result| + (m: 0, h: 2, I: 20)\n"
+    "u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
    2, 1, inertia_shifted_loops},
   {"inertia_transformed", "(3,4),(10)->(10)",
     "Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.\n"
     "\n"
     "(3,4),(10)->(10).  D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in\n"
     "kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
-    "99 mul, 333 add, 69 product rest.  Error <= u |result| + (m: 0, h: 17, I: 119/2) u^2 S, S\n"
-    "the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+    "105 mul, 420 add, 6 product error, 60 product rest.  Error <= u |result| + (m: 0, h: 16, I:\n"
+    "35) u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
    2, 1, inertia_transformed_loops},
   {"inertia_consistency", "(10)->()",
     "the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:\n"

@@ -197,18 +197,24 @@ def inertia_energy(B, s):
 
     (10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
     xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy: number.
-    31 mul, 23 add.  Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded
+    28 mul, 17 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
     B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
     s_0, s_1, s_2, s_3, s_4, s_5 = s
-    p_0 = B_0 * s_0 + (B_3 * s_4 - B_2 * s_5)
-    p_1 = B_0 * s_1 + (B_1 * s_5 - B_3 * s_3)
-    p_2 = B_0 * s_2 + (B_2 * s_3 - B_1 * s_4)
-    p_3 = B_2 * s_2 - B_3 * s_1 + (B_4 * s_3 + B_7 * s_4 + B_8 * s_5)
-    p_4 = B_3 * s_0 - B_1 * s_2 + (B_5 * s_4 + B_7 * s_3 + B_9 * s_5)
-    p_5 = B_1 * s_1 - B_2 * s_0 + (B_6 * s_5 + B_8 * s_3 + B_9 * s_4)
-    twice = s_0 * p_0 + s_1 * p_1 + s_2 * p_2 + (s_3 * p_3 + s_4 * p_4 + s_5 * p_5)
+    across_0 = B_3 * s_4 - B_2 * s_5
+    across_1 = B_1 * s_5 - B_3 * s_3
+    across_2 = B_2 * s_3 - B_1 * s_4
+    twice_across_0 = 2 * across_0
+    twice_across_1 = 2 * across_1
+    twice_across_2 = 2 * across_2
+    p_0 = B_0 * s_0 + twice_across_0
+    p_1 = B_0 * s_1 + twice_across_1
+    p_2 = B_0 * s_2 + twice_across_2
+    L_0 = B_4 * s_3 + B_7 * s_4 + B_8 * s_5
+    L_1 = B_5 * s_4 + B_7 * s_3 + B_9 * s_5
+    L_2 = B_6 * s_5 + B_8 * s_3 + B_9 * s_4
+    twice = s_0 * p_0 + s_1 * p_1 + s_2 * p_2 + (s_3 * L_0 + s_4 * L_1 + s_5 * L_2)
     energy = 0.5 * twice
     return energy
 
@@ -219,23 +225,41 @@ def inertia_shifted(t, B):
 
     (3),(10)->(10).  t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the
     origin, xx, yy, zz, xy, xz, yz in kg m^2).
-    15 mul, 18 add.  Error <= u |result| + (m: 0, h: 1, I: 5) u S, S the sum of the |terms| of
+    18 mul, 18 add.  Error <= u |result| + (m: 0, h: 1, I: 4) u S, S the sum of the |terms| of
     the expanded formula; barring over- and underflow.
     """
     t_0, t_1, t_2 = t
     B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
-    moved_0 = t_0 * B_0 + B_1
-    moved_1 = t_1 * B_0 + B_2
-    moved_2 = t_2 * B_0 + B_3
-    own_0 = t_0 * B_1 + t_0 * moved_0
-    own_1 = t_1 * B_2 + t_1 * moved_1
-    own_2 = t_2 * B_3 + t_2 * moved_2
-    Bo_4 = B_4 + (own_1 + own_2)
-    Bo_5 = B_5 + (own_0 + own_2)
-    Bo_6 = B_6 + (own_0 + own_1)
-    Bo_7 = B_7 - t_0 * moved_1 - t_1 * B_1
-    Bo_8 = B_8 - t_0 * moved_2 - t_2 * B_1
-    Bo_9 = B_9 - t_1 * moved_2 - t_2 * B_2
+    mt_0 = t_0 * B_0
+    mt_1 = t_1 * B_0
+    mt_2 = t_2 * B_0
+    half_0 = 0.5 * mt_0
+    half_1 = 0.5 * mt_1
+    half_2 = 0.5 * mt_2
+    n_0 = B_1 + half_0
+    n_1 = B_2 + half_1
+    n_2 = B_3 + half_2
+    tn0 = t_0 * n_0
+    tn1 = t_1 * n_1
+    tn2 = t_2 * n_2
+    own_0 = 2 * tn0
+    own_1 = 2 * tn1
+    own_2 = 2 * tn2
+    pairs_0 = own_1 + own_2
+    pairs_1 = own_0 + own_2
+    pairs_2 = own_0 + own_1
+    pairs_3 = t_0 * n_1 + t_1 * n_0
+    pairs_4 = t_0 * n_2 + t_2 * n_0
+    pairs_5 = t_1 * n_2 + t_2 * n_1
+    moved_0 = B_1 + mt_0
+    moved_1 = B_2 + mt_1
+    moved_2 = B_3 + mt_2
+    Bo_4 = B_4 + pairs_0
+    Bo_5 = B_5 + pairs_1
+    Bo_6 = B_6 + pairs_2
+    Bo_7 = B_7 - pairs_3
+    Bo_8 = B_8 - pairs_4
+    Bo_9 = B_9 - pairs_5
     return (B_0, moved_0, moved_1, moved_2, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9)
 
 
@@ -245,7 +269,7 @@ def inertia_transformed(D, B):
 
     (3,4),(10)->(10).  D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in
     kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
-    69 mul, 54 add.  Error <= u |result| + (m: 0, h: 3, I: 7) u S, S the sum of the |terms| of
+    72 mul, 54 add.  Error <= u |result| + (m: 0, h: 3, I: 6) u S, S the sum of the |terms| of
     the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
@@ -268,18 +292,36 @@ def inertia_transformed(D, B):
     turned_7 = D_10 * RI_0 + D_11 * RI_1 + D_12 * RI_2
     turned_8 = D_20 * RI_0 + D_21 * RI_1 + D_22 * RI_2
     turned_9 = D_20 * RI_3 + D_21 * RI_4 + D_22 * RI_5
-    moved_0 = D_03 * B_0 + turned_1
-    moved_1 = D_13 * B_0 + turned_2
-    moved_2 = D_23 * B_0 + turned_3
-    own_0 = D_03 * turned_1 + D_03 * moved_0
-    own_1 = D_13 * turned_2 + D_13 * moved_1
-    own_2 = D_23 * turned_3 + D_23 * moved_2
-    Bo_4 = turned_4 + (own_1 + own_2)
-    Bo_5 = turned_5 + (own_0 + own_2)
-    Bo_6 = turned_6 + (own_0 + own_1)
-    Bo_7 = turned_7 - D_03 * moved_1 - D_13 * turned_1
-    Bo_8 = turned_8 - D_03 * moved_2 - D_23 * turned_1
-    Bo_9 = turned_9 - D_13 * moved_2 - D_23 * turned_2
+    mt_0 = D_03 * B_0
+    mt_1 = D_13 * B_0
+    mt_2 = D_23 * B_0
+    half_0 = 0.5 * mt_0
+    half_1 = 0.5 * mt_1
+    half_2 = 0.5 * mt_2
+    n_0 = turned_1 + half_0
+    n_1 = turned_2 + half_1
+    n_2 = turned_3 + half_2
+    tn0 = D_03 * n_0
+    tn1 = D_13 * n_1
+    tn2 = D_23 * n_2
+    own_0 = 2 * tn0
+    own_1 = 2 * tn1
+    own_2 = 2 * tn2
+    pairs_0 = own_1 + own_2
+    pairs_1 = own_0 + own_2
+    pairs_2 = own_0 + own_1
+    pairs_3 = D_03 * n_1 + D_13 * n_0
+    pairs_4 = D_03 * n_2 + D_23 * n_0
+    pairs_5 = D_13 * n_2 + D_23 * n_1
+    moved_0 = turned_1 + mt_0
+    moved_1 = turned_2 + mt_1
+    moved_2 = turned_3 + mt_2
+    Bo_4 = turned_4 + pairs_0
+    Bo_5 = turned_5 + pairs_1
+    Bo_6 = turned_6 + pairs_2
+    Bo_7 = turned_7 - pairs_3
+    Bo_8 = turned_8 - pairs_4
+    Bo_9 = turned_9 - pairs_5
     return (B_0, moved_0, moved_1, moved_2, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9)
 
 

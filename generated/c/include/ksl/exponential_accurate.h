@@ -493,8 +493,8 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
 
 /* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
-   84 mul, 270 add, 45 product rest, 6 neg.
-   Error <= u |result| + 54 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   84 mul, 288 add, 45 product rest, 6 neg.
+   Error <= u |result| + 44 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
   const double defect_0a = self->m00 * self->m00, defect_0b = 1.0 - defect_0a,
@@ -584,9 +584,30 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       defect_5e_lo1 = defect_5e_left_rest + defect_5e_right_rest,
       defect_5e_lo = defect_5e_lo1 + defect_5c_lo, defect_5 = -defect_5e,
       defect_5_lo = -defect_5e_lo;
-  const double correction_0 = 0.5 * defect_0, correction_0_cross2 = 0.5 * defect_0_lo;
-  const double correction_1 = 0.5 * defect_1, correction_1_cross2 = 0.5 * defect_1_lo;
-  const double correction_2 = 0.5 * defect_2, correction_2_cross2 = 0.5 * defect_2_lo;
+  const double correction_0_of_defect_0 = defect_0 + defect_0_lo,
+      correction_0_of_defect_0_right = correction_0_of_defect_0 - defect_0,
+      correction_0_of_defect_0_left = correction_0_of_defect_0 - correction_0_of_defect_0_right,
+      correction_0_of_defect_0_left_rest = defect_0 - correction_0_of_defect_0_left,
+      correction_0_of_defect_0_right_rest = defect_0_lo - correction_0_of_defect_0_right,
+      correction_0_of_defect_0_lo = correction_0_of_defect_0_left_rest + correction_0_of_defect_0_right_rest,
+      correction_0 = 0.5 * correction_0_of_defect_0,
+      correction_0_cross2 = 0.5 * correction_0_of_defect_0_lo;
+  const double correction_1_of_defect_1 = defect_1 + defect_1_lo,
+      correction_1_of_defect_1_right = correction_1_of_defect_1 - defect_1,
+      correction_1_of_defect_1_left = correction_1_of_defect_1 - correction_1_of_defect_1_right,
+      correction_1_of_defect_1_left_rest = defect_1 - correction_1_of_defect_1_left,
+      correction_1_of_defect_1_right_rest = defect_1_lo - correction_1_of_defect_1_right,
+      correction_1_of_defect_1_lo = correction_1_of_defect_1_left_rest + correction_1_of_defect_1_right_rest,
+      correction_1 = 0.5 * correction_1_of_defect_1,
+      correction_1_cross2 = 0.5 * correction_1_of_defect_1_lo;
+  const double correction_2_of_defect_2 = defect_2 + defect_2_lo,
+      correction_2_of_defect_2_right = correction_2_of_defect_2 - defect_2,
+      correction_2_of_defect_2_left = correction_2_of_defect_2 - correction_2_of_defect_2_right,
+      correction_2_of_defect_2_left_rest = defect_2 - correction_2_of_defect_2_left,
+      correction_2_of_defect_2_right_rest = defect_2_lo - correction_2_of_defect_2_right,
+      correction_2_of_defect_2_lo = correction_2_of_defect_2_left_rest + correction_2_of_defect_2_right_rest,
+      correction_2 = 0.5 * correction_2_of_defect_2,
+      correction_2_cross2 = 0.5 * correction_2_of_defect_2_lo;
   const double correction_3 = 0.5 * defect_3, correction_3_cross2 = 0.5 * defect_3_lo;
   const double correction_4 = 0.5 * defect_4, correction_4_cross2 = 0.5 * defect_4_lo;
   const double correction_5 = 0.5 * defect_5, correction_5_cross2 = 0.5 * defect_5_lo;
@@ -864,8 +885,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
 
 /* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
-   84 mul, 270 add, 45 product rest, 6 neg.
-   Error <= u |result| + 54 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   84 mul, 288 add, 45 product rest, 6 neg.
+   Error <= u |result| + 44 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double defect_0a = R->m00 * R->m00, defect_0b = 1.0 - defect_0a,
@@ -955,9 +976,30 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
       defect_5e_lo1 = defect_5e_left_rest + defect_5e_right_rest,
       defect_5e_lo = defect_5e_lo1 + defect_5c_lo, defect_5 = -defect_5e,
       defect_5_lo = -defect_5e_lo;
-  const double correction_0 = 0.5 * defect_0, correction_0_cross2 = 0.5 * defect_0_lo;
-  const double correction_1 = 0.5 * defect_1, correction_1_cross2 = 0.5 * defect_1_lo;
-  const double correction_2 = 0.5 * defect_2, correction_2_cross2 = 0.5 * defect_2_lo;
+  const double correction_0_of_defect_0 = defect_0 + defect_0_lo,
+      correction_0_of_defect_0_right = correction_0_of_defect_0 - defect_0,
+      correction_0_of_defect_0_left = correction_0_of_defect_0 - correction_0_of_defect_0_right,
+      correction_0_of_defect_0_left_rest = defect_0 - correction_0_of_defect_0_left,
+      correction_0_of_defect_0_right_rest = defect_0_lo - correction_0_of_defect_0_right,
+      correction_0_of_defect_0_lo = correction_0_of_defect_0_left_rest + correction_0_of_defect_0_right_rest,
+      correction_0 = 0.5 * correction_0_of_defect_0,
+      correction_0_cross2 = 0.5 * correction_0_of_defect_0_lo;
+  const double correction_1_of_defect_1 = defect_1 + defect_1_lo,
+      correction_1_of_defect_1_right = correction_1_of_defect_1 - defect_1,
+      correction_1_of_defect_1_left = correction_1_of_defect_1 - correction_1_of_defect_1_right,
+      correction_1_of_defect_1_left_rest = defect_1 - correction_1_of_defect_1_left,
+      correction_1_of_defect_1_right_rest = defect_1_lo - correction_1_of_defect_1_right,
+      correction_1_of_defect_1_lo = correction_1_of_defect_1_left_rest + correction_1_of_defect_1_right_rest,
+      correction_1 = 0.5 * correction_1_of_defect_1,
+      correction_1_cross2 = 0.5 * correction_1_of_defect_1_lo;
+  const double correction_2_of_defect_2 = defect_2 + defect_2_lo,
+      correction_2_of_defect_2_right = correction_2_of_defect_2 - defect_2,
+      correction_2_of_defect_2_left = correction_2_of_defect_2 - correction_2_of_defect_2_right,
+      correction_2_of_defect_2_left_rest = defect_2 - correction_2_of_defect_2_left,
+      correction_2_of_defect_2_right_rest = defect_2_lo - correction_2_of_defect_2_right,
+      correction_2_of_defect_2_lo = correction_2_of_defect_2_left_rest + correction_2_of_defect_2_right_rest,
+      correction_2 = 0.5 * correction_2_of_defect_2,
+      correction_2_cross2 = 0.5 * correction_2_of_defect_2_lo;
   const double correction_3 = 0.5 * defect_3, correction_3_cross2 = 0.5 * defect_3_lo;
   const double correction_4 = 0.5 * defect_4, correction_4_cross2 = 0.5 * defect_4_lo;
   const double correction_5 = 0.5 * defect_5, correction_5_cross2 = 0.5 * defect_5_lo;

@@ -302,28 +302,31 @@ static inline void ksl_product_Bs(const ksl_inertia_t *B, const ksl_screw_t *s, 
 /* s·B s / 2, the kinetic energy in J of a body that moves with s.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
-   31 mul, 23 add.
-   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
+   28 mul, 17 add.
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_inertia_energy(const ksl_inertia_t *B, const ksl_screw_t *s) {
-  const double p_0a = B->m * s->m0, p_0b = B->h.z * s->m4, p_0c = B->h.y * s->m5,
-      p_0d = p_0b - p_0c, p_0 = p_0a + p_0d;
-  const double p_1a = B->m * s->m1, p_1b = B->h.x * s->m5, p_1c = B->h.z * s->m3,
-      p_1d = p_1b - p_1c, p_1 = p_1a + p_1d;
-  const double p_2a = B->m * s->m2, p_2b = B->h.y * s->m3, p_2c = B->h.x * s->m4,
-      p_2d = p_2b - p_2c, p_2 = p_2a + p_2d;
-  const double p_3a = B->h.y * s->m2, p_3b = B->h.z * s->m1, p_3c = p_3a - p_3b,
-      p_3d = B->xx * s->m3, p_3e = B->xy * s->m4, p_3f = p_3d + p_3e, p_3g = B->xz * s->m5,
-      p_3h = p_3f + p_3g, p_3 = p_3c + p_3h;
-  const double p_4a = B->h.z * s->m0, p_4b = B->h.x * s->m2, p_4c = p_4a - p_4b,
-      p_4d = B->yy * s->m4, p_4e = B->xy * s->m3, p_4f = p_4d + p_4e, p_4g = B->yz * s->m5,
-      p_4h = p_4f + p_4g, p_4 = p_4c + p_4h;
-  const double p_5a = B->h.x * s->m1, p_5b = B->h.y * s->m0, p_5c = p_5a - p_5b,
-      p_5d = B->zz * s->m5, p_5e = B->xz * s->m3, p_5f = p_5d + p_5e, p_5g = B->yz * s->m4,
-      p_5h = p_5f + p_5g, p_5 = p_5c + p_5h;
+  const double across_0a = B->h.z * s->m4, across_0b = B->h.y * s->m5,
+      across_0 = across_0a - across_0b;
+  const double across_1a = B->h.x * s->m5, across_1b = B->h.z * s->m3,
+      across_1 = across_1a - across_1b;
+  const double across_2a = B->h.y * s->m3, across_2b = B->h.x * s->m4,
+      across_2 = across_2a - across_2b;
+  const double twice_across_0 = 2.0 * across_0;
+  const double twice_across_1 = 2.0 * across_1;
+  const double twice_across_2 = 2.0 * across_2;
+  const double p_0a = B->m * s->m0, p_0 = p_0a + twice_across_0;
+  const double p_1a = B->m * s->m1, p_1 = p_1a + twice_across_1;
+  const double p_2a = B->m * s->m2, p_2 = p_2a + twice_across_2;
+  const double L_0a = B->xx * s->m3, L_0b = B->xy * s->m4, L_0c = L_0a + L_0b, L_0d = B->xz * s->m5,
+      L_0 = L_0c + L_0d;
+  const double L_1a = B->yy * s->m4, L_1b = B->xy * s->m3, L_1c = L_1a + L_1b, L_1d = B->yz * s->m5,
+      L_1 = L_1c + L_1d;
+  const double L_2a = B->zz * s->m5, L_2b = B->xz * s->m3, L_2c = L_2a + L_2b, L_2d = B->yz * s->m4,
+      L_2 = L_2c + L_2d;
   const double twice_a = s->m0 * p_0, twice_b = s->m1 * p_1, twice_c = twice_a + twice_b,
-      twice_d = s->m2 * p_2, twice_e = twice_c + twice_d, twice_f = s->m3 * p_3,
-      twice_g = s->m4 * p_4, twice_h = twice_f + twice_g, twice_i = s->m5 * p_5,
+      twice_d = s->m2 * p_2, twice_e = twice_c + twice_d, twice_f = s->m3 * L_0,
+      twice_g = s->m4 * L_1, twice_h = twice_f + twice_g, twice_i = s->m5 * L_2,
       twice_j = twice_h + twice_i, twice = twice_e + twice_j;
   const double energy = 0.5 * twice;
   return energy;
@@ -332,26 +335,41 @@ static inline double ksl_inertia_energy(const ksl_inertia_t *B, const ksl_screw_
 /* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
    t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
      xy, xz, yz in kg m^2).
-   15 mul, 18 add.
-   Error <= u |result| + (m: 0, h: 1, I: 5) u S, S the sum of the |terms| of the expanded
+   18 mul, 18 add.
+   Error <= u |result| + (m: 0, h: 1, I: 4) u S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertia_shifted(const ksl_vec3_t *t, const ksl_inertia_t *B,
     ksl_inertia_t *Bo) {
-  const double moved_0a = t->x * B->m, moved_0 = moved_0a + B->h.x;
-  const double moved_1a = t->y * B->m, moved_1 = moved_1a + B->h.y;
-  const double moved_2a = t->z * B->m, moved_2 = moved_2a + B->h.z;
-  const double own_0a = t->x * B->h.x, own_0b = t->x * moved_0, own_0 = own_0a + own_0b;
-  const double own_1a = t->y * B->h.y, own_1b = t->y * moved_1, own_1 = own_1a + own_1b;
-  const double own_2a = t->z * B->h.z, own_2b = t->z * moved_2, own_2 = own_2a + own_2b;
-  const double Bo_4a = own_1 + own_2, Bo_4 = B->xx + Bo_4a;
-  const double Bo_5a = own_0 + own_2, Bo_5 = B->yy + Bo_5a;
-  const double Bo_6a = own_0 + own_1, Bo_6 = B->zz + Bo_6a;
-  const double Bo_7a = t->x * moved_1, Bo_7b = B->xy - Bo_7a, Bo_7c = t->y * B->h.x,
-      Bo_7 = Bo_7b - Bo_7c;
-  const double Bo_8a = t->x * moved_2, Bo_8b = B->xz - Bo_8a, Bo_8c = t->z * B->h.x,
-      Bo_8 = Bo_8b - Bo_8c;
-  const double Bo_9a = t->y * moved_2, Bo_9b = B->yz - Bo_9a, Bo_9c = t->z * B->h.y,
-      Bo_9 = Bo_9b - Bo_9c;
+  const double mt_0 = t->x * B->m;
+  const double mt_1 = t->y * B->m;
+  const double mt_2 = t->z * B->m;
+  const double half_0 = 0.5 * mt_0;
+  const double half_1 = 0.5 * mt_1;
+  const double half_2 = 0.5 * mt_2;
+  const double n_0 = B->h.x + half_0;
+  const double n_1 = B->h.y + half_1;
+  const double n_2 = B->h.z + half_2;
+  const double tn0 = t->x * n_0;
+  const double tn1 = t->y * n_1;
+  const double tn2 = t->z * n_2;
+  const double own_0 = 2.0 * tn0;
+  const double own_1 = 2.0 * tn1;
+  const double own_2 = 2.0 * tn2;
+  const double pairs_0 = own_1 + own_2;
+  const double pairs_1 = own_0 + own_2;
+  const double pairs_2 = own_0 + own_1;
+  const double pairs_3a = t->x * n_1, pairs_3b = t->y * n_0, pairs_3 = pairs_3a + pairs_3b;
+  const double pairs_4a = t->x * n_2, pairs_4b = t->z * n_0, pairs_4 = pairs_4a + pairs_4b;
+  const double pairs_5a = t->y * n_2, pairs_5b = t->z * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const double moved_0 = B->h.x + mt_0;
+  const double moved_1 = B->h.y + mt_1;
+  const double moved_2 = B->h.z + mt_2;
+  const double Bo_4 = B->xx + pairs_0;
+  const double Bo_5 = B->yy + pairs_1;
+  const double Bo_6 = B->zz + pairs_2;
+  const double Bo_7 = B->xy - pairs_3;
+  const double Bo_8 = B->xz - pairs_4;
+  const double Bo_9 = B->yz - pairs_5;
   const double B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -368,8 +386,8 @@ static inline void ksl_inertia_shifted(const ksl_vec3_t *t, const ksl_inertia_t 
 /* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
    D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
      I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
-   69 mul, 54 add.
-   Error <= u |result| + (m: 0, h: 3, I: 7) u S, S the sum of the |terms| of the expanded
+   72 mul, 54 add.
+   Error <= u |result| + (m: 0, h: 3, I: 6) u S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertia_transformed(const ksl_SE3_t *D, const ksl_inertia_t *B,
     ksl_inertia_t *Bo) {
@@ -418,21 +436,36 @@ static inline void ksl_inertia_transformed(const ksl_SE3_t *D, const ksl_inertia
   const double turned_9a = D->m20 * RI_3, turned_9b = D->m21 * RI_4,
       turned_9c = turned_9a + turned_9b, turned_9d = D->m22 * RI_5,
       turned_9 = turned_9c + turned_9d;
-  const double moved_0a = D->m03 * B->m, moved_0 = moved_0a + turned_1;
-  const double moved_1a = D->m13 * B->m, moved_1 = moved_1a + turned_2;
-  const double moved_2a = D->m23 * B->m, moved_2 = moved_2a + turned_3;
-  const double own_0a = D->m03 * turned_1, own_0b = D->m03 * moved_0, own_0 = own_0a + own_0b;
-  const double own_1a = D->m13 * turned_2, own_1b = D->m13 * moved_1, own_1 = own_1a + own_1b;
-  const double own_2a = D->m23 * turned_3, own_2b = D->m23 * moved_2, own_2 = own_2a + own_2b;
-  const double Bo_4a = own_1 + own_2, Bo_4 = turned_4 + Bo_4a;
-  const double Bo_5a = own_0 + own_2, Bo_5 = turned_5 + Bo_5a;
-  const double Bo_6a = own_0 + own_1, Bo_6 = turned_6 + Bo_6a;
-  const double Bo_7a = D->m03 * moved_1, Bo_7b = turned_7 - Bo_7a, Bo_7c = D->m13 * turned_1,
-      Bo_7 = Bo_7b - Bo_7c;
-  const double Bo_8a = D->m03 * moved_2, Bo_8b = turned_8 - Bo_8a, Bo_8c = D->m23 * turned_1,
-      Bo_8 = Bo_8b - Bo_8c;
-  const double Bo_9a = D->m13 * moved_2, Bo_9b = turned_9 - Bo_9a, Bo_9c = D->m23 * turned_2,
-      Bo_9 = Bo_9b - Bo_9c;
+  const double mt_0 = D->m03 * B->m;
+  const double mt_1 = D->m13 * B->m;
+  const double mt_2 = D->m23 * B->m;
+  const double half_0 = 0.5 * mt_0;
+  const double half_1 = 0.5 * mt_1;
+  const double half_2 = 0.5 * mt_2;
+  const double n_0 = turned_1 + half_0;
+  const double n_1 = turned_2 + half_1;
+  const double n_2 = turned_3 + half_2;
+  const double tn0 = D->m03 * n_0;
+  const double tn1 = D->m13 * n_1;
+  const double tn2 = D->m23 * n_2;
+  const double own_0 = 2.0 * tn0;
+  const double own_1 = 2.0 * tn1;
+  const double own_2 = 2.0 * tn2;
+  const double pairs_0 = own_1 + own_2;
+  const double pairs_1 = own_0 + own_2;
+  const double pairs_2 = own_0 + own_1;
+  const double pairs_3a = D->m03 * n_1, pairs_3b = D->m13 * n_0, pairs_3 = pairs_3a + pairs_3b;
+  const double pairs_4a = D->m03 * n_2, pairs_4b = D->m23 * n_0, pairs_4 = pairs_4a + pairs_4b;
+  const double pairs_5a = D->m13 * n_2, pairs_5b = D->m23 * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const double moved_0 = turned_1 + mt_0;
+  const double moved_1 = turned_2 + mt_1;
+  const double moved_2 = turned_3 + mt_2;
+  const double Bo_4 = turned_4 + pairs_0;
+  const double Bo_5 = turned_5 + pairs_1;
+  const double Bo_6 = turned_6 + pairs_2;
+  const double Bo_7 = turned_7 - pairs_3;
+  const double Bo_8 = turned_8 - pairs_4;
+  const double Bo_9 = turned_9 - pairs_5;
   const double B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -785,28 +818,31 @@ static inline void ksl_product_Bsf(const ksl_inertiaf_t *B, const ksl_screwf_t *
 /* s·B s / 2, the kinetic energy in J of a body that moves with s.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
-   31 mul, 23 add.
-   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
+   28 mul, 17 add.
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_inertiaf_energy(const ksl_inertiaf_t *B, const ksl_screwf_t *s) {
-  const float p_0a = B->m * s->m0, p_0b = B->h.z * s->m4, p_0c = B->h.y * s->m5, p_0d = p_0b - p_0c,
-      p_0 = p_0a + p_0d;
-  const float p_1a = B->m * s->m1, p_1b = B->h.x * s->m5, p_1c = B->h.z * s->m3, p_1d = p_1b - p_1c,
-      p_1 = p_1a + p_1d;
-  const float p_2a = B->m * s->m2, p_2b = B->h.y * s->m3, p_2c = B->h.x * s->m4, p_2d = p_2b - p_2c,
-      p_2 = p_2a + p_2d;
-  const float p_3a = B->h.y * s->m2, p_3b = B->h.z * s->m1, p_3c = p_3a - p_3b,
-      p_3d = B->xx * s->m3, p_3e = B->xy * s->m4, p_3f = p_3d + p_3e, p_3g = B->xz * s->m5,
-      p_3h = p_3f + p_3g, p_3 = p_3c + p_3h;
-  const float p_4a = B->h.z * s->m0, p_4b = B->h.x * s->m2, p_4c = p_4a - p_4b,
-      p_4d = B->yy * s->m4, p_4e = B->xy * s->m3, p_4f = p_4d + p_4e, p_4g = B->yz * s->m5,
-      p_4h = p_4f + p_4g, p_4 = p_4c + p_4h;
-  const float p_5a = B->h.x * s->m1, p_5b = B->h.y * s->m0, p_5c = p_5a - p_5b,
-      p_5d = B->zz * s->m5, p_5e = B->xz * s->m3, p_5f = p_5d + p_5e, p_5g = B->yz * s->m4,
-      p_5h = p_5f + p_5g, p_5 = p_5c + p_5h;
+  const float across_0a = B->h.z * s->m4, across_0b = B->h.y * s->m5,
+      across_0 = across_0a - across_0b;
+  const float across_1a = B->h.x * s->m5, across_1b = B->h.z * s->m3,
+      across_1 = across_1a - across_1b;
+  const float across_2a = B->h.y * s->m3, across_2b = B->h.x * s->m4,
+      across_2 = across_2a - across_2b;
+  const float twice_across_0 = 2.0f * across_0;
+  const float twice_across_1 = 2.0f * across_1;
+  const float twice_across_2 = 2.0f * across_2;
+  const float p_0a = B->m * s->m0, p_0 = p_0a + twice_across_0;
+  const float p_1a = B->m * s->m1, p_1 = p_1a + twice_across_1;
+  const float p_2a = B->m * s->m2, p_2 = p_2a + twice_across_2;
+  const float L_0a = B->xx * s->m3, L_0b = B->xy * s->m4, L_0c = L_0a + L_0b, L_0d = B->xz * s->m5,
+      L_0 = L_0c + L_0d;
+  const float L_1a = B->yy * s->m4, L_1b = B->xy * s->m3, L_1c = L_1a + L_1b, L_1d = B->yz * s->m5,
+      L_1 = L_1c + L_1d;
+  const float L_2a = B->zz * s->m5, L_2b = B->xz * s->m3, L_2c = L_2a + L_2b, L_2d = B->yz * s->m4,
+      L_2 = L_2c + L_2d;
   const float twice_a = s->m0 * p_0, twice_b = s->m1 * p_1, twice_c = twice_a + twice_b,
-      twice_d = s->m2 * p_2, twice_e = twice_c + twice_d, twice_f = s->m3 * p_3,
-      twice_g = s->m4 * p_4, twice_h = twice_f + twice_g, twice_i = s->m5 * p_5,
+      twice_d = s->m2 * p_2, twice_e = twice_c + twice_d, twice_f = s->m3 * L_0,
+      twice_g = s->m4 * L_1, twice_h = twice_f + twice_g, twice_i = s->m5 * L_2,
       twice_j = twice_h + twice_i, twice = twice_e + twice_j;
   const float energy = 0.5f * twice;
   return energy;
@@ -815,26 +851,41 @@ static inline float ksl_inertiaf_energy(const ksl_inertiaf_t *B, const ksl_screw
 /* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
    t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
      xy, xz, yz in kg m^2).
-   15 mul, 18 add.
-   Error <= u |result| + (m: 0, h: 1, I: 5) u S, S the sum of the |terms| of the expanded
+   18 mul, 18 add.
+   Error <= u |result| + (m: 0, h: 1, I: 4) u S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_shifted(const ksl_vec3f_t *t, const ksl_inertiaf_t *B,
     ksl_inertiaf_t *Bo) {
-  const float moved_0a = t->x * B->m, moved_0 = moved_0a + B->h.x;
-  const float moved_1a = t->y * B->m, moved_1 = moved_1a + B->h.y;
-  const float moved_2a = t->z * B->m, moved_2 = moved_2a + B->h.z;
-  const float own_0a = t->x * B->h.x, own_0b = t->x * moved_0, own_0 = own_0a + own_0b;
-  const float own_1a = t->y * B->h.y, own_1b = t->y * moved_1, own_1 = own_1a + own_1b;
-  const float own_2a = t->z * B->h.z, own_2b = t->z * moved_2, own_2 = own_2a + own_2b;
-  const float Bo_4a = own_1 + own_2, Bo_4 = B->xx + Bo_4a;
-  const float Bo_5a = own_0 + own_2, Bo_5 = B->yy + Bo_5a;
-  const float Bo_6a = own_0 + own_1, Bo_6 = B->zz + Bo_6a;
-  const float Bo_7a = t->x * moved_1, Bo_7b = B->xy - Bo_7a, Bo_7c = t->y * B->h.x,
-      Bo_7 = Bo_7b - Bo_7c;
-  const float Bo_8a = t->x * moved_2, Bo_8b = B->xz - Bo_8a, Bo_8c = t->z * B->h.x,
-      Bo_8 = Bo_8b - Bo_8c;
-  const float Bo_9a = t->y * moved_2, Bo_9b = B->yz - Bo_9a, Bo_9c = t->z * B->h.y,
-      Bo_9 = Bo_9b - Bo_9c;
+  const float mt_0 = t->x * B->m;
+  const float mt_1 = t->y * B->m;
+  const float mt_2 = t->z * B->m;
+  const float half_0 = 0.5f * mt_0;
+  const float half_1 = 0.5f * mt_1;
+  const float half_2 = 0.5f * mt_2;
+  const float n_0 = B->h.x + half_0;
+  const float n_1 = B->h.y + half_1;
+  const float n_2 = B->h.z + half_2;
+  const float tn0 = t->x * n_0;
+  const float tn1 = t->y * n_1;
+  const float tn2 = t->z * n_2;
+  const float own_0 = 2.0f * tn0;
+  const float own_1 = 2.0f * tn1;
+  const float own_2 = 2.0f * tn2;
+  const float pairs_0 = own_1 + own_2;
+  const float pairs_1 = own_0 + own_2;
+  const float pairs_2 = own_0 + own_1;
+  const float pairs_3a = t->x * n_1, pairs_3b = t->y * n_0, pairs_3 = pairs_3a + pairs_3b;
+  const float pairs_4a = t->x * n_2, pairs_4b = t->z * n_0, pairs_4 = pairs_4a + pairs_4b;
+  const float pairs_5a = t->y * n_2, pairs_5b = t->z * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const float moved_0 = B->h.x + mt_0;
+  const float moved_1 = B->h.y + mt_1;
+  const float moved_2 = B->h.z + mt_2;
+  const float Bo_4 = B->xx + pairs_0;
+  const float Bo_5 = B->yy + pairs_1;
+  const float Bo_6 = B->zz + pairs_2;
+  const float Bo_7 = B->xy - pairs_3;
+  const float Bo_8 = B->xz - pairs_4;
+  const float Bo_9 = B->yz - pairs_5;
   const float B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -851,8 +902,8 @@ static inline void ksl_inertiaf_shifted(const ksl_vec3f_t *t, const ksl_inertiaf
 /* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
    D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
      I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
-   69 mul, 54 add.
-   Error <= u |result| + (m: 0, h: 3, I: 7) u S, S the sum of the |terms| of the expanded
+   72 mul, 54 add.
+   Error <= u |result| + (m: 0, h: 3, I: 6) u S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_transformed(const ksl_SE3f_t *D, const ksl_inertiaf_t *B,
     ksl_inertiaf_t *Bo) {
@@ -901,21 +952,36 @@ static inline void ksl_inertiaf_transformed(const ksl_SE3f_t *D, const ksl_inert
   const float turned_9a = D->m20 * RI_3, turned_9b = D->m21 * RI_4,
       turned_9c = turned_9a + turned_9b, turned_9d = D->m22 * RI_5,
       turned_9 = turned_9c + turned_9d;
-  const float moved_0a = D->m03 * B->m, moved_0 = moved_0a + turned_1;
-  const float moved_1a = D->m13 * B->m, moved_1 = moved_1a + turned_2;
-  const float moved_2a = D->m23 * B->m, moved_2 = moved_2a + turned_3;
-  const float own_0a = D->m03 * turned_1, own_0b = D->m03 * moved_0, own_0 = own_0a + own_0b;
-  const float own_1a = D->m13 * turned_2, own_1b = D->m13 * moved_1, own_1 = own_1a + own_1b;
-  const float own_2a = D->m23 * turned_3, own_2b = D->m23 * moved_2, own_2 = own_2a + own_2b;
-  const float Bo_4a = own_1 + own_2, Bo_4 = turned_4 + Bo_4a;
-  const float Bo_5a = own_0 + own_2, Bo_5 = turned_5 + Bo_5a;
-  const float Bo_6a = own_0 + own_1, Bo_6 = turned_6 + Bo_6a;
-  const float Bo_7a = D->m03 * moved_1, Bo_7b = turned_7 - Bo_7a, Bo_7c = D->m13 * turned_1,
-      Bo_7 = Bo_7b - Bo_7c;
-  const float Bo_8a = D->m03 * moved_2, Bo_8b = turned_8 - Bo_8a, Bo_8c = D->m23 * turned_1,
-      Bo_8 = Bo_8b - Bo_8c;
-  const float Bo_9a = D->m13 * moved_2, Bo_9b = turned_9 - Bo_9a, Bo_9c = D->m23 * turned_2,
-      Bo_9 = Bo_9b - Bo_9c;
+  const float mt_0 = D->m03 * B->m;
+  const float mt_1 = D->m13 * B->m;
+  const float mt_2 = D->m23 * B->m;
+  const float half_0 = 0.5f * mt_0;
+  const float half_1 = 0.5f * mt_1;
+  const float half_2 = 0.5f * mt_2;
+  const float n_0 = turned_1 + half_0;
+  const float n_1 = turned_2 + half_1;
+  const float n_2 = turned_3 + half_2;
+  const float tn0 = D->m03 * n_0;
+  const float tn1 = D->m13 * n_1;
+  const float tn2 = D->m23 * n_2;
+  const float own_0 = 2.0f * tn0;
+  const float own_1 = 2.0f * tn1;
+  const float own_2 = 2.0f * tn2;
+  const float pairs_0 = own_1 + own_2;
+  const float pairs_1 = own_0 + own_2;
+  const float pairs_2 = own_0 + own_1;
+  const float pairs_3a = D->m03 * n_1, pairs_3b = D->m13 * n_0, pairs_3 = pairs_3a + pairs_3b;
+  const float pairs_4a = D->m03 * n_2, pairs_4b = D->m23 * n_0, pairs_4 = pairs_4a + pairs_4b;
+  const float pairs_5a = D->m13 * n_2, pairs_5b = D->m23 * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const float moved_0 = turned_1 + mt_0;
+  const float moved_1 = turned_2 + mt_1;
+  const float moved_2 = turned_3 + mt_2;
+  const float Bo_4 = turned_4 + pairs_0;
+  const float Bo_5 = turned_5 + pairs_1;
+  const float Bo_6 = turned_6 + pairs_2;
+  const float Bo_7 = turned_7 - pairs_3;
+  const float Bo_8 = turned_8 - pairs_4;
+  const float Bo_9 = turned_9 - pairs_5;
   const float B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;

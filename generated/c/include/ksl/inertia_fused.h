@@ -156,25 +156,22 @@ static inline void ksl_product_Bs_fused(const ksl_inertia_t *B, const ksl_screw_
 /* s·B s / 2, the kinetic energy in J of a body that moves with s.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
-   12 mul, 4 add, 19 fma.
-   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
+   12 mul, 1 add, 16 fma.
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_inertia_energy_fused(const ksl_inertia_t *B, const ksl_screw_t *s) {
-  const double p_0b = B->h.z * s->m4, p_0d = fma(-B->h.y, s->m5, p_0b),
-      p_0 = fma(B->m, s->m0, p_0d);
-  const double p_1b = B->h.x * s->m5, p_1d = fma(-B->h.z, s->m3, p_1b),
-      p_1 = fma(B->m, s->m1, p_1d);
-  const double p_2b = B->h.y * s->m3, p_2d = fma(-B->h.x, s->m4, p_2b),
-      p_2 = fma(B->m, s->m2, p_2d);
-  const double p_3a = B->h.y * s->m2, p_3c = fma(-B->h.z, s->m1, p_3a), p_3d = B->xx * s->m3,
-      p_3f = fma(B->xy, s->m4, p_3d), p_3h = fma(B->xz, s->m5, p_3f), p_3 = p_3c + p_3h;
-  const double p_4a = B->h.z * s->m0, p_4c = fma(-B->h.x, s->m2, p_4a), p_4d = B->yy * s->m4,
-      p_4f = fma(B->xy, s->m3, p_4d), p_4h = fma(B->yz, s->m5, p_4f), p_4 = p_4c + p_4h;
-  const double p_5a = B->h.x * s->m1, p_5c = fma(-B->h.y, s->m0, p_5a), p_5d = B->zz * s->m5,
-      p_5f = fma(B->xz, s->m3, p_5d), p_5h = fma(B->yz, s->m4, p_5f), p_5 = p_5c + p_5h;
+  const double across_0a = B->h.z * s->m4, across_0 = fma(-B->h.y, s->m5, across_0a);
+  const double across_1a = B->h.x * s->m5, across_1 = fma(-B->h.z, s->m3, across_1a);
+  const double across_2a = B->h.y * s->m3, across_2 = fma(-B->h.x, s->m4, across_2a);
+  const double p_0a = B->m * s->m0, p_0 = fma(2.0, across_0, p_0a);
+  const double p_1a = B->m * s->m1, p_1 = fma(2.0, across_1, p_1a);
+  const double p_2a = B->m * s->m2, p_2 = fma(2.0, across_2, p_2a);
+  const double L_0a = B->xx * s->m3, L_0c = fma(B->xy, s->m4, L_0a), L_0 = fma(B->xz, s->m5, L_0c);
+  const double L_1a = B->yy * s->m4, L_1c = fma(B->xy, s->m3, L_1a), L_1 = fma(B->yz, s->m5, L_1c);
+  const double L_2a = B->zz * s->m5, L_2c = fma(B->xz, s->m3, L_2a), L_2 = fma(B->yz, s->m4, L_2c);
   const double twice_a = s->m0 * p_0, twice_c = fma(s->m1, p_1, twice_a),
-      twice_e = fma(s->m2, p_2, twice_c), twice_f = s->m3 * p_3, twice_h = fma(s->m4, p_4, twice_f),
-      twice_j = fma(s->m5, p_5, twice_h), twice = twice_e + twice_j;
+      twice_e = fma(s->m2, p_2, twice_c), twice_f = s->m3 * L_0, twice_h = fma(s->m4, L_1, twice_f),
+      twice_j = fma(s->m5, L_2, twice_h), twice = twice_e + twice_j;
   const double energy = 0.5 * twice;
   return energy;
 }
@@ -182,23 +179,38 @@ static inline double ksl_inertia_energy_fused(const ksl_inertia_t *B, const ksl_
 /* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
    t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
      xy, xz, yz in kg m^2).
-   3 mul, 6 add, 12 fma.
-   Error <= u |result| + (m: 0, h: 0, I: 3) u S, S the sum of the |terms| of the expanded
+   12 mul, 12 add, 6 fma.
+   Error <= u |result| + (m: 0, h: 1, I: 4) u S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertia_shifted_fused(const ksl_vec3_t *t, const ksl_inertia_t *B,
     ksl_inertia_t *Bo) {
-  const double moved_0 = fma(t->x, B->m, B->h.x);
-  const double moved_1 = fma(t->y, B->m, B->h.y);
-  const double moved_2 = fma(t->z, B->m, B->h.z);
-  const double own_0a = t->x * B->h.x, own_0 = fma(t->x, moved_0, own_0a);
-  const double own_1a = t->y * B->h.y, own_1 = fma(t->y, moved_1, own_1a);
-  const double own_2a = t->z * B->h.z, own_2 = fma(t->z, moved_2, own_2a);
-  const double Bo_4a = own_1 + own_2, Bo_4 = B->xx + Bo_4a;
-  const double Bo_5a = own_0 + own_2, Bo_5 = B->yy + Bo_5a;
-  const double Bo_6a = own_0 + own_1, Bo_6 = B->zz + Bo_6a;
-  const double Bo_7b = fma(-t->x, moved_1, B->xy), Bo_7 = fma(-t->y, B->h.x, Bo_7b);
-  const double Bo_8b = fma(-t->x, moved_2, B->xz), Bo_8 = fma(-t->z, B->h.x, Bo_8b);
-  const double Bo_9b = fma(-t->y, moved_2, B->yz), Bo_9 = fma(-t->z, B->h.y, Bo_9b);
+  const double mt_0 = t->x * B->m;
+  const double mt_1 = t->y * B->m;
+  const double mt_2 = t->z * B->m;
+  const double n_0 = fma(0.5, mt_0, B->h.x);
+  const double n_1 = fma(0.5, mt_1, B->h.y);
+  const double n_2 = fma(0.5, mt_2, B->h.z);
+  const double tn0 = t->x * n_0;
+  const double tn1 = t->y * n_1;
+  const double tn2 = t->z * n_2;
+  const double own_0 = 2.0 * tn0;
+  const double own_1 = 2.0 * tn1;
+  const double own_2 = 2.0 * tn2;
+  const double pairs_0 = own_1 + own_2;
+  const double pairs_1 = own_0 + own_2;
+  const double pairs_2 = own_0 + own_1;
+  const double pairs_3a = t->x * n_1, pairs_3 = fma(t->y, n_0, pairs_3a);
+  const double pairs_4a = t->x * n_2, pairs_4 = fma(t->z, n_0, pairs_4a);
+  const double pairs_5a = t->y * n_2, pairs_5 = fma(t->z, n_1, pairs_5a);
+  const double moved_0 = B->h.x + mt_0;
+  const double moved_1 = B->h.y + mt_1;
+  const double moved_2 = B->h.z + mt_2;
+  const double Bo_4 = B->xx + pairs_0;
+  const double Bo_5 = B->yy + pairs_1;
+  const double Bo_6 = B->zz + pairs_2;
+  const double Bo_7 = B->xy - pairs_3;
+  const double Bo_8 = B->xz - pairs_4;
+  const double Bo_9 = B->yz - pairs_5;
   const double B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -215,8 +227,8 @@ static inline void ksl_inertia_shifted_fused(const ksl_vec3_t *t, const ksl_iner
 /* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
    D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
      I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
-   21 mul, 6 add, 48 fma.
-   Error <= u |result| + (m: 0, h: 3, I: 7) u S, S the sum of the |terms| of the expanded
+   30 mul, 12 add, 42 fma.
+   Error <= u |result| + (m: 0, h: 3, I: 6) u S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertia_transformed_fused(const ksl_SE3_t *D, const ksl_inertia_t *B,
     ksl_inertia_t *Bo) {
@@ -256,18 +268,33 @@ static inline void ksl_inertia_transformed_fused(const ksl_SE3_t *D, const ksl_i
       turned_8 = fma(D->m22, RI_2, turned_8c);
   const double turned_9a = D->m20 * RI_3, turned_9c = fma(D->m21, RI_4, turned_9a),
       turned_9 = fma(D->m22, RI_5, turned_9c);
-  const double moved_0 = fma(D->m03, B->m, turned_1);
-  const double moved_1 = fma(D->m13, B->m, turned_2);
-  const double moved_2 = fma(D->m23, B->m, turned_3);
-  const double own_0a = D->m03 * turned_1, own_0 = fma(D->m03, moved_0, own_0a);
-  const double own_1a = D->m13 * turned_2, own_1 = fma(D->m13, moved_1, own_1a);
-  const double own_2a = D->m23 * turned_3, own_2 = fma(D->m23, moved_2, own_2a);
-  const double Bo_4a = own_1 + own_2, Bo_4 = turned_4 + Bo_4a;
-  const double Bo_5a = own_0 + own_2, Bo_5 = turned_5 + Bo_5a;
-  const double Bo_6a = own_0 + own_1, Bo_6 = turned_6 + Bo_6a;
-  const double Bo_7b = fma(-D->m03, moved_1, turned_7), Bo_7 = fma(-D->m13, turned_1, Bo_7b);
-  const double Bo_8b = fma(-D->m03, moved_2, turned_8), Bo_8 = fma(-D->m23, turned_1, Bo_8b);
-  const double Bo_9b = fma(-D->m13, moved_2, turned_9), Bo_9 = fma(-D->m23, turned_2, Bo_9b);
+  const double mt_0 = D->m03 * B->m;
+  const double mt_1 = D->m13 * B->m;
+  const double mt_2 = D->m23 * B->m;
+  const double n_0 = fma(0.5, mt_0, turned_1);
+  const double n_1 = fma(0.5, mt_1, turned_2);
+  const double n_2 = fma(0.5, mt_2, turned_3);
+  const double tn0 = D->m03 * n_0;
+  const double tn1 = D->m13 * n_1;
+  const double tn2 = D->m23 * n_2;
+  const double own_0 = 2.0 * tn0;
+  const double own_1 = 2.0 * tn1;
+  const double own_2 = 2.0 * tn2;
+  const double pairs_0 = own_1 + own_2;
+  const double pairs_1 = own_0 + own_2;
+  const double pairs_2 = own_0 + own_1;
+  const double pairs_3a = D->m03 * n_1, pairs_3 = fma(D->m13, n_0, pairs_3a);
+  const double pairs_4a = D->m03 * n_2, pairs_4 = fma(D->m23, n_0, pairs_4a);
+  const double pairs_5a = D->m13 * n_2, pairs_5 = fma(D->m23, n_1, pairs_5a);
+  const double moved_0 = turned_1 + mt_0;
+  const double moved_1 = turned_2 + mt_1;
+  const double moved_2 = turned_3 + mt_2;
+  const double Bo_4 = turned_4 + pairs_0;
+  const double Bo_5 = turned_5 + pairs_1;
+  const double Bo_6 = turned_6 + pairs_2;
+  const double Bo_7 = turned_7 - pairs_3;
+  const double Bo_8 = turned_8 - pairs_4;
+  const double Bo_9 = turned_9 - pairs_5;
   const double B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -431,25 +458,22 @@ static inline void ksl_product_Bsf_fused(const ksl_inertiaf_t *B, const ksl_scre
 /* s·B s / 2, the kinetic energy in J of a body that moves with s.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
-   12 mul, 4 add, 19 fma.
-   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
+   12 mul, 1 add, 16 fma.
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_inertiaf_energy_fused(const ksl_inertiaf_t *B, const ksl_screwf_t *s) {
-  const float p_0b = B->h.z * s->m4, p_0d = fmaf(-B->h.y, s->m5, p_0b),
-      p_0 = fmaf(B->m, s->m0, p_0d);
-  const float p_1b = B->h.x * s->m5, p_1d = fmaf(-B->h.z, s->m3, p_1b),
-      p_1 = fmaf(B->m, s->m1, p_1d);
-  const float p_2b = B->h.y * s->m3, p_2d = fmaf(-B->h.x, s->m4, p_2b),
-      p_2 = fmaf(B->m, s->m2, p_2d);
-  const float p_3a = B->h.y * s->m2, p_3c = fmaf(-B->h.z, s->m1, p_3a), p_3d = B->xx * s->m3,
-      p_3f = fmaf(B->xy, s->m4, p_3d), p_3h = fmaf(B->xz, s->m5, p_3f), p_3 = p_3c + p_3h;
-  const float p_4a = B->h.z * s->m0, p_4c = fmaf(-B->h.x, s->m2, p_4a), p_4d = B->yy * s->m4,
-      p_4f = fmaf(B->xy, s->m3, p_4d), p_4h = fmaf(B->yz, s->m5, p_4f), p_4 = p_4c + p_4h;
-  const float p_5a = B->h.x * s->m1, p_5c = fmaf(-B->h.y, s->m0, p_5a), p_5d = B->zz * s->m5,
-      p_5f = fmaf(B->xz, s->m3, p_5d), p_5h = fmaf(B->yz, s->m4, p_5f), p_5 = p_5c + p_5h;
+  const float across_0a = B->h.z * s->m4, across_0 = fmaf(-B->h.y, s->m5, across_0a);
+  const float across_1a = B->h.x * s->m5, across_1 = fmaf(-B->h.z, s->m3, across_1a);
+  const float across_2a = B->h.y * s->m3, across_2 = fmaf(-B->h.x, s->m4, across_2a);
+  const float p_0a = B->m * s->m0, p_0 = fmaf(2.0f, across_0, p_0a);
+  const float p_1a = B->m * s->m1, p_1 = fmaf(2.0f, across_1, p_1a);
+  const float p_2a = B->m * s->m2, p_2 = fmaf(2.0f, across_2, p_2a);
+  const float L_0a = B->xx * s->m3, L_0c = fmaf(B->xy, s->m4, L_0a), L_0 = fmaf(B->xz, s->m5, L_0c);
+  const float L_1a = B->yy * s->m4, L_1c = fmaf(B->xy, s->m3, L_1a), L_1 = fmaf(B->yz, s->m5, L_1c);
+  const float L_2a = B->zz * s->m5, L_2c = fmaf(B->xz, s->m3, L_2a), L_2 = fmaf(B->yz, s->m4, L_2c);
   const float twice_a = s->m0 * p_0, twice_c = fmaf(s->m1, p_1, twice_a),
-      twice_e = fmaf(s->m2, p_2, twice_c), twice_f = s->m3 * p_3,
-      twice_h = fmaf(s->m4, p_4, twice_f), twice_j = fmaf(s->m5, p_5, twice_h),
+      twice_e = fmaf(s->m2, p_2, twice_c), twice_f = s->m3 * L_0,
+      twice_h = fmaf(s->m4, L_1, twice_f), twice_j = fmaf(s->m5, L_2, twice_h),
       twice = twice_e + twice_j;
   const float energy = 0.5f * twice;
   return energy;
@@ -458,23 +482,38 @@ static inline float ksl_inertiaf_energy_fused(const ksl_inertiaf_t *B, const ksl
 /* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
    t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
      xy, xz, yz in kg m^2).
-   3 mul, 6 add, 12 fma.
-   Error <= u |result| + (m: 0, h: 0, I: 3) u S, S the sum of the |terms| of the expanded
+   12 mul, 12 add, 6 fma.
+   Error <= u |result| + (m: 0, h: 1, I: 4) u S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_shifted_fused(const ksl_vec3f_t *t, const ksl_inertiaf_t *B,
     ksl_inertiaf_t *Bo) {
-  const float moved_0 = fmaf(t->x, B->m, B->h.x);
-  const float moved_1 = fmaf(t->y, B->m, B->h.y);
-  const float moved_2 = fmaf(t->z, B->m, B->h.z);
-  const float own_0a = t->x * B->h.x, own_0 = fmaf(t->x, moved_0, own_0a);
-  const float own_1a = t->y * B->h.y, own_1 = fmaf(t->y, moved_1, own_1a);
-  const float own_2a = t->z * B->h.z, own_2 = fmaf(t->z, moved_2, own_2a);
-  const float Bo_4a = own_1 + own_2, Bo_4 = B->xx + Bo_4a;
-  const float Bo_5a = own_0 + own_2, Bo_5 = B->yy + Bo_5a;
-  const float Bo_6a = own_0 + own_1, Bo_6 = B->zz + Bo_6a;
-  const float Bo_7b = fmaf(-t->x, moved_1, B->xy), Bo_7 = fmaf(-t->y, B->h.x, Bo_7b);
-  const float Bo_8b = fmaf(-t->x, moved_2, B->xz), Bo_8 = fmaf(-t->z, B->h.x, Bo_8b);
-  const float Bo_9b = fmaf(-t->y, moved_2, B->yz), Bo_9 = fmaf(-t->z, B->h.y, Bo_9b);
+  const float mt_0 = t->x * B->m;
+  const float mt_1 = t->y * B->m;
+  const float mt_2 = t->z * B->m;
+  const float n_0 = fmaf(0.5f, mt_0, B->h.x);
+  const float n_1 = fmaf(0.5f, mt_1, B->h.y);
+  const float n_2 = fmaf(0.5f, mt_2, B->h.z);
+  const float tn0 = t->x * n_0;
+  const float tn1 = t->y * n_1;
+  const float tn2 = t->z * n_2;
+  const float own_0 = 2.0f * tn0;
+  const float own_1 = 2.0f * tn1;
+  const float own_2 = 2.0f * tn2;
+  const float pairs_0 = own_1 + own_2;
+  const float pairs_1 = own_0 + own_2;
+  const float pairs_2 = own_0 + own_1;
+  const float pairs_3a = t->x * n_1, pairs_3 = fmaf(t->y, n_0, pairs_3a);
+  const float pairs_4a = t->x * n_2, pairs_4 = fmaf(t->z, n_0, pairs_4a);
+  const float pairs_5a = t->y * n_2, pairs_5 = fmaf(t->z, n_1, pairs_5a);
+  const float moved_0 = B->h.x + mt_0;
+  const float moved_1 = B->h.y + mt_1;
+  const float moved_2 = B->h.z + mt_2;
+  const float Bo_4 = B->xx + pairs_0;
+  const float Bo_5 = B->yy + pairs_1;
+  const float Bo_6 = B->zz + pairs_2;
+  const float Bo_7 = B->xy - pairs_3;
+  const float Bo_8 = B->xz - pairs_4;
+  const float Bo_9 = B->yz - pairs_5;
   const float B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -491,8 +530,8 @@ static inline void ksl_inertiaf_shifted_fused(const ksl_vec3f_t *t, const ksl_in
 /* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
    D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
      I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
-   21 mul, 6 add, 48 fma.
-   Error <= u |result| + (m: 0, h: 3, I: 7) u S, S the sum of the |terms| of the expanded
+   30 mul, 12 add, 42 fma.
+   Error <= u |result| + (m: 0, h: 3, I: 6) u S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_transformed_fused(const ksl_SE3f_t *D, const ksl_inertiaf_t *B,
     ksl_inertiaf_t *Bo) {
@@ -532,18 +571,33 @@ static inline void ksl_inertiaf_transformed_fused(const ksl_SE3f_t *D, const ksl
       turned_8 = fmaf(D->m22, RI_2, turned_8c);
   const float turned_9a = D->m20 * RI_3, turned_9c = fmaf(D->m21, RI_4, turned_9a),
       turned_9 = fmaf(D->m22, RI_5, turned_9c);
-  const float moved_0 = fmaf(D->m03, B->m, turned_1);
-  const float moved_1 = fmaf(D->m13, B->m, turned_2);
-  const float moved_2 = fmaf(D->m23, B->m, turned_3);
-  const float own_0a = D->m03 * turned_1, own_0 = fmaf(D->m03, moved_0, own_0a);
-  const float own_1a = D->m13 * turned_2, own_1 = fmaf(D->m13, moved_1, own_1a);
-  const float own_2a = D->m23 * turned_3, own_2 = fmaf(D->m23, moved_2, own_2a);
-  const float Bo_4a = own_1 + own_2, Bo_4 = turned_4 + Bo_4a;
-  const float Bo_5a = own_0 + own_2, Bo_5 = turned_5 + Bo_5a;
-  const float Bo_6a = own_0 + own_1, Bo_6 = turned_6 + Bo_6a;
-  const float Bo_7b = fmaf(-D->m03, moved_1, turned_7), Bo_7 = fmaf(-D->m13, turned_1, Bo_7b);
-  const float Bo_8b = fmaf(-D->m03, moved_2, turned_8), Bo_8 = fmaf(-D->m23, turned_1, Bo_8b);
-  const float Bo_9b = fmaf(-D->m13, moved_2, turned_9), Bo_9 = fmaf(-D->m23, turned_2, Bo_9b);
+  const float mt_0 = D->m03 * B->m;
+  const float mt_1 = D->m13 * B->m;
+  const float mt_2 = D->m23 * B->m;
+  const float n_0 = fmaf(0.5f, mt_0, turned_1);
+  const float n_1 = fmaf(0.5f, mt_1, turned_2);
+  const float n_2 = fmaf(0.5f, mt_2, turned_3);
+  const float tn0 = D->m03 * n_0;
+  const float tn1 = D->m13 * n_1;
+  const float tn2 = D->m23 * n_2;
+  const float own_0 = 2.0f * tn0;
+  const float own_1 = 2.0f * tn1;
+  const float own_2 = 2.0f * tn2;
+  const float pairs_0 = own_1 + own_2;
+  const float pairs_1 = own_0 + own_2;
+  const float pairs_2 = own_0 + own_1;
+  const float pairs_3a = D->m03 * n_1, pairs_3 = fmaf(D->m13, n_0, pairs_3a);
+  const float pairs_4a = D->m03 * n_2, pairs_4 = fmaf(D->m23, n_0, pairs_4a);
+  const float pairs_5a = D->m13 * n_2, pairs_5 = fmaf(D->m23, n_1, pairs_5a);
+  const float moved_0 = turned_1 + mt_0;
+  const float moved_1 = turned_2 + mt_1;
+  const float moved_2 = turned_3 + mt_2;
+  const float Bo_4 = turned_4 + pairs_0;
+  const float Bo_5 = turned_5 + pairs_1;
+  const float Bo_6 = turned_6 + pairs_2;
+  const float Bo_7 = turned_7 - pairs_3;
+  const float Bo_8 = turned_8 - pairs_4;
+  const float Bo_9 = turned_9 - pairs_5;
   const float B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;

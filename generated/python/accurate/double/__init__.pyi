@@ -1243,7 +1243,7 @@ def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.float64] | None = ...
     """self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
-    84 mul, 270 add, 45 product rest, 6 neg.  Error <= u |result| + 54 u^2 S, S the sum of the
+    84 mul, 288 add, 45 product rest, 6 neg.  Error <= u |result| + 44 u^2 S, S the sum of the
     |terms| of the expanded formula; barring over- and underflow.
     """
 
@@ -1251,7 +1251,7 @@ def mat3x3_orthonormalized(R: ArrayLike, out: NDArray[np.float64] | None = ...) 
     """Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
-    84 mul, 270 add, 45 product rest, 6 neg.  Error <= u |result| + 54 u^2 S, S the sum of the
+    84 mul, 288 add, 45 product rest, 6 neg.  Error <= u |result| + 44 u^2 S, S the sum of the
     |terms| of the expanded formula; barring over- and underflow.
     """
 
@@ -1367,7 +1367,7 @@ def inertia_energy(B: ArrayLike, s: ArrayLike, out: NDArray[np.float64] | None =
 
     (10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
     xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy: number.
-    38 mul, 131 add, 30 product rest.  Error <= u |result| + 64 u^2 S, S the sum of the |terms|
+    38 mul, 155 add, 24 product rest.  Error <= u |result| + 38 u^2 S, S the sum of the |terms|
     of the expanded formula; barring over- and underflow.
     """
 
@@ -1376,8 +1376,8 @@ def inertia_shifted(t: ArrayLike, B: ArrayLike, out: NDArray[np.float64] | None 
 
     (3),(10)->(10).  t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the
     origin, xx, yy, zz, xy, xz, yz in kg m^2).
-    21 mul, 120 add, 15 product rest.  Error <= u |result| + (m: 0, h: 3, I: 31) u^2 S, S the
-    sum of the |terms| of the expanded formula; barring over- and underflow.
+    33 mul, 138 add, 6 product error, 6 product rest.  Error <= u |result| + (m: 0, h: 2, I: 20)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def inertia_transformed(D: ArrayLike, B: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1385,8 +1385,8 @@ def inertia_transformed(D: ArrayLike, B: ArrayLike, out: NDArray[np.float64] | N
 
     (3,4),(10)->(10).  D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in
     kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
-    99 mul, 333 add, 69 product rest.  Error <= u |result| + (m: 0, h: 17, I: 119/2) u^2 S, S
-    the sum of the |terms| of the expanded formula; barring over- and underflow.
+    105 mul, 420 add, 6 product error, 60 product rest.  Error <= u |result| + (m: 0, h: 16, I:
+    35) u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def inertia_consistency(B: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:

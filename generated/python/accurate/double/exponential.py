@@ -467,7 +467,7 @@ def mat3x3_orthonormalize(self):
     """self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
-    84 mul, 270 add, 45 product rest, 6 neg.  Error <= u |result| + 54 u^2 S, S the sum of the
+    84 mul, 288 add, 45 product rest, 6 neg.  Error <= u |result| + 44 u^2 S, S the sum of the
     |terms| of the expanded formula; barring over- and underflow.
     """
     self_00, self_01, self_02, self_10, self_11, self_12, self_20, self_21, self_22 = self
@@ -564,12 +564,30 @@ def mat3x3_orthonormalize(self):
     defect_5e_lo = defect_5e_lo1 + defect_5c_lo
     defect_5 = -defect_5e
     defect_5_lo = -defect_5e_lo
-    correction_0 = 0.5 * defect_0
-    correction_0_cross2 = 0.5 * defect_0_lo
-    correction_1 = 0.5 * defect_1
-    correction_1_cross2 = 0.5 * defect_1_lo
-    correction_2 = 0.5 * defect_2
-    correction_2_cross2 = 0.5 * defect_2_lo
+    correction_0_of_defect_0 = defect_0 + defect_0_lo
+    correction_0_of_defect_0_right = correction_0_of_defect_0 - defect_0
+    correction_0_of_defect_0_left = correction_0_of_defect_0 - correction_0_of_defect_0_right
+    correction_0_of_defect_0_left_rest = defect_0 - correction_0_of_defect_0_left
+    correction_0_of_defect_0_right_rest = defect_0_lo - correction_0_of_defect_0_right
+    correction_0_of_defect_0_lo = correction_0_of_defect_0_left_rest + correction_0_of_defect_0_right_rest
+    correction_0 = 0.5 * correction_0_of_defect_0
+    correction_0_cross2 = 0.5 * correction_0_of_defect_0_lo
+    correction_1_of_defect_1 = defect_1 + defect_1_lo
+    correction_1_of_defect_1_right = correction_1_of_defect_1 - defect_1
+    correction_1_of_defect_1_left = correction_1_of_defect_1 - correction_1_of_defect_1_right
+    correction_1_of_defect_1_left_rest = defect_1 - correction_1_of_defect_1_left
+    correction_1_of_defect_1_right_rest = defect_1_lo - correction_1_of_defect_1_right
+    correction_1_of_defect_1_lo = correction_1_of_defect_1_left_rest + correction_1_of_defect_1_right_rest
+    correction_1 = 0.5 * correction_1_of_defect_1
+    correction_1_cross2 = 0.5 * correction_1_of_defect_1_lo
+    correction_2_of_defect_2 = defect_2 + defect_2_lo
+    correction_2_of_defect_2_right = correction_2_of_defect_2 - defect_2
+    correction_2_of_defect_2_left = correction_2_of_defect_2 - correction_2_of_defect_2_right
+    correction_2_of_defect_2_left_rest = defect_2 - correction_2_of_defect_2_left
+    correction_2_of_defect_2_right_rest = defect_2_lo - correction_2_of_defect_2_right
+    correction_2_of_defect_2_lo = correction_2_of_defect_2_left_rest + correction_2_of_defect_2_right_rest
+    correction_2 = 0.5 * correction_2_of_defect_2
+    correction_2_cross2 = 0.5 * correction_2_of_defect_2_lo
     correction_3 = 0.5 * defect_3
     correction_3_cross2 = 0.5 * defect_3_lo
     correction_4 = 0.5 * defect_4
@@ -802,7 +820,7 @@ def mat3x3_orthonormalized(R):
     """Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
-    84 mul, 270 add, 45 product rest, 6 neg.  Error <= u |result| + 54 u^2 S, S the sum of the
+    84 mul, 288 add, 45 product rest, 6 neg.  Error <= u |result| + 44 u^2 S, S the sum of the
     |terms| of the expanded formula; barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
@@ -899,12 +917,30 @@ def mat3x3_orthonormalized(R):
     defect_5e_lo = defect_5e_lo1 + defect_5c_lo
     defect_5 = -defect_5e
     defect_5_lo = -defect_5e_lo
-    correction_0 = 0.5 * defect_0
-    correction_0_cross2 = 0.5 * defect_0_lo
-    correction_1 = 0.5 * defect_1
-    correction_1_cross2 = 0.5 * defect_1_lo
-    correction_2 = 0.5 * defect_2
-    correction_2_cross2 = 0.5 * defect_2_lo
+    correction_0_of_defect_0 = defect_0 + defect_0_lo
+    correction_0_of_defect_0_right = correction_0_of_defect_0 - defect_0
+    correction_0_of_defect_0_left = correction_0_of_defect_0 - correction_0_of_defect_0_right
+    correction_0_of_defect_0_left_rest = defect_0 - correction_0_of_defect_0_left
+    correction_0_of_defect_0_right_rest = defect_0_lo - correction_0_of_defect_0_right
+    correction_0_of_defect_0_lo = correction_0_of_defect_0_left_rest + correction_0_of_defect_0_right_rest
+    correction_0 = 0.5 * correction_0_of_defect_0
+    correction_0_cross2 = 0.5 * correction_0_of_defect_0_lo
+    correction_1_of_defect_1 = defect_1 + defect_1_lo
+    correction_1_of_defect_1_right = correction_1_of_defect_1 - defect_1
+    correction_1_of_defect_1_left = correction_1_of_defect_1 - correction_1_of_defect_1_right
+    correction_1_of_defect_1_left_rest = defect_1 - correction_1_of_defect_1_left
+    correction_1_of_defect_1_right_rest = defect_1_lo - correction_1_of_defect_1_right
+    correction_1_of_defect_1_lo = correction_1_of_defect_1_left_rest + correction_1_of_defect_1_right_rest
+    correction_1 = 0.5 * correction_1_of_defect_1
+    correction_1_cross2 = 0.5 * correction_1_of_defect_1_lo
+    correction_2_of_defect_2 = defect_2 + defect_2_lo
+    correction_2_of_defect_2_right = correction_2_of_defect_2 - defect_2
+    correction_2_of_defect_2_left = correction_2_of_defect_2 - correction_2_of_defect_2_right
+    correction_2_of_defect_2_left_rest = defect_2 - correction_2_of_defect_2_left
+    correction_2_of_defect_2_right_rest = defect_2_lo - correction_2_of_defect_2_right
+    correction_2_of_defect_2_lo = correction_2_of_defect_2_left_rest + correction_2_of_defect_2_right_rest
+    correction_2 = 0.5 * correction_2_of_defect_2
+    correction_2_cross2 = 0.5 * correction_2_of_defect_2_lo
     correction_3 = 0.5 * defect_3
     correction_3_cross2 = 0.5 * defect_3_lo
     correction_4 = 0.5 * defect_4

@@ -1097,7 +1097,7 @@ def inertia_energy(B: ArrayLike, s: ArrayLike, out: tuple[NDArray[np.float32] | 
 
     (10),(6)->(),().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
     zz, xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy, energy_bound: number.
-    39 mul, 54 add, 30 abs.
+    39 mul, 45 add, 24 abs.
     """
 
 def inertia_shifted(t: ArrayLike, B: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -1106,7 +1106,7 @@ def inertia_shifted(t: ArrayLike, B: ArrayLike, out: tuple[NDArray[np.float32] |
 
     (3),(10)->(10),(10).  t: vector; B, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m;
     I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
-    30 mul, 45 add, 21 abs.
+    42 mul, 54 add, 15 abs.
     """
 
 def inertia_transformed(D: ArrayLike, B: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -1116,5 +1116,5 @@ def inertia_transformed(D: ArrayLike, B: ArrayLike, out: tuple[NDArray[np.float3
     (3,4),(10)->(10),(10).  D: displacement [R | t], R rotation, t in m; B, Bo, Bo_bound:
     spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
     m^2).
-    108 mul, 129 add, 51 abs.
+    114 mul, 135 add, 51 abs.
     """

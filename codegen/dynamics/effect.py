@@ -1,7 +1,7 @@
 """What an effect is: its catalogue entry, and the slots of the dynamics it fills.
 
-An effect's file knows no other effect and no algorithm: it gets the state where it acts as Numbers, and
-answers with accelerations, forces and inertias.  Slots it leaves None cost nothing.
+An effect's file knows no other effect and no algorithm: it gets the state where it acts as Numbers,
+and answers with accelerations, forces and inertias.  Slots it leaves None cost nothing.
 """
 
 from collections.abc import Callable, Mapping
@@ -32,27 +32,27 @@ class ParameterOf:
     name: str
     unit: str
     words: str
-    kind: str = "number"  # number, vector (three numbers), formula (number or function of t), formulas
-    # (three of them), choice, body
-    default: object = None  # a number or a tuple of numbers as int or Fraction, or a word; None: none
+    kind: str = "number"  # number, vector (three numbers), formula (number or function of t),
+    # formulas (three of them), choice, body
+    default: object = None  # a number or a tuple of them as int or Fraction, or a word; None: none
     required: bool = True  # without default; if not, the value may stay None, also where the model
     # has no such number
     model: str = ""  # the joint's field that "model" stands for: damping, friction, effort, …
     choices: tuple[str, ...] = ()
-    of: tuple[str, ...] = ()  # choices of the effect's `kind` it belongs to; with others it may not be
-    # given, and its value is None; (): to all
+    of: tuple[str, ...] = ()  # choices of the effect's `kind` it belongs to; with others it may not
+    # be given, and its value is None; (): to all
     positive: bool = False  # refused if zero or below
     nonnegative: bool = False
 
 
 @dataclass(frozen=True)
 class Torque:
-    """What acts on a joint: force or torque; -∂/∂v and -∂/∂q of it, or bounds of these, all at least
-    0, for implicit steps; its potential energy, where it has one; the power of what has none (left
-    out: all of the torque's power if there is no energy, else none).
+    """What acts on a joint: force or torque; -∂/∂v and -∂/∂q of it, or bounds of these, all at
+    least 0, for implicit steps; its potential energy, where it has one; the power of what has none
+    (left out: all of the torque's power if there is no energy, else none).
 
-    A bound may be larger than the slope where the torque saturates: |torque| / |v| keeps a step from
-    leaping across the point where the torque changes sign, a vanishing slope would not."""
+    A bound may be larger than the slope where the torque saturates: |torque| / |v| keeps a step
+    from leaping across the point where the torque changes sign, a vanishing slope would not."""
 
     torque: "Number"
     damping: "Number | None" = None
@@ -63,11 +63,11 @@ class Torque:
 
 @dataclass(frozen=True)
 class Force:
-    """What acts on a body: a force at a point of it, and a moment, in the body's frame; energy and power
-    as of Torque.
+    """What acts on a body: a force at a point of it, and a moment, in the body's frame; energy and
+    power as of Torque.
 
-    `damping` is a bound of -∂force/∂(the point's velocity), in N s/m: implicit steps take it in as a
-    point mass h · damping there."""
+    `damping` is a bound of -∂force/∂(the point's velocity), in N s/m: implicit steps take it in as
+    a point mass h · damping there."""
 
     point: "Vector"
     force: "Vector"
@@ -75,6 +75,17 @@ class Force:
     energy: "Number | None" = None
     power: "Number | None" = None
     damping: "Number | None" = None
+
+
+@dataclass(frozen=True)
+class Line:
+    """How the pull between two points grows along the line from the first to the second, for
+    implicit steps: with the rate l' at which they part, and with their distance l."""
+
+    direction: "Vector"  # of length 1, in the world's frame
+    rate: "Number"  # l'
+    damping: "Number"  # ∂pull/∂l', at least 0
+    stiffness: "Number"  # ∂pull/∂l, at least 0
 
 
 @dataclass(frozen=True)
@@ -91,6 +102,7 @@ class Effect:
     joint_torque: Callable[["JointState", Values], Torque] | None = None
     joint_inertia: Callable[[Values], "Number"] | None = None
     body_force: Callable[["BodyState", Values], Force] | None = None
-    pair_force: Callable[["BodyState", "BodyState", Values], tuple[Force, Force]] | None = None
+    pair_force: Callable[["BodyState", "BodyState", Values],
+                         tuple[Force, Force, Line | None]] | None = None
     reaction: bool = False  # asks for the joint's reaction function
     mimic: bool = False  # lets followers follow

@@ -1,0 +1,154 @@
+"""A run's end with many digits: the recorded dynamics evaluated in mpmath, integrated by extrapolation.
+
+Independent of the emitted texts, of their precisions and of SciPy; not of the recorded dynamics.
+"""
+
+import operator
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import mpmath
+import numpy as np
+from mpmath import mpf
+
+from coscrew_codegen.cost import CostError
+from coscrew_codegen.program import Constant, Input, Op, Operand, Program, Ref
+from coscrew_codegen.simulate.system import System
+
+_ROWS = 10  # of the extrapolation, of order 20
+_SMALLEST = 1e-5  # of the run: a step below that would take too long
+_GUARD = 10  # digits beyond those asked for
+
+Numbers = list[mpf]
+Rates = Callable[[mpf, Numbers], Numbers]
+
+_ARITHMETIC: Mapping[Op, Callable[..., object]] = {
+    Op.ADD: operator.add, Op.SUB: operator.sub, Op.MUL: operator.mul, Op.DIV: operator.truediv,
+    Op.NEG: operator.neg, Op.ABS: abs, Op.SQRT: mpmath.sqrt, Op.SIN: mpmath.sin, Op.COS: mpmath.cos,
+    Op.ATAN2: mpmath.atan2, Op.EXP: mpmath.exp, Op.TANH: mpmath.tanh, Op.SCALE: operator.mul,
+    Op.FMA: lambda a, b, c: a * b + c, Op.FMS: lambda a, b, c: a * b - c,
+    Op.FNMA: lambda a, b, c: c - a * b, Op.LESS: operator.lt, Op.EQUAL: operator.eq,
+    Op.SELECT: lambda a, b, c: b if a else c}
+
+
+def evaluate(program: Program, inputs: Sequence[Sequence[mpf]]) -> Numbers:
+    """The results of a program on numbers of mpmath's precision."""
+    known: dict[str, object] = {}
+
+    def value(x: Operand) -> object:
+        if isinstance(x, Ref):
+            return known[x.name]
+        if isinstance(x, Input):
+            return inputs[x.argument][x.index]
+        if isinstance(x, Constant):
+            return mpf(x.double.numerator) / x.double.denominator
+        return mpf("nan")
+
+    for step in program.instructions:
+        known[step.name] = _ARITHMETIC[step.op](*map(value, step.operands))
+    return [value(x) for x in program.results]
+
+
+def exact_end(system: System, until: float, digits: int) -> tuple[np.ndarray, np.ndarray, float]:
+    """q and v at the end, and about how far off they are.  Raises CostError where steps must be so
+    small that it would take too long, as of scenes that are not smooth."""
+    with mpmath.workdps(digits + _GUARD):
+        run = _Run(_rates(system), mpf(until), mpf(10)**-digits)
+        y, apart = run.end([mpf(float(x)) for part in system.start() for x in part])
+        end = np.array(y, float)
+    nq = system.functions.nq
+    return system.normalized(end[:nq]), end[nq:], max(float(apart), 2.0**-53)
+
+
+def _rates(system: System) -> Rates:
+    """(t, y) -> y', y = (q; v); quaternions move as r' = r (0; ω) / 2."""
+    forward = next(f.program for f in system.functions.functions if f.name == "forward_dynamics")
+    nq, nv = system.functions.nq, system.functions.nv
+    p, tau = [mpf(x) for x in system.p], [mpf(0)] * nv
+
+    def rates(t: mpf, y: Numbers) -> Numbers:
+        q, v = y[:nq], y[nq:]
+        values = {"t": [t], "p": p, "q": _normalized(system, q), "v": v, "tau": tau}
+        return [*_q_rates(system, q, v),
+                *evaluate(forward, [values[a.name] for a in forward.inputs])]
+
+    return rates
+
+
+def _normalized(system: System, q: Numbers) -> Numbers:
+    q = list(q)
+    for places in system.quaternions:
+        norm = mpmath.sqrt(sum(x * x for x in q[places]))
+        q[places] = [x / norm for x in q[places]]
+    return q
+
+
+def _q_rates(system: System, q: Numbers, v: Numbers) -> Numbers:
+    result: Numbers = []
+    for c in system.functions.coordinates:
+        speeds = v[c.v.start:c.v.stop]
+        if c.kind not in ("spherical", "free"):
+            result += speeds
+            continue
+        w, x, y, z = q[c.q.stop - 4:c.q.stop]
+        a, b, d = (s / 2 for s in speeds[-3:])
+        turn = [-x * a - y * b - z * d, w * a + y * d - z * b, w * b + z * a - x * d,
+                w * d + x * b - y * a]
+        if c.kind == "free":
+            result += _turned((w, x, y, z), speeds[:3])
+        result += turn
+    return result
+
+
+def _turned(q: Sequence[mpf], v: Numbers) -> Numbers:
+    """R(q) v."""
+    w, u, norm = q[0], q[1:], sum(x * x for x in q)
+    along = sum(x * y for x, y in zip(u, v, strict=True))
+    across = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+    square = w * w - sum(x * x for x in u)
+    return [(square * v[i] + 2 * along * u[i] + 2 * w * across[i]) / norm for i in range(3)]
+
+
+@dataclass(frozen=True)
+class _Run:
+    rates: Rates
+    until: mpf
+    tolerance: mpf
+
+    def end(self, y: Numbers) -> tuple[Numbers, mpf]:
+        """y at the end, by the modified midpoint rule with 2, 4, 6, … steps, extrapolated to steps of
+        zero (Gragg, Bulirsch, Stoer), and the sum of the errors that were estimated."""
+        t, h, apart = mpf(0), self.until / 16, mpf(0)
+        while t < self.until:
+            h = min(h, self.until - t)
+            if h < _SMALLEST * self.until and h < self.until - t:
+                raise CostError(f"the reference needs steps below {float(h):.1g} s at t = "
+                                f"{float(t):.6g} s: --digits is for smooth scenes")
+            new, error = self._extrapolated(t, h, y)
+            if error <= self.tolerance:
+                t, y, apart = t + h, new, apart + error
+            factor = (self.tolerance / max(error, self.tolerance * mpf(10)**-20))
+            h *= min(max(0.9 * factor**(mpf(1) / (2 * _ROWS - 1)), mpf("0.1")), mpf(4))
+        return y, apart
+
+    def _extrapolated(self, t: mpf, h: mpf, y: Numbers) -> tuple[Numbers, mpf]:
+        first = self.rates(t, y)
+        rows: list[list[Numbers]] = []
+        for i in range(_ROWS):
+            row = [self._midpoint(t, h, y, first, 2 * (i + 1))]
+            for k in range(1, i + 1):
+                ratio = mpf(i + 1)**2 / mpf(i + 1 - k)**2 - 1
+                row.append([a + (a - b) / ratio for a, b in
+                            zip(row[k - 1], rows[i - 1][k - 1], strict=True)])
+            rows.append(row)
+        error = max(abs(a - b) for a, b in zip(rows[-1][-1], rows[-1][-2], strict=True))
+        return rows[-1][-1], error
+
+    def _midpoint(self, t: mpf, h: mpf, y: Numbers, first: Numbers, n: int) -> Numbers:
+        part = h / n
+        before, now = y, [a + part * b for a, b in zip(y, first, strict=True)]
+        for i in range(1, n):
+            slope = self.rates(t + i * part, now)
+            before, now = now, [a + 2 * part * b for a, b in zip(before, slope, strict=True)]
+        slope = self.rates(t + h, now)
+        return [(a + b + part * c) / 2 for a, b, c in zip(before, now, slope, strict=True)]

@@ -1,0 +1,47 @@
+"""A scene with all its effects, with each left out, and bare."""
+
+from dataclasses import dataclass, replace
+
+from coscrew_codegen.dynamics.functions import derive
+from coscrew_codegen.scene_functions import Function, SceneFunctions
+from coscrew_codegen.dynamics.scene import Applied, Scene
+
+TELLING = ("inverse_dynamics", "forward_dynamics", "mass_matrix")
+"""The functions whose cost is told for each effect."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """A scene with some of its effects."""
+
+    words: str  # "all effects", "without gravity", "bare"
+    scene: Scene
+    functions: SceneFunctions
+
+    @property
+    def public(self) -> tuple[Function, ...]:
+        """The functions that are declared."""
+        return tuple(f for f in self.functions.functions if not f.internal)
+
+
+def parts(scene: Scene) -> tuple[Part, ...]:
+    """The scene whole, without each of its effects, and without any.
+
+    Effects that decide about coordinates (mimic) always stay."""
+    names = tuple(dict.fromkeys(x.effect.name for x in scene.effects if _optional(x)))
+    chosen = [("all effects", scene.effects)]
+    if len(names) > 1:
+        chosen += [(f"without {name}", tuple(x for x in scene.effects if x.effect.name != name))
+                   for name in names]
+    if names:
+        chosen.append(("bare", tuple(x for x in scene.effects if not _optional(x))))
+    return tuple(_part(words, replace(scene, effects=effects)) for words, effects in chosen)
+
+
+def _part(words: str, scene: Scene) -> Part:
+    return Part(words, scene, derive(scene))
+
+
+def _optional(applied: Applied) -> bool:
+    """Whether the effect can be left out, and costs anything where it is not asked for."""
+    return not (applied.effect.mimic or applied.effect.reaction)

@@ -1,0 +1,117 @@
+"""C text: loops over a scene's functions and whole runs of its integrators; its library, timed."""
+
+import ctypes
+import functools
+import timeit
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from coscrew_codegen.cost.leaving_out import Part
+from coscrew_codegen.scene_functions import Function
+from coscrew_codegen.quantity import Argument
+from coscrew_codegen.render import render
+from coscrew_codegen.report.native import pointers, timed_calls
+from coscrew_codegen.scene_layout import banner_of, c_files
+from coscrew_codegen.simulate.native import Compiler, library
+from coscrew_codegen.targets.precision import PRECISIONS, Precision
+from coscrew_codegen.targets.scene_c import c_name
+from coscrew_codegen.targets.scene_text import outputs, size, step_inputs
+
+ELEMENTS = 64  # states a loop goes through: they stay in the first-level cache
+_SAMPLE = 20e3  # ns a timed sample takes at least, many times what clocks resolve
+State = tuple[np.ndarray, np.ndarray]
+
+
+@dataclass(frozen=True)
+class Timed:
+    """ns per call: the shortest, and how far the median is above it."""
+
+    minimum: float
+    spread: float
+
+
+@dataclass(frozen=True)
+class Compiled:
+    """The library of a part of a scene."""
+
+    part: Part
+    library: ctypes.PyDLL
+
+    def time(self, function: Function, precision: Precision, inputs: Sequence[np.ndarray],
+             seconds: float) -> Timed:
+        """A function's time per call over `inputs`, ELEMENTS of each, measured for about `seconds`."""
+        given = [np.ascontiguousarray(x, precision.numpy_type) for x in inputs]
+        made = [np.zeros((ELEMENTS, size(a)), precision.numpy_type) for a in outputs(function)]
+        run = functools.partial(timed_calls, self.library, _loop(function.name, precision),
+                                ELEMENTS, pointers((*given, *made)))
+        calls = 1
+        while (sample := run(calls, 3).min() * ELEMENTS * calls) < _SAMPLE:
+            calls *= 2
+        samples = run(calls, max(5, int(1e9 * seconds / sample)))
+        return Timed(float(samples.min()), float(np.median(samples) / samples.min() - 1))
+
+    def run(self, step: str, precision: Precision, steps: int, h: float, p: Sequence[float],
+            start: State) -> tuple[np.ndarray, np.ndarray, float]:
+        """q and v after this many steps of h from `start` at t = 0, and the seconds they took."""
+        q, v = (np.array(x, precision.numpy_type) for x in start)
+        parameters = np.array([*p, 0], precision.numpy_type)
+        function = getattr(self.library, _run(step, precision))
+        arguments = [ctypes.c_void_p(x.ctypes.data) for x in (parameters, q, v)]
+        began = timeit.default_timer()
+        function(ctypes.c_long(steps), ctypes.c_double(h), *arguments)
+        return q, v, timeit.default_timer() - began
+
+
+def compiled(part: Part, functions: Sequence[Function], compiler: Compiler) -> Compiled:
+    """A part's loops over these functions, compiled as load_scene does.  Raises CompilationError."""
+    name = part.functions.name
+    files = {**c_files(part.functions, banner_of(name)), "loops.c": text(part, functions),
+             "driver.c": render("report/driver.c")}
+    units = {"scene": (f"{name}.c",), "loops": ("loops.c",), "driver": ("driver.c",)}
+    return Compiled(part, library(units, files, compiler))
+
+
+def text(part: Part, functions: Sequence[Function]) -> str:
+    """The C text of the loops and runs."""
+    scene = part.functions
+    loops = [{"name": _loop(f.name, precision), **_over_states(part, f, precision)}
+             for f in functions for precision in PRECISIONS]
+    runs = [{"name": _run(step, precision), "real": precision.c_type,
+             "call": _step(part, step, precision)}
+            for step in scene.steps for precision in PRECISIONS]
+    return render("cost/loops.c", name=scene.name, loops=loops, runs=runs)
+
+
+def _loop(function: str, precision: Precision) -> str:
+    return f"coscrew_loop_{function}{precision.suffix}"
+
+
+def _run(step: str, precision: Precision) -> str:
+    return f"coscrew_run_{step}{precision.suffix}"
+
+
+def _over_states(part: Part, function: Function, precision: Precision) -> dict[str, object]:
+    """The declarations of the loop's arrays, and the call for element i."""
+    declared, passed = [], []
+    arguments = [*((a, "const ") for a in function.program.inputs),
+                 *((a, "") for a in outputs(function))]
+    for number, (a, const) in enumerate(arguments):
+        declared.append(f"{const}{precision.c_type} *{a.name} = arguments[{number}];")
+        passed.append(_element(a, bool(const)))
+    call = f"{c_name(part.functions, function.name, precision)}({', '.join(passed)});"
+    return {"pointers": declared, "call": call}
+
+
+def _element(argument: Argument, read: bool) -> str:
+    if argument.quantity.shape:
+        return f"{argument.name} + {size(argument)} * i"
+    return f"{argument.name}[i]" if read else f"{argument.name} + i"
+
+
+def _step(part: Part, step: str, precision: Precision) -> str:
+    real = precision.c_type
+    values = {"t": f"({real})((double)i * h)", "h": f"({real})h", "p": "p", "q": "q", "v": "v"}
+    given = ", ".join(values[x] for x in step_inputs(part.functions))
+    return f"{c_name(part.functions, f'step_{step}', precision)}({given});"

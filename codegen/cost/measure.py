@@ -1,0 +1,112 @@
+"""Measures a scene: operations and times of its functions, in parts; accuracy against time."""
+
+import sys
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import TypeVar
+
+import numpy as np
+from tqdm import tqdm
+
+from coscrew_codegen.cost import CostError
+from coscrew_codegen.cost.leaving_out import TELLING, Part, parts
+from coscrew_codegen.cost.loops import ELEMENTS, Compiled, Timed, compiled
+from coscrew_codegen.cost.work_precision import Point, Reference, reference, work_precision
+from coscrew_codegen.scene_functions import Function
+from coscrew_codegen.program import counts_in_words
+from coscrew_codegen.report.variants import flops
+from coscrew_codegen.simulate import native
+from coscrew_codegen.simulate.outcome import Asked
+from coscrew_codegen.simulate.plan import Trajectory, plan
+from coscrew_codegen.simulate.progress import Progress
+from coscrew_codegen.simulate.record import accelerations
+from coscrew_codegen.simulate.run import integrate
+from coscrew_codegen.simulate.system import System, system
+from coscrew_codegen.targets.precision import PRECISIONS
+
+_SECONDS = 0.02  # that each function is timed
+
+Item = TypeVar("Item")
+
+
+@dataclass(frozen=True)
+class Row:
+    """What a function costs in a part of the scene."""
+
+    part: str
+    function: str
+    words: str  # its operations by kind
+    flops: int
+    times: tuple[Timed, Timed]  # double, single
+
+
+@dataclass(frozen=True)
+class Costs:
+    """What a scene costs, on this machine."""
+
+    scene: str
+    compiler: str  # its version and flags
+    rows: tuple[Row, ...]
+    reference: Reference | None
+    points: tuple[Point, ...]
+
+
+def measure(kernels: object, asked: Asked, digits: int | None) -> Costs:
+    """Measure; with `digits` the reference is computed with that many.  Raises CostError."""
+    try:
+        using = native.compiler()
+        chosen = parts(kernels.scene)
+        built = tuple(_progress((compiled(x, _functions(x), using) for x in chosen), "compiling",
+                                len(chosen)))
+    except native.CompilationError as error:
+        raise CostError(f"cost times C, and that cannot be compiled: {error}") from None
+    states = _states(kernels, asked)
+    rows = tuple(_progress(_rows(built, states), "timing",
+                           sum(len(_functions(x.part)) for x in built)))
+    its = system(kernels, "double", dict(asked.settings))
+    planned = plan(its, asked.until, asked.step, asked.integrator)
+    truth = reference(its, planned.until, digits)
+    points = work_precision(kernels, built[0], planned, asked, truth) if truth else ()
+    return Costs(kernels.scene.name, str(using), rows, truth,
+                 tuple(_progress(points, "integrating", None)))
+
+
+def _functions(part: Part) -> tuple[Function, ...]:
+    """Of the whole scene all functions, of its parts the telling ones."""
+    whole = part.words == "all effects"
+    return tuple(f for f in part.public if whole or f.name in TELLING)
+
+
+def _states(kernels: object, asked: Asked) -> tuple[System, Trajectory]:
+    """A run whose samples functions are timed at: as scenes meet them."""
+    its = system(kernels, "double", dict(asked.settings))
+    until = plan(its, asked.until, asked.step, asked.integrator).until
+    planned = plan(its, asked.until, asked.step, asked.integrator, every=until / (ELEMENTS - 1))
+    with Progress(its, until) as watch:
+        trajectory = integrate(its, planned, watch)
+    if trajectory.interrupted:
+        raise KeyboardInterrupt
+    return its, trajectory
+
+
+def _rows(built: Sequence[Compiled], states: tuple[System, Trajectory]) -> Iterator[Row]:
+    for library in built:
+        for f in _functions(library.part):
+            inputs = _inputs(f, *states)
+            double, single = (library.time(f, x, inputs, _SECONDS) for x in PRECISIONS)
+            yield Row(library.part.words, f.name, counts_in_words(f.program), flops(f.program),
+                      (double, single))
+
+
+def _inputs(function: Function, its: System, trajectory: Trajectory) -> list[np.ndarray]:
+    """ELEMENTS of each of the function's inputs, from the run."""
+    chosen = np.resize(np.arange(len(trajectory.t)), ELEMENTS)
+    t, q, v = (x[chosen] for x in (trajectory.t, trajectory.q, trajectory.v))
+    values = {"t": t, "p": np.tile(np.array(its.p), (ELEMENTS, 1)), "q": q, "v": v,
+              "a": accelerations(its, t, q, v), "tau": np.zeros_like(v), "phi": 1e-3 * v}
+    return [values[a.name] for a in function.program.inputs]
+
+
+def _progress(items: Iterable[Item], what: str, total: int | None) -> Iterator[Item]:
+    """The items, counted on standard error if that is a terminal."""
+    yield from tqdm(items, what, total, leave=False, disable=None, file=sys.stderr)

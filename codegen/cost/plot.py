@@ -1,0 +1,67 @@
+"""A scene's costs as a figure: time of forward dynamics by effect, and accuracy against time."""
+
+import math
+from pathlib import Path
+
+import matplotlib
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from coscrew_codegen.cost.measure import Costs
+from coscrew_codegen.report.figures import STYLE
+from coscrew_codegen.simulate.write import delivered
+
+_COLOURS = {"double": "#0072b2", "single": "#f5a04d"}
+_HATCHED = {"double": "-", "single": "--"}
+_MARKERS = "osD^v"
+_SHOWN = "forward_dynamics"
+
+
+def plot(costs: Costs, path: Path) -> None:
+    """Draw the costs to an SVG or PNG.  Raises SimulateError."""
+    with matplotlib.rc_context(STYLE), delivered(path) as temporary:
+        figure = Figure(figsize=(11, 4.6), layout="constrained")
+        left, right = figure.subplots(1, 2, width_ratios=(2, 3))
+        _bars(left, costs)
+        _accuracy(right, costs)
+        kept = {"Date": None, "Creator": None} if path.suffix == ".svg" else {"Software": None}
+        figure.savefig(temporary, metadata=kept)
+
+
+def _bars(axes: Axes, costs: Costs) -> None:
+    rows = [x for x in costs.rows if x.function == _SHOWN]
+    for i, (precision, colour) in enumerate(_COLOURS.items()):
+        axes.barh([n + 0.4 * i for n in range(len(rows))], [x.times[i].minimum for x in rows], 0.38,
+                  color=colour, label=precision)
+    for n, x in enumerate(rows):
+        axes.annotate(f"{x.flops} flops", (0, n), (4, 0), textcoords="offset points",
+                      va="center", fontsize=7, color="white")
+    axes.set_yticks([n + 0.2 for n in range(len(rows))], [x.part for x in rows])
+    axes.invert_yaxis()
+    axes.set_xlabel("ns per call in C")
+    axes.set_title("forward dynamics, effect by effect")
+    axes.legend(frameon=False)
+
+
+def _accuracy(axes: Axes, costs: Costs) -> None:
+    axes.set_title("error at the end against time")
+    names = list(dict.fromkeys(x.integrator for x in costs.points))
+    for i, name in enumerate(names):
+        for precision, dash in _HATCHED.items():
+            found = sorted((1e6 * x.seconds, x.error) for x in costs.points
+                           if (x.integrator, x.precision) == (name, precision)
+                           and 0 < x.error < math.inf)
+            if found:
+                axes.plot(*zip(*found), dash + _MARKERS[i % len(_MARKERS)], color=f"C{i}", markersize=4,
+                          linewidth=1, label=f"{name}, {precision}",
+                          markerfacecolor="white" if precision == "single" else f"C{i}")
+    if not axes.lines:
+        axes.text(0.5, 0.5, "no reference", transform=axes.transAxes, ha="center")
+        return
+    if costs.reference and costs.reference.error > 0:
+        axes.axhline(costs.reference.error, color="#9aa2b1", linewidth=0.8, linestyle=":")
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.set_xlabel("time of the run, µs (SciPy's in Python)")
+    axes.set_ylabel("largest error of a coordinate, m or rad")
+    axes.legend(frameon=False, fontsize=7)

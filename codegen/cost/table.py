@@ -1,0 +1,58 @@
+"""A scene's costs as tables."""
+
+import math
+
+from tabulate import tabulate
+
+from coscrew_codegen.cost.leaving_out import TELLING
+from coscrew_codegen.cost.measure import Costs
+from coscrew_codegen.cost.work_precision import Point
+
+
+def table(costs: Costs) -> str:
+    """What costs.svg shows, and more: functions, effects, accuracy."""
+    parts = [f"{costs.scene}: {costs.compiler}; ns per call in C, the shortest",
+             _functions(costs), _effects(costs), _accuracy(costs)]
+    return "\n\n".join(x for x in parts if x)
+
+
+def _functions(costs: Costs) -> str:
+    rows = [(x.function, x.flops, *(t.minimum for t in x.times), x.words)
+            for x in costs.rows if x.part == "all effects"]
+    return tabulate(rows, ("all effects", "flops", "double, ns", "single, ns", "operations"),
+                    floatfmt=".3g")
+
+
+def _effects(costs: Costs) -> str:
+    """A table for each telling function: its cost in each part, and what leaving out saves."""
+    tables = []
+    for name in TELLING:
+        rows = [x for x in costs.rows if x.function == name]
+        whole = rows[0].flops
+        lines = [(x.part, x.flops, whole - x.flops or None, *(t.minimum for t in x.times))
+                 for x in rows]
+        tables.append(tabulate(lines, (name, "flops", "saved", "double, ns", "single, ns"),
+                               floatfmt=".3g"))
+    return "\n\n".join(tables) if len(rows) > 1 else ""
+
+
+def _accuracy(costs: Costs) -> str:
+    if costs.reference is None:
+        return ("No accuracy against time: neither DOP853 nor Radau's method reaches the end of this "
+                "run with tight tolerances in time.")
+    truth = costs.reference
+    head = (f"Error of the coordinates at t = {truth.t:g} s against time; the reference is "
+            f"{truth.words}, good to about {truth.error:.1g}.\nSteps of emitted integrators, in C; "
+            "tolerances of SciPy's, in Python.")
+    rows = [(x.integrator, x.precision, x.step, x.steps, 1e6 * x.seconds,
+             x.error if math.isfinite(x.error) else "unstable", "*" if _best(x, costs) else "")
+            for x in costs.points]
+    headers = ("integrator", "precision", "step, s, or rtol", "steps", "time, µs", "error, m or rad",
+               "best")
+    return f"{head}\n{tabulate(rows, headers, floatfmt='.3g')}\n* no run is faster and as accurate"
+
+
+def _best(point: Point, costs: Costs) -> bool:
+    """Whether no other run is as fast and as accurate."""
+    return math.isfinite(point.error) and not any(
+        x.seconds <= point.seconds and x.error <= point.error and x != point for x in costs.points)

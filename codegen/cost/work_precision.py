@@ -1,0 +1,126 @@
+"""What accuracy costs in time: errors at a run's end against the time the run took, by integrator,
+precision and step."""
+
+import math
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from coscrew_codegen.cost.loops import Compiled
+from coscrew_codegen.simulate.outcome import Asked
+from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
+from coscrew_codegen.simulate.run import integrate
+from coscrew_codegen.simulate.system import System, system
+from coscrew_codegen.targets.precision import PRECISIONS
+
+_TIGHTEST = 1e-13
+_PATIENCE = 20.0  # s that a reference, or a run of SciPy's, may take
+_MOST_STEPS = 1_000_000
+_DOUBLINGS = range(-6, 5, 2)  # of the scene's step
+_TOLERANCES = (1e-3, 1e-5, 1e-7, 1e-9, 1e-11)
+_REPEATS = 3
+
+
+@dataclass(frozen=True)
+class Reference:
+    """The state at the end, all but exact."""
+
+    words: str
+    t: float
+    q: np.ndarray
+    v: np.ndarray
+    error: float  # about how far off it is
+
+
+@dataclass(frozen=True)
+class Point:
+    """A run: how accurate, how long."""
+
+    integrator: str
+    precision: str
+    step: float  # s; of SciPy's integrators the relative tolerance
+    steps: int
+    seconds: float
+    error: float  # the largest of a coordinate, in m or rad (quaternions: of a component)
+    by: str  # C, or Python
+
+
+def error(system: System, q: np.ndarray, truth: Reference) -> float:
+    """The largest error of a coordinate; q and -q of a quaternion are the same."""
+    q = np.array(q, float)
+    for places in system.quaternions:
+        if np.dot(q[places], truth.q[places]) < 0:
+            q[places] *= -1
+    worst = np.max(np.abs(q - truth.q), initial=0)
+    return float(worst) if math.isfinite(worst) else math.inf
+
+
+def reference(system: System, until: float, digits: int | None) -> Reference | None:
+    """The state at the end: with `digits`, computed with that many; else by DOP853 with tolerances of
+    1e-13, or where that takes too long by Radau's method; None if that does, too."""
+    if digits:
+        from coscrew_codegen.cost.exact_run import exact_end
+
+        q, v, apart = exact_end(system, until, digits)
+        return Reference(f"extrapolation with {digits} digits", until, q, v, apart)
+    for name, tightest in (("dop853", _TIGHTEST), ("radau", 1e-11)):
+        ends = [_end(system, until, name, tightest * slack) for slack in (1, 10)]
+        if None not in ends:
+            truth = Reference(f"{name}, rtol {tightest:g}", until, ends[0].q[-1].astype(float),
+                              ends[0].v[-1].astype(float), 0.0)
+            return replace(truth, error=error(system, ends[1].q[-1], truth))
+    return None
+
+
+class _TooLong(Exception):
+    pass
+
+
+def _end(system: System, until: float, integrator: str, tolerance: float) -> Trajectory | None:
+    """The run at this tolerance; None if it stops early or takes too long."""
+    planned = Plan(until, until / 1000, integrator, until, tolerance, tolerance)
+    deadline = time.monotonic() + _PATIENCE
+
+    def watch(t: float, q: np.ndarray, v: np.ndarray) -> None:
+        if time.monotonic() > deadline:
+            raise _TooLong
+
+    try:
+        trajectory = integrate(system, planned, watch)
+    except _TooLong:
+        return None
+    if trajectory.interrupted:
+        raise KeyboardInterrupt
+    return None if trajectory.stopped else trajectory
+
+
+def work_precision(kernels: object, library: Compiled, planned: Plan, asked: Asked,
+                   truth: Reference) -> Iterator[Point]:
+    """A point for each integrator, precision and step."""
+    for precision in PRECISIONS:
+        its = system(kernels, precision.name, dict(asked.settings))
+        for name in its.functions.steps:
+            for steps in _step_counts(planned):
+                h, best = planned.until / steps, math.inf
+                for _ in range(_REPEATS):
+                    q, _v, seconds = library.run(name, precision, steps, h, its.p, its.start())
+                    best = min(best, seconds)
+                yield Point(name.replace("_", "-"), precision.name, h, steps, best,
+                            error(its, q, truth), "C")
+    for name, tolerances in (("dop853", _TOLERANCES), ("radau", _TOLERANCES[:4])):
+        its = system(kernels, "double", dict(asked.settings))
+        for tolerance in tolerances:
+            run = _end(its, planned.until, name, tolerance)
+            if run is None:
+                break  # tighter ones would take longer still
+            yield Point(name, "double", tolerance, run.steps, run.seconds,
+                        error(its, run.q[-1], truth), "Python")
+
+
+def _step_counts(planned: Plan) -> list[int]:
+    """Steps of a run, from the fewest on."""
+    first = planned.until / planned.step
+    counts = {max(1, round(first * 2.0**-k)) for k in _DOUBLINGS}
+    return sorted(n for n in counts if n <= _MOST_STEPS) or [_MOST_STEPS]

@@ -1,0 +1,27 @@
+"""Armature: the inertia of a motor's rotor, as its joint feels it."""
+
+from typing import TYPE_CHECKING
+
+from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place, Values
+
+if TYPE_CHECKING:
+    from coscrew_codegen.dynamics.numbers import Number
+
+
+def _inertia(values: Values) -> "Number":
+    """inertia + gear^2 rotor, of what is given."""
+    inertia, gear, rotor = (values[x] for x in ("inertia", "gear", "rotor"))
+    if rotor is None:
+        return inertia
+    reflected = gear * gear * rotor
+    return reflected if inertia is None else inertia + reflected
+
+
+EFFECT = Effect(
+    "armature", "inertia of a joint alone, such as its motor's rotor behind a gear",
+    "M_jj = M_jj + inertia + gear^2 rotor", Place.JOINT,
+    (ParameterOf("inertia", "kg m^2 or kg", "as the joint feels it", required=False,
+                 nonnegative=True),
+     ParameterOf("rotor", "kg m^2", "inertia of the rotor", required=False, nonnegative=True),
+     ParameterOf("gear", "1, or rad/m", "turns of the rotor for one of the joint", default=1)),
+    any_of=("inertia", "rotor"), joint_inertia=_inertia)

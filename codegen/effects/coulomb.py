@@ -1,0 +1,21 @@
+"""Coulomb friction, regularised: a constant torque against the motion, fading near rest."""
+
+from coscrew_codegen.dynamics.numbers import absolute, maximum, tanh
+from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place, Torque, Values
+
+
+def _torque(state, values: Values) -> Torque:
+    """-tau_c tanh(v/eps); damping tau_c / max(|v|, eps), at least the slope and |torque| / |v|."""
+    tau_c, eps = values["tau_c"], values["eps"]
+    return Torque(-(tau_c * tanh(state.v * (1 / eps))),
+                  damping=tau_c / maximum(absolute(state.v), eps))
+
+
+EFFECT = Effect(
+    "coulomb", "dry friction: up to tau_c holds, but for a creep of eps artanh(tau/tau_c)",
+    "tau = -tau_c tanh(v/eps)", Place.JOINT,
+    (ParameterOf("tau_c", "N m or N", "friction while it slides", model="friction",
+                 nonnegative=True),
+     ParameterOf("eps", "rad/s or m/s", "speed at which friction has 76 % of its value",
+                 positive=True)),
+    joint_torque=_torque)

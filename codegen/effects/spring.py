@@ -1,0 +1,16 @@
+"""Spring: proportional to the way from rest."""
+
+from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place, Torque, Values
+
+
+def _torque(state, values: Values) -> Torque:
+    """-k (q - q0), of energy k (q - q0)^2 / 2."""
+    k, away = values["k"], state.q - values["q0"]
+    return Torque(-(k * away), stiffness=k, energy=k / 2 * (away * away))
+
+
+EFFECT = Effect(
+    "spring", "elastic torque towards q0", "tau = -k (q - q0)", Place.JOINT,
+    (ParameterOf("k", "N m/rad or N/m", "stiffness", nonnegative=True),
+     ParameterOf("q0", "rad or m", "where it is at rest", default=0)),
+    joint_torque=_torque)

@@ -1,0 +1,39 @@
+"""Spring and damper along the line between a point of one body and a point of another."""
+
+from fractions import Fraction
+
+from coscrew_codegen.dynamics.numbers import (dot, maximum, negative, scaled, sqrt, subtract)
+from coscrew_codegen.dynamics.effect import Effect, Force, Line, ParameterOf, Place, Values
+
+CLOSEST = Fraction(1, 10**12)
+"""Below this distance, in m, the direction of the line fades to zero: where points meet is none."""
+
+
+def _forces(first, second, values: Values) -> tuple[Force, Force, Line]:
+    """±[k (l - length) + d l'] e, e = x / max(l, CLOSEST) x from the first point to the second."""
+    a, b, k, d = (values[x] for x in ("first", "second", "k", "d"))
+    x = first.apart(a, second, b)
+    length = sqrt(dot(x, x))
+    e = scaled(1 / maximum(length, CLOSEST), x)
+    rate = dot(e, subtract(second.world_direction(second.velocity(b)),
+                           first.world_direction(first.velocity(a))))
+    longer = length - values["length"]
+    pull = scaled(k * longer + d * rate, e)
+    zero = rate.like(0)
+    return (Force(a, first.own_direction(pull), energy=k / 2 * (longer * longer),
+                  power=-(d * (rate * rate))),
+            Force(b, second.own_direction(negative(pull)), power=zero),
+            Line(e, rate, d, k))
+
+
+EFFECT = Effect(
+    "spring_damper", "spring and damper between points of two bodies",
+    "f = [k (l - length) + d l'] x/l on the first, -f on the second", Place.PAIR,
+    (ParameterOf("first", "m", "where it is fixed to the first body, in its frame", "vector",
+                 (Fraction(0),) * 3),
+     ParameterOf("second", "m", "where it is fixed to the second body, in its frame", "vector",
+                 (Fraction(0),) * 3),
+     ParameterOf("k", "N/m", "stiffness", default=0, nonnegative=True),
+     ParameterOf("d", "N s/m", "damping", default=0, nonnegative=True),
+     ParameterOf("length", "m", "at which the spring is at rest", default=0, nonnegative=True)),
+    pair_force=_forces)

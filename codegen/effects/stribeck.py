@@ -1,0 +1,24 @@
+"""Stribeck friction, regularised: dry friction that is larger at rest than in motion."""
+
+from coscrew_codegen.dynamics.numbers import absolute, exp, maximum, tanh
+from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place, Torque, Values
+
+
+def _torque(state, values: Values) -> Torque:
+    """-T tanh(v/eps) with T = tau_c + (tau_s - tau_c) e^(-(v/v_s)^2); damping T / max(|v|, eps), at
+    least the slope (if tau_s >= tau_c) and |torque| / |v|."""
+    v, tau_c, eps = state.v, values["tau_c"], values["eps"]
+    ratio = v * (1 / values["v_s"])
+    level = tau_c + (values["tau_s"] - tau_c) * exp(-(ratio * ratio))
+    return Torque(-(level * tanh(v * (1 / eps))), damping=level / maximum(absolute(v), eps))
+
+
+EFFECT = Effect(
+    "stribeck", "dry friction that falls from tau_s near rest to tau_c; creeps at rest as coulomb",
+    "tau = -[tau_c + (tau_s - tau_c) exp(-(v/v_s)^2)] tanh(v/eps)", Place.JOINT,
+    (ParameterOf("tau_c", "N m or N", "friction at high speed", model="friction", nonnegative=True),
+     ParameterOf("tau_s", "N m or N", "friction at break-away, at least tau_c", nonnegative=True),
+     ParameterOf("v_s", "rad/s or m/s", "speed over which friction falls", positive=True),
+     ParameterOf("eps", "rad/s or m/s", "speed at which friction has 76 % of its value; well below "
+                 "v_s", positive=True)),
+    joint_torque=_torque)

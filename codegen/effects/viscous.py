@@ -1,0 +1,14 @@
+"""Viscous friction: against the speed and proportional to it."""
+
+from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place, Torque, Values
+
+
+def _torque(state, values: Values) -> Torque:
+    """-d v."""
+    return Torque(-(values["d"] * state.v), damping=values["d"])
+
+
+EFFECT = Effect(
+    "viscous", "friction proportional to the speed", "tau = -d v", Place.JOINT,
+    (ParameterOf("d", "N m s/rad or N s/m", "damping", model="damping", nonnegative=True),),
+    joint_torque=_torque)

@@ -1,0 +1,25 @@
+"""Wrench: a force at a point of a body and a torque, constant, functions of time or at run time."""
+
+from fractions import Fraction
+
+from coscrew_codegen.dynamics.effect import Effect, Force, ParameterOf, Place, Values
+
+
+def _force(state, values: Values) -> Force:
+    """The force and the torque as the body sees them."""
+    force, torque = (values[x] and state.own_direction(values[x]) if values["frame"] == "world"
+                     else values[x] for x in ("force", "torque"))
+    zero = values["point"][0].like(0)
+    return Force(values["point"], force or (zero, zero, zero), torque)
+
+
+EFFECT = Effect(
+    "wrench", "force at a point of a body, and a torque", "(force; torque + point × force)",
+    Place.BODY,
+    (ParameterOf("force", "N", "functions of t", "formulas", required=False),
+     ParameterOf("torque", "N m", "functions of t", "formulas", required=False),
+     ParameterOf("point", "m", "where the force acts, in the body's frame", "vector",
+                 (Fraction(0),) * 3),
+     ParameterOf("frame", "", "in which force and torque are given", "choice", "world",
+                 choices=("world", "body"))),
+    any_of=("force", "torque"), body_force=_force)

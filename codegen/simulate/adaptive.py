@@ -1,0 +1,102 @@
+"""Integration by SciPy, which chooses its steps by tolerances.
+
+Integrated is y = (q; v), with q' = v of angles and lengths, and for quaternions r' = r (0; ω) / 2, which
+keeps |r| but for the tolerance: r is normalized before the dynamics see it and where it is sampled.
+"""
+
+from collections.abc import Callable, Iterator
+
+import numpy as np
+from scipy.integrate import DOP853, OdeSolver, Radau
+
+import coscrew
+from coscrew_codegen.simulate.plan import Plan
+from coscrew_codegen.simulate.system import System
+
+SOLVERS: dict[str, type[OdeSolver]] = {"dop853": DOP853, "radau": Radau}
+
+Rates = Callable[[float, np.ndarray], np.ndarray]
+
+
+def adaptive(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray
+             ) -> Iterator[tuple[np.ndarray, np.ndarray, int, str]]:
+    """(q, v, steps so far, "") at each sample after the first, or where and why it stopped."""
+    rates, steps, sample = rates_of(system), 0, 1
+    options = {"jac": jacobian_of(system, rates)} if plan.integrator == "radau" else {}
+    y = np.concatenate((q, v)).astype(float)
+    with np.errstate(all="ignore"):
+        solver = SOLVERS[plan.integrator](rates, 0.0, y, float(times[-1]), rtol=plan.rtol,
+                                          atol=plan.atol, **options)
+        while sample < len(times):
+            if failed := _step(solver):
+                yield q, v, steps, f"{failed} at t = {solver.t:.9g} s: {_trouble(system, solver)}"
+                return
+            steps += 1
+            interpolant = solver.dense_output() if times[sample] < solver.t else None
+            while sample < len(times) and times[sample] <= solver.t:
+                y = solver.y if times[sample] == solver.t else interpolant(times[sample])
+                q, v = system.normalized(y[:len(q)]), y[len(q):]
+                yield q.astype(system.dtype), v.astype(system.dtype), steps, ""
+                sample += 1
+
+
+def rates_of(system: System) -> Rates:
+    """(t, y) -> y'.  (…), (…, nq + nv)->(…, nq + nv)."""
+    nq, nv = system.functions.nq, system.functions.nv
+    tau = np.zeros(nv)
+
+    def rates(t: float, y: np.ndarray) -> np.ndarray:
+        q, v = system.normalized(y[..., :nq]), y[..., nq:]
+        a = system.call("forward_dynamics", t=t, q=q, v=v, tau=tau)
+        return np.concatenate((_q_rates(system, y[..., :nq], q, v), a), -1)
+
+    return rates
+
+
+def _q_rates(system: System, r: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """q' of coordinates r, whose quaternions normalized are q's."""
+    result = np.empty(q.shape)
+    for c in system.functions.coordinates:
+        if c.kind in ("spherical", "free"):
+            turn = slice(c.q.stop - 4, c.q.stop)
+            omega = np.zeros((*v.shape[:-1], 4))
+            omega[..., 1:] = v[..., c.v.stop - 3:c.v.stop] / 2
+            result[..., turn] = coscrew.double.product_qq(r[..., turn], omega)
+        if c.kind == "free":
+            forward = v[..., c.v.start:c.v.start + 3]
+            result[..., c.q.start:c.q.start + 3] = coscrew.double.product_qv(q[..., turn], forward)
+        elif c.kind != "spherical":
+            result[..., c.q] = v[..., c.v]
+    return result
+
+
+def jacobian_of(system: System, rates: Rates) -> Rates:
+    """(t, y) -> ∂y'/∂y by central differences, all in one call, with steps for the precision that the
+    dynamics are computed in: SciPy's, made for double, would see nothing but noise in single."""
+    step = float(np.cbrt(np.finfo(system.dtype).eps))
+
+    def jacobian(t: float, y: np.ndarray) -> np.ndarray:
+        moved = np.diag(step * np.maximum(1, np.abs(y)))
+        above, below = y + moved, y - moved
+        size = np.diag(above - below)
+        return ((rates(t, above) - rates(t, below)) / size[:, None]).T
+
+    return jacobian
+
+
+def _step(solver: OdeSolver) -> str:
+    """Take a step; returns why it failed, or ""."""
+    try:
+        solver.step()
+    except (ValueError, np.linalg.LinAlgError):  # Radau's linear algebra, given what is not finite
+        return "the solver met a state that is not finite"
+    return "the solver's steps became too small" if solver.status == "failed" else ""
+
+
+def _trouble(system: System, solver: OdeSolver) -> str:
+    """The joint whose acceleration is not finite, or else is the largest."""
+    a = solver.fun(solver.t, solver.y)[system.functions.nq:]
+    finite = np.where(np.isfinite(a), np.abs(a), np.inf)
+    worst = int(np.argmax(finite))
+    joint = next(c.joint for c in system.functions.coordinates if worst in c.v)
+    return f"joint {joint}: acceleration {a[worst]:.3g}"

@@ -1,0 +1,30 @@
+"""`coscrew check`: options, the checks, a table."""
+
+import argparse
+
+from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.simulate.command import NEEDED, add_scene
+
+
+def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add `check` to the command line."""
+    parser = commands.add_parser(
+        "check", help="check a scene's run",
+        description="Check a scene's run: its expectations, the balance of energy, both precisions, "
+        "inverse and forward dynamics.  The exit status is 1 if an expectation is not met.")
+    add_scene(parser)
+    parser.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Check; returns the exit status: 0, or 1 if an expectation is not met or a run stopped early."""
+    try:
+        from coscrew_codegen.simulate.load import load_scene
+        from coscrew_codegen.simulate import check, outcome
+    except ModuleNotFoundError as error:
+        raise SimulateError(f"check {NEEDED.format(error.name)}") from None
+    findings = check.check(load_scene(options.scene), outcome.Asked(
+        options.until, options.step, options.integrator, options.precision,
+        tuple(options.settings)))
+    print(check.table(findings))
+    return 0 if findings.passed else 1

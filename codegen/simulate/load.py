@@ -1,0 +1,105 @@
+"""load_scene: from a scene to callable kernels of both precisions, compiled where that is possible."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import sys
+import warnings
+from collections.abc import Iterator
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING
+
+from coscrew_codegen import emit
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.scene_functions import SceneFunctions
+from coscrew_codegen.scene_layout import banner_of, c_files, python_files
+from coscrew_codegen.simulate import calls, native
+from coscrew_codegen.targets import scene_calls
+from coscrew_codegen.targets.precision import PRECISIONS
+
+if TYPE_CHECKING:
+    from coscrew_codegen.dynamics.scene import Scene
+
+
+@dataclass(frozen=True, repr=False)
+class Kernels:
+    """A scene's functions, callable."""
+
+    scene: Scene | None
+    functions: SceneFunctions
+    double: calls.Functions
+    single: calls.Functions
+    compiler: str  # its version and flags; "" where the generated Python runs
+
+    @property
+    def compiled(self) -> bool:
+        """Whether compiled C runs, and not generated Python."""
+        return bool(self.compiler)
+
+    def __repr__(self) -> str:
+        return f"<kernels of {self.functions.name}: {self.compiler or 'pure NumPy'}>"
+
+
+def load_scene(scene: Scene | Path | str) -> Kernels:
+    """The kernels of a scene or of a scene file: `.double` and `.single` hold the functions of its
+    header.
+
+    They are generated and compiled with the system's C compiler, $CC if set; libraries are kept in
+    $XDG_CACHE_HOME or ~/.cache.  Without a compiler that works, which a warning tells, the generated
+    Python runs.  Raises what reading the scene raises.
+    """
+    if isinstance(scene, (str, Path)):
+        from coscrew_codegen.scene_files.toml_scene import read_scene
+        scene = read_scene(Path(scene))
+    return kernels_of(derive(scene), scene)
+
+
+def kernels_of(functions: SceneFunctions, scene: Scene | None = None) -> Kernels:
+    """The kernels of functions, wherever they come from."""
+    try:
+        compiler = native.compiler()
+        library = _library(functions, compiler)
+    except native.CompilationError as error:
+        warnings.warn(f"{functions.name} runs in pure NumPy: {error}", RuntimeWarning, stacklevel=3)
+        modules = _modules(functions)
+        found = [calls.Functions(functions.name, p, dict(_public(functions, modules[p.name])))
+                 for p in PRECISIONS]
+        return Kernels(scene, functions, *found, "")
+    described = scene_calls.callables(functions)
+    found = [calls.Functions(functions.name, p, {
+        x.name: calls.compiled(functions, library, x, p) for x in described}) for p in PRECISIONS]
+    return Kernels(scene, functions, *found, str(compiler))
+
+
+def _library(functions: SceneFunctions, compiler: native.Compiler):
+    source = f"{functions.name}_calls.c"
+    files = {**c_files(functions, banner_of(functions.name)), source: scene_calls.source(functions)}
+    units = {p.name: (source, *(f"-D{functions.name.upper()}_NO_{other.name.upper()}"
+                                for other in PRECISIONS if other != p)) for p in PRECISIONS}
+    return native.library(units, files, compiler)
+
+
+def _modules(functions: SceneFunctions) -> dict[str, ModuleType]:
+    """The generated package's modules, imported from a folder where it stays."""
+    files = python_files(functions, banner_of(functions.name))
+    key = sha256("\0".join(x for pair in sorted(files.items()) for x in pair).encode()).hexdigest()
+    folder = native.cache_folder() / f"python-{key[:32]}"
+    emit.write(files, folder)
+    name = f"_coscrew_scene_{key[:32]}"
+    if name not in sys.modules:
+        init = folder / functions.name / "__init__.py"
+        spec = importlib.util.spec_from_file_location(
+            name, init, submodule_search_locations=[str(init.parent)])
+        module = importlib.util.module_from_spec(spec)
+        sys.modules[name] = module
+        spec.loader.exec_module(module)
+    return {p.name: importlib.import_module(f"{name}.{p.name}") for p in PRECISIONS}
+
+
+def _public(functions: SceneFunctions, module: ModuleType) -> Iterator[tuple[str, object]]:
+    for x in scene_calls.callables(functions):
+        yield x.name, getattr(module, x.name)

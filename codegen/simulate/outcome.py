@@ -1,0 +1,107 @@
+"""Runs of a scene in the precisions asked for, what they recorded, and a short table of them."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from tabulate import tabulate
+
+from coscrew_codegen.simulate.balance import Balance, balance
+from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
+from coscrew_codegen.simulate.progress import Progress
+from coscrew_codegen.simulate.provenance import provenance
+from coscrew_codegen.simulate.record import Difference, differences, record
+from coscrew_codegen.simulate.recording import Recording
+from coscrew_codegen.simulate.run import integrate
+from coscrew_codegen.simulate.system import System, system
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What stands in for what the scene says of its run; None: as it says."""
+
+    until: float | None = None
+    step: float | None = None
+    integrator: str | None = None
+    precision: str | None = None
+    settings: tuple[tuple[str, float], ...] = ()
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """A run in one precision."""
+
+    system: System
+    plan: Plan
+    trajectory: Trajectory
+    recording: Recording
+
+
+def simulated(kernels: object, asked: Asked, also: tuple[float, ...] = ()) -> tuple[Outcome, ...]:
+    """The runs, double first.  `also` are further times to sample at.  Raises SimulateError."""
+    precision = asked.precision or kernels.scene.precision
+    names = ("double", "single") if precision == "both" else (precision,)
+    outcomes: list[Outcome] = []
+    for name in names:
+        outcomes.append(_run(kernels, name, asked, also))
+        if outcomes[-1].trajectory.interrupted:
+            break
+    return tuple(outcomes)
+
+
+def _run(kernels: object, precision: str, asked: Asked, also: tuple[float, ...]) -> Outcome:
+    its = system(kernels, precision, dict(asked.settings))
+    planned = plan(its, asked.until, asked.step, asked.integrator, also=also)
+    with Progress(its, planned.until) as watch:
+        trajectory = integrate(its, planned, watch)
+    told = provenance(its, planned, trajectory, kernels.compiler or "none: NumPy")
+    return Outcome(its, planned, trajectory, record(its, trajectory, told))
+
+
+def summary(outcomes: tuple[Outcome, ...]) -> str:
+    """The final state and the energy balance of each run, and how far the precisions are apart."""
+    first = outcomes[0]
+    parts = [_heading(first), _states(outcomes), _balances(outcomes)]
+    if len(outcomes) == 2:
+        parts.append(gaps(differences(*(x.recording for x in outcomes))))
+    return "\n\n".join(parts)
+
+
+def gaps(found: tuple[Difference, ...]) -> str:
+    """The table of how far the precisions are apart."""
+    rows = [(x.quantity, x.unit, x.size, x.apart, x.column, x.t) for x in found]
+    return tabulate(rows, ("quantity", "unit", "max |double|", "max |double - single|", "in",
+                           "at t, s"), floatfmt=("", "", ".3g", ".3g", "", "g"))
+
+
+def _heading(outcome: Outcome) -> str:
+    trajectory = outcome.trajectory
+    end, seconds = trajectory.t[-1], trajectory.seconds
+    speed = f", {end / seconds:.3g}x real time" if seconds > 0 else ""
+    return (f"{outcome.system.scene.name}: {end:g} s in {trajectory.steps} steps of "
+            f"{outcome.plan.integrator}, {seconds:.3g} s{speed}")
+
+
+def _states(outcomes: tuple[Outcome, ...]) -> str:
+    rows = []
+    for c in outcomes[0].system.functions.coordinates:
+        for name, places in (("q", c.q), ("v", c.v)):
+            for i, place in enumerate(places):
+                label = f"{name}.{c.joint}" + (f".{i}" if len(places) > 1 else "")
+                rows.append((label, *(getattr(x.trajectory, name)[-1, place] for x in outcomes)))
+    at = f"at t = {outcomes[0].trajectory.t[-1]:g} s"
+    return tabulate(rows, (at, *(x.system.precision.name for x in outcomes)), floatfmt=(
+        "", ".17g", ".9g") if len(outcomes) == 2 else ("", _digits(outcomes[0])))
+
+
+def _digits(outcome: Outcome) -> str:
+    return ".17g" if outcome.system.dtype == np.float64 else ".9g"
+
+
+def _balances(outcomes: tuple[Outcome, ...]) -> str:
+    found: list[Balance] = [balance(x.system, x.trajectory) for x in outcomes]
+    rows = [(words, *(getattr(x, name) for x in found)) for name, words in (
+        ("before", "energy at the start"), ("after", "energy at the end"), ("work", "work of effects"),
+        ("defect", "gained beyond that, at most"))]
+    table = tabulate(rows, ("J", *(x.system.precision.name for x in outcomes)), floatfmt=".9g")
+    note = "(The work is summed over the samples; `coscrew check` sums over every step.)"
+    return f"{table}\n{note}" if any(x.work for x in found) else table

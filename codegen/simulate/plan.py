@@ -1,0 +1,84 @@
+"""Plan and trajectory: what a run is asked to do, and what it returns.  Frozen data."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from coscrew_codegen.dynamics.names import did_you_mean
+from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.simulate.system import System
+
+_SAME = 1e-6  # of `every`: times closer than that are the same
+MOST_SAMPLES = 10_000_000
+ADAPTIVE = ("dop853", "radau")
+"""SciPy's integrators, by the names scenes call them."""
+
+
+@dataclass(frozen=True)
+class Plan:
+    """How long to integrate, when to sample (s), how: `step` is of emitted integrators, rtol and atol
+    of SciPy's; `also` are further times to sample at."""
+
+    until: float
+    every: float
+    integrator: str
+    step: float
+    rtol: float
+    atol: float
+    also: tuple[float, ...] = ()
+
+    @property
+    def adaptive(self) -> bool:
+        """Whether SciPy integrates."""
+        return self.integrator in ADAPTIVE
+
+    @property
+    def samples(self) -> np.ndarray:
+        """The times of the samples: 0, multiples of `every`, those besides, and the end."""
+        grid = self.every * np.arange(math.floor(self.until / self.every) + 2)
+        also = [t for t in self.also if 0 < t < self.until]
+        inner = np.sort(np.concatenate((grid[1:], also)))
+        inner = inner[inner < self.until - _SAME * self.every]
+        apart = np.diff(inner, prepend=0) > _SAME * self.every
+        return np.concatenate(([0.0], inner[apart], [self.until]))
+
+
+@dataclass(frozen=True)
+class Trajectory:
+    """States at the times of samples; `stopped` says why and where, if before the end."""
+
+    t: np.ndarray  # (n)
+    q: np.ndarray  # (n, nq)
+    v: np.ndarray  # (n, nv)
+    steps: int
+    seconds: float  # that integrating took
+    stopped: str = ""
+    interrupted: bool = False
+
+
+def plan(system: System, until: float | None = None, step: float | None = None,
+         integrator: str | None = None, every: float | None = None,
+         also: tuple[float, ...] = ()) -> Plan:
+    """The scene's plan, with what is given here instead.  Raises SimulateError."""
+    run = system.scene.run
+    every = system.scene.every if every is None else every
+    made = Plan(run.duration if until is None else until, every, integrator or run.integrator,
+                run.step if step is None else step, *tolerances(system), also)
+    known = (*(name.replace("_", "-") for name in system.functions.steps), *ADAPTIVE)
+    if made.integrator not in known:
+        raise SimulateError(f"integrator {made.integrator!r}: {did_you_mean(made.integrator, known)}")
+    for name, value in (("until", made.until), ("step", made.step), ("every", made.every)):
+        if not (math.isfinite(value) and value > 0):
+            raise SimulateError(f"{name}: wanted a positive number of seconds; got {value}")
+    if made.until / made.every > MOST_SAMPLES:
+        raise SimulateError(f"{made.until:g} s are {made.until / made.every:.3g} samples, one every "
+                            f"{made.every:g} s; wanted at most {MOST_SAMPLES}")
+    return made
+
+
+def tolerances(system: System) -> tuple[float, float]:
+    """The scene's, but no finer than 16 spacings of the precision: below, estimates of errors are
+    noise, and the steps would shrink without end.  SciPy takes no rtol below 100 spacings in double."""
+    least = max(16 * float(np.finfo(system.dtype).eps), 100 * float(np.finfo(float).eps))
+    return max(system.scene.run.rtol, least), max(system.scene.run.atol, least)

@@ -1,0 +1,110 @@
+"""What `[outputs] record` asks for, computed along a trajectory: from states, all samples at once."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from coscrew_codegen.dynamics.identifiers import identifiers
+from coscrew_codegen.dynamics.model import Kind
+from coscrew_codegen.dynamics.quantities import Recorded, recorded
+from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.simulate.plan import Trajectory
+from coscrew_codegen.simulate.provenance import Provenance
+from coscrew_codegen.simulate.recording import Column, Recording
+from coscrew_codegen.simulate.system import System
+
+_AT_ONCE = 4096  # samples: what pure NumPy holds besides stays within megabytes
+
+
+def record(system: System, trajectory: Trajectory, provenance: Provenance) -> Recording:
+    """The columns that the scene asks for.  Raises SimulateError for what it has no function of."""
+    asked = [recorded(text, system.scene) for text in system.scene.record]
+    columns = {name: Column(name, unit, x.quantity)
+               for x in asked for name, unit in zip(x.names, x.units, strict=True)}
+    names = [name for x in asked for name in x.names]
+    first = [names.index(name) for name in columns]  # what is asked for twice is recorded once
+    values = np.concatenate([quantity(system, trajectory, x) for x in asked], 1)
+    return Recording(trajectory.t, tuple(columns.values()), values[:, first], provenance)
+
+
+def quantity(system: System, trajectory: Trajectory, asked: Recorded) -> np.ndarray:
+    """The quantity at each sample, in the system's precision.  (n, number of its columns)."""
+    n = len(trajectory.t)
+    parts = [_values(system, asked, *(x[i:i + _AT_ONCE] for x in (
+        trajectory.t, trajectory.q, trajectory.v))) for i in range(0, n, _AT_ONCE)]
+    return np.concatenate(parts)[:, list(asked.places)].astype(system.dtype)
+
+
+def _values(system: System, asked: Recorded, t: np.ndarray, q: np.ndarray, v: np.ndarray
+            ) -> np.ndarray:
+    """All components of the quantity.  (n), (n, nq), (n, nv)->(n, …)."""
+    match asked.quantity:
+        case "q":
+            return q
+        case "v":
+            return v
+        case "a":
+            return accelerations(system, t, q, v)
+        case "energy":
+            both = system.call("energy", t=t, q=q, v=v)
+            return np.concatenate((both, both.sum(-1, keepdims=True)), -1)
+        case "power":
+            return system.call("power", t=t, q=q, v=v)[:, None]
+        case "momentum":
+            return system.call("momentum", t=t, q=q, v=v)
+        case "reaction":
+            a = accelerations(system, t, q, v)
+            return system.call(reaction_name(system, asked.target), t=t, q=q, v=v, a=a)
+    body = [x.name for x in system.scene.model.bodies].index(asked.target)
+    if asked.quantity == "twist":
+        return system.call("body_twists", q=q, v=v)[:, body]
+    pose = system.call("body_poses", q=q)[:, body]
+    return pose[:, :, 3] if asked.quantity == "position" else pose.reshape(len(q), 12)
+
+
+def accelerations(system: System, t: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """a of the effects alone.  (n), (n, nq), (n, nv)->(n, nv)."""
+    return system.call("forward_dynamics", t=t, q=q, v=v, tau=np.zeros_like(v))
+
+
+def reaction_name(system: System, joint: str) -> str:
+    """The function of a joint's reaction; raises SimulateError if the scene does not ask for it."""
+    moving = [x.name for x in system.scene.model.joints if x.kind is not Kind.FIXED]
+    name = f"reaction_{identifiers(moving)[moving.index(joint)]}"
+    if not system.has(name):
+        raise SimulateError(f"reaction.{joint}: the scene has no such function; "
+                            f"wanted [effects.reaction] with joints = [{joint!r}]")
+    return name
+
+
+@dataclass(frozen=True)
+class Difference:
+    """Where the columns of a quantity differ most between the precisions."""
+
+    quantity: str
+    unit: str
+    size: float  # of the quantity: its largest |double|
+    apart: float  # the largest |double - single|
+    column: str  # where
+    t: float
+
+
+def differences(double: Recording, single: Recording) -> tuple[Difference, ...]:
+    """By quantity and unit, at the samples that both have."""
+    n = min(len(double.t), len(single.t))
+    found: dict[tuple[str, str], Difference] = {}
+    for i, column in enumerate(double.columns):
+        values = double.values[:n, i]
+        apart = np.abs(values - single.values[:n, i].astype(float))
+        worst, key = largest(apart), (column.quantity, column.unit)
+        before = found.get(key)
+        size = max(float(np.max(np.abs(values))), before.size if before else 0)
+        new = Difference(*key, size, float(apart[worst]), column.name, float(double.t[worst]))
+        keep = before and not (new.apart > before.apart or np.isnan(new.apart))
+        found[key] = replace(before, size=size) if keep else new
+    return tuple(found.values())
+
+
+def largest(values: np.ndarray) -> int:
+    """Where the largest is; what is not a number counts as the largest."""
+    return int(np.argmax(np.where(np.isnan(values), np.inf, values)))

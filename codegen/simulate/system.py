@@ -1,0 +1,129 @@
+"""System: a scene's compiled functions at fixed parameters, in one precision, called by name.
+
+Which inputs a function takes depends on the scene (time, parameters); here all are called alike.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from types import SimpleNamespace
+
+import numpy as np
+
+from coscrew_codegen.scene_functions import Coordinate, SceneFunctions
+from coscrew_codegen.dynamics.names import did_you_mean
+from coscrew_codegen.dynamics.scene import Scene
+from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.targets.precision import PRECISIONS, Precision
+
+State = tuple[np.ndarray, np.ndarray]
+
+
+@dataclass(frozen=True)
+class System:
+    """A scene's functions: `kernels` has one callable for each, in `precision`; p are its parameters."""
+
+    scene: Scene
+    functions: SceneFunctions
+    kernels: SimpleNamespace
+    precision: Precision
+    p: tuple[float, ...] = ()
+
+    @property
+    def dtype(self) -> np.dtype:
+        """Of the numbers it computes with."""
+        return np.dtype(self.precision.numpy_type)
+
+    @cached_property
+    def inputs(self) -> Mapping[str, tuple[str, ...]]:
+        """The names of each function's inputs, in order."""
+        return {f.name: tuple(a.name for a in f.program.inputs) for f in self.functions.functions}
+
+    def has(self, name: str) -> bool:
+        """Whether the scene has this function."""
+        return name in self.inputs
+
+    def call(self, name: str, **values: object) -> np.ndarray | tuple[np.ndarray, ...]:
+        """The function's outputs, for at least the inputs it takes (t, h, q, v, a, tau, phi); they
+        broadcast over leading axes."""
+        given = {"p": self._p, **values}
+        arguments = [np.asarray(given[x], self.dtype) for x in self.inputs[name]]
+        return getattr(self.kernels, name)(*arguments)
+
+    def stepper(self, name: str) -> Callable[[int, float, float, np.ndarray, np.ndarray], State]:
+        """The integrator as (n, t, h, q, v) -> q and v after n steps of h: in one call of C where the
+        functions are compiled."""
+        function, p = getattr(self.kernels, name), self._p
+        if repeated := getattr(function, "repeated", None):
+            return lambda n, t, h, q, v: repeated(n, t, h, p, q, v)
+        real = self.dtype.type
+        timed, parameters = self.functions.timed, [p] if self.functions.parameters else []
+
+        def steps(n: int, t: float, h: float, q: np.ndarray, v: np.ndarray) -> State:
+            for k in range(n):
+                now = [real(t + k * h)] if timed else []
+                q, v = function(*now, real(h), *parameters, q, v)
+            return q, v
+
+        return steps
+
+    def energies(self, t: object, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Kinetic and potential energy in J.  (…), (…, nq), (…, nv)->(…), (…), in double."""
+        both = np.asarray(self.call("energy", t=t, q=q, v=v), float)
+        return both[..., 0], both[..., 1]
+
+    def start(self) -> State:
+        """q and v at t = 0, as the scene says: else the neutral configuration, at rest."""
+        q, v = np.array(self.functions.neutral), np.zeros(self.functions.nv)
+        for c in self.functions.coordinates:
+            q[c.q] = self.scene.start_q.get(c.joint, q[c.q])
+            v[c.v] = self.scene.start_v.get(c.joint, v[c.v])
+        with np.errstate(over="ignore"):  # in single precision; runs refuse what is not finite
+            return self.normalized(q).astype(self.dtype), v.astype(self.dtype)
+
+    def normalized(self, q: np.ndarray) -> np.ndarray:
+        """q with quaternions of norm 1.  (…, nq)->(…, nq)."""
+        q = np.array(q)
+        for places in self.quaternions:
+            q[..., places] /= np.linalg.norm(q[..., places], axis=-1, keepdims=True)
+        return q
+
+    @cached_property
+    def quaternions(self) -> tuple[slice, ...]:
+        """Where the quaternions are in q."""
+        return tuple(slice(c.q.stop - 4, c.q.stop) for c in self.functions.coordinates
+                     if c.kind in ("spherical", "free"))
+
+    def lacking(self, q: np.ndarray, v: np.ndarray) -> str:
+        """'joint elbow: v is inf': the first number of a state that is not finite; "" if all are."""
+        for c in self.functions.coordinates:
+            for name, numbers in (("q", q[c.q]), ("v", v[c.v])):
+                if not np.isfinite(numbers).all():
+                    bad = numbers[~np.isfinite(numbers)][0]
+                    return f"joint {c.joint}: {name} is {bad}"
+        return ""
+
+    @cached_property
+    def _p(self) -> np.ndarray:
+        return np.array(self.p, self.dtype)
+
+
+def system(kernels: object, precision: str, settings: Mapping[str, float] | None = None) -> System:
+    """The system of `kernels` (as load_scene returns them) in the precision of this name.
+
+    `settings` are values for parameters that the scene keeps at run time; raises SimulateError for
+    others."""
+    functions, scene = kernels.functions, kernels.scene
+    names = tuple(name for name, _ in functions.parameters)
+    for name in settings or {}:
+        if name not in names:
+            hint = did_you_mean(name, names) if names else "this scene lists none"
+            raise SimulateError(f"--set {name}: wanted one of the scene's `runtime` parameters; {hint}")
+    values = tuple((settings or {}).get(name, value) for name, value in functions.parameters)
+    found = next(x for x in PRECISIONS if x.name == precision)
+    return System(scene, functions, getattr(kernels, precision), found, values)
+
+
+def joint_of(functions: SceneFunctions, joint: str) -> Coordinate:
+    """The coordinate of this joint."""
+    return next(c for c in functions.coordinates if c.joint == joint)

@@ -1,0 +1,176 @@
+"""A run as a page that plays it back in space: HTML that needs nothing else, no network either.
+
+Bodies are boxes of the same mass and inertia; lines go from a body's origin to the joints on it and,
+thinner, to its centre of mass.
+"""
+
+import base64
+import json
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+import coscrew
+from coscrew_codegen.dynamics.model import WORLD, Inertia, Joint, Kind, Parameter, Scalar
+from coscrew_codegen.render import render
+from coscrew_codegen.simulate.plan import Trajectory
+from coscrew_codegen.simulate.provenance import Provenance
+from coscrew_codegen.simulate.system import System
+from coscrew_codegen.simulate.write import delivered
+
+_FRAMES_A_SECOND = 60
+_MOST_NUMBERS = 2_000_000  # of poses: 8 MB, more than enough for a minute of thirty bodies
+_THIN = 0.06  # of a box's longest side, or for a point mass of the model's size
+_SPEEDS = ((0.1, "0.1×"), (0.25, "0.25×"), (0.5, "0.5×"), (1, "1×"), (2, "2×"), (5, "5×"))
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """What is drawn: each entry is fixed to a body, by its number, -1 the world, and in its frame."""
+
+    shapes: list[dict] = field(default_factory=list)  # body, shape: half sides, place as a pose
+    lines: list[dict] = field(default_factory=list)  # body, points, rod: whether to a centre of mass
+    slides: list[dict] = field(default_factory=list)  # body, point, child: from point to its origin
+    joints: list[dict] = field(default_factory=list)  # body, point
+    extent: list[dict] = field(default_factory=list)  # body, points: what the camera shows
+
+
+def view(system: System, trajectory: Trajectory, provenance: Provenance, path: Path) -> None:
+    """Write the page.  Raises SimulateError."""
+    with delivered(path) as temporary:
+        temporary.write_text(page(system, trajectory, provenance), encoding="utf-8", newline="\n")
+
+
+def page(system: System, trajectory: Trajectory, provenance: Provenance) -> str:
+    """The page's text."""
+    scene, names = system.scene, [body.name for body in system.scene.model.bodies]
+    t, q, v, poses = _shown(system, trajectory)
+    kinetic, potential = system.energies(t, q, v)
+    energies = {"kinetic": kinetic, "potential": potential, "total": kinetic + potential}
+    data = {"t": _packed(t, "<f8"), "poses": _packed(poses, "<f4"),
+            "energies": {name: _packed(values, "<f8") for name, values in energies.items()},
+            "bodies": names, "up": _up(system), **asdict(drawn(system)),
+            "labels": _labels(system)}
+    count = len(names)
+    sentence = (f"{count} {'body' if count == 1 else 'bodies'}, {trajectory.t[-1]:g} s, "
+                f"{dict(provenance)['integrator']}, {system.precision.name} precision.")
+    return render("view/page.html", name=scene.name, sentence=sentence, bodies=names,
+                  stopped=trajectory.stopped, speeds=_SPEEDS, energies=tuple(energies),
+                  provenance=provenance, data=json.dumps(data, allow_nan=False, separators=(
+                      ",", ":")).replace("<", "\\u003c"))
+
+
+def _shown(system: System, trajectory: Trajectory) -> tuple[np.ndarray, ...]:
+    """t, q, v and poses of the frames, up to the first whose poses overflow."""
+    frames = _frames(trajectory.t, len(system.scene.model.bodies))
+    t, q, v = (x[frames] for x in (trajectory.t, trajectory.q, trajectory.v))
+    poses = _poses(system, t, q)
+    count = max(1, int(np.argmin([*np.isfinite(poses).all((1, 2)), False])))
+    return t[:count], q[:count], v[:count], poses[:count]
+
+
+def _frames(t: np.ndarray, bodies: int) -> np.ndarray:
+    """Which samples are shown: at most 60 a second and _MOST_NUMBERS in all, the last one always."""
+    most = max(2, min(int(_FRAMES_A_SECOND * t[-1]) + 2, _MOST_NUMBERS // (7 * max(bodies, 1))))
+    return np.unique(np.linspace(0, len(t) - 1, min(most, len(t))).round().astype(int))
+
+
+def _packed(numbers: np.ndarray, kind: str) -> str:
+    return base64.b64encode(np.ascontiguousarray(numbers, kind).tobytes()).decode()
+
+
+def _poses(system: System, t: np.ndarray, q: np.ndarray) -> np.ndarray:
+    """Position and unit quaternion of each body at each time, in single precision, of which there is
+    more than pixels show.  (frames, bodies, 7)."""
+    D = np.asarray(system.call("body_poses", t=t, q=q), float).reshape(len(q), -1, 3, 4)
+    turned = coscrew.double.quaternion_from_mat3x3(D[..., :3])
+    with np.errstate(over="ignore"):
+        return np.concatenate((D[..., 3], turned), -1).astype(np.float32)
+
+
+def _up(system: System) -> list[float]:
+    """Against gravity, where there is any; else z."""
+    for applied in system.scene.effects:
+        if applied.effect.name == "gravity":
+            g = np.array([_number(system, x) for x in applied.values["g"]])
+            if np.any(g):
+                return list(-g / np.linalg.norm(g))
+    return [0.0, 0.0, 1.0]
+
+
+def drawn(system: System) -> Drawn:
+    """The drawing of the scene's model, everything in the frame of the body it is fixed to."""
+    model, result = system.scene.model, Drawn()
+    numbers = {WORLD: -1, **{body.name: n for n, body in enumerate(model.bodies)}}
+    for joint in model.joints:
+        if joint.kind is not Kind.FREE:
+            _add_joint(system, result, joint, numbers)
+    for body in model.bodies:
+        if body.inertia:
+            _add_box(system, result, body.inertia, numbers[body.name])
+    return result
+
+
+def _add_joint(system: System, result: Drawn, joint: Joint, numbers: dict[str, int]) -> None:
+    """The line from the parent's origin to the joint, and from there to a body that slides."""
+    body, at = numbers[joint.parent], _numbers(system, joint.placement.t).tolist()
+    result.lines.append({"body": body, "points": [[0, 0, 0], at], "rod": False})
+    result.extent.append({"body": body, "points": [at]})
+    if joint.kind is not Kind.FIXED:
+        result.joints.append({"body": body, "point": at})
+    if joint.kind is Kind.PRISMATIC:
+        result.slides.append({"body": body, "point": at, "child": numbers[joint.child]})
+
+
+def _add_box(system: System, result: Drawn, inertia: Inertia, body: int) -> None:
+    """A box of the body's mass and inertia, and the line to its centre."""
+    half, axes = box_of(*(_numbers(system, x) for x in ((inertia.mass,), inertia.moments)))
+    half = np.maximum(half, _THIN * (max(half) if max(half) > 0 else _size(system)))
+    centre = _numbers(system, inertia.com)
+    place = [*centre.tolist(), *coscrew.double.quaternion_from_mat3x3(axes).tolist()]
+    result.shapes.append({"body": body, "shape": {"half": half.tolist(), "place": place}})
+    result.lines.append({"body": body, "points": [[0, 0, 0], centre.tolist()], "rod": True})
+    corners = [(centre + axes @ (half * signs)).tolist() for signs in _corners()]
+    result.extent.append({"body": body, "points": corners})
+
+
+def _corners() -> Iterator[np.ndarray]:
+    for i in range(8):
+        yield np.array([1 if i >> k & 1 else -1 for k in range(3)])
+
+
+def box_of(mass: np.ndarray, moments: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Half sides and axes (columns) of the uniform box of this mass and these moments of inertia
+    xx, yy, zz, xy, xz, yz about its centre: (2 a)² = 6 (tr I - 2 I_aa) / m along each axis."""
+    xx, yy, zz, xy, xz, yz = moments
+    if np.any(moments[3:]):
+        values, axes = np.linalg.eigh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+        axes[:, 2] *= np.sign(np.linalg.det(axes))
+    else:
+        values, axes = moments[:3], np.eye(3)
+    squares = 6 * (values.sum() - 2 * values) / mass if mass > 0 else np.zeros(3)
+    return np.sqrt(np.maximum(squares, 0)) / 2, axes
+
+
+def _size(system: System) -> float:
+    """About how large the model is: the longest way along it between joints and centres, or 0.1 m."""
+    model = system.scene.model
+    offsets = [np.linalg.norm(_numbers(system, j.placement.t)) for j in model.joints]
+    centres = [np.linalg.norm(_numbers(system, b.inertia.com)) for b in model.bodies if b.inertia]
+    return float(max((*offsets, *centres), default=0)) or 0.1
+
+
+def _labels(system: System) -> list[list[float]]:
+    """Where the bodies' names stand, in their frames: at their centres of mass."""
+    return [_numbers(system, body.inertia.com).tolist() if body.inertia else [0.0] * 3
+            for body in system.scene.model.bodies]
+
+
+def _numbers(system: System, values: tuple[Scalar, ...]) -> np.ndarray:
+    return np.array([_number(system, x) for x in values])
+
+
+def _number(system: System, value: Scalar) -> float:
+    return system.p[value.index] if isinstance(value, Parameter) else float(value)

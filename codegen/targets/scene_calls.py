@@ -1,0 +1,84 @@
+"""The C between Python and a scene's functions: calls for one state, and loops over many.
+
+`…_call` takes Python objects and returns 0 unless they are arrays it can take as they are; `…_many`
+takes a pointer and a stride in numbers for each input (0: the same for all states), and for each
+output a pointer; `…_run` takes n steps of h in a row, from the time t on.  All work in Python without its headers.
+"""
+
+from dataclasses import dataclass
+
+from coscrew_codegen.scene_functions import SceneFunctions
+from coscrew_codegen.render import render
+from coscrew_codegen.targets import scene_text
+from coscrew_codegen.targets.precision import PRECISIONS, Precision
+from coscrew_codegen.targets.scene_c import c_name
+
+# Times and steps are those of steps called one by one: rounded from double.
+_RUN = {"t": "({real})(t + (double)k * h)", "h": "({real})h"}
+_FORMAT = {"double": "d", "single": "f"}  # as the buffer protocol writes it
+
+
+@dataclass(frozen=True)
+class Callable:
+    """What a function takes and returns: names, shapes; those of `moved` are changed in place."""
+
+    name: str
+    inputs: tuple[tuple[str, tuple[int, ...]], ...]
+    outputs: tuple[tuple[str, tuple[int, ...]], ...]
+    words: tuple[str, ...]
+    moved: bool = False
+
+    @property
+    def read(self) -> tuple[tuple[str, tuple[int, ...]], ...]:
+        """The inputs that are only read."""
+        return tuple(x for x in self.inputs if not self.moved or x not in self.outputs)
+
+
+def callables(scene: SceneFunctions) -> tuple[Callable, ...]:
+    """All public functions, steps behind the others."""
+    found = [Callable(f.name, tuple((a.name, tuple(a.quantity.shape)) for a in f.program.inputs),
+                      tuple((a.name, tuple(a.quantity.shape)) for a in scene_text.outputs(f)),
+                      scene_text.words(f)) for f in scene.functions if not f.internal]
+    shapes = scene_text.step_shapes(scene)
+    for name in scene.steps:
+        inputs = tuple((x, shapes[x]) for x in scene_text.step_inputs(scene))
+        found.append(Callable(f"step_{name}", inputs, (("q", shapes["q"]), ("v", shapes["v"])),
+                              scene_text.step_words(scene, name), moved=True))
+    return tuple(found)
+
+
+def source(scene: SceneFunctions) -> str:
+    """The text of the file that is compiled for Python."""
+    sections = [{"precision": p, "format": _FORMAT[p.name],
+                 "functions": [_function(scene, f, p) for f in callables(scene)]}
+                for p in PRECISIONS]
+    return render("scene/calls.c", name=scene.name, upper=scene.name.upper(), sections=sections)
+
+
+def _function(scene: SceneFunctions, function: Callable, precision: Precision) -> dict[str, object]:
+    real, name = precision.c_type, c_name(scene, function.name, precision)
+    scalars = [x for x, shape in function.read if not shape]
+    arrays = [_array(x, shape, "const ", "0", "1") for x, shape in function.read if shape]
+    arrays += [_array(x, shape, "", "WRITABLE", "1" if function.moved else "ALL")
+               for x, shape in function.outputs]
+    many = [f"const {real} *{x}, ptrdiff_t {x}_step" for x, _ in function.read]
+    many += [f"{real} *{x}" for x, _ in function.outputs]
+    strided = [f"{x}[k * {x}_step]" if x in scalars else f"{x} + k * {x}_step"
+               for x, _ in function.read]
+    strided += [f"{x} + k * {scene_text.count(shape)}" for x, shape in function.outputs]
+    names = [x for x, _ in (*function.read, *function.outputs)]
+    return {
+        "name": name, "kernel": name, "arrays": arrays,
+        "call_parameters": ", ".join(f"{real} {x}" if x in scalars else f"void *of_{x}"
+                                     for x in names),
+        "call_arguments": ", ".join(names), "many_arguments": ", ".join(strided),
+        "many_parameters": ", ".join(("ptrdiff_t n", *many)),
+        "run_parameters": f"ptrdiff_t n, double t, double h, const {real} *p, {real} *q, {real} *v",
+        "run_arguments": ", ".join(_RUN.get(x, x).format(real=real) for x, _ in function.inputs)
+        if function.moved else "",
+    }
+
+
+def _array(name: str, shape: tuple[int, ...], const: str, flags: str, axes: str) -> dict[str, str]:
+    return {"name": name, "const": const, "flags": flags, "axes": axes,
+            "size": str(scene_text.count(shape))}

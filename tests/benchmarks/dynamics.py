@@ -1,0 +1,155 @@
+"""Dynamics of real robots beside Pinocchio's and MuJoCo's: times of single calls.
+
+From C++, against the wheel's library (needs a C++ compiler, Eigen and the headers of urdfdom); from
+Python, a call of each; and a step of MuJoCo's, of the same model and effects.
+"""
+
+import csv
+import io
+import re
+import shutil
+import subprocess
+import timeit
+from dataclasses import replace
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pinocchio as pin
+from tabulate import tabulate
+from tests.test_pinocchio import path_of, robot
+
+from coscrew_codegen.program import Op
+from coscrew_codegen.scene_layout import c_files
+from coscrew_codegen.simulate.load import Kernels, kernels_of
+
+ROBOTS = {"ur5": ("ur_description/urdf/ur5_robot.urdf", False),
+          "panda": ("panda_description/urdf/panda.urdf", False),
+          "g1": ("g1_description/urdf/g1_29dof_rev_1_0.urdf", True)}
+FUNCTIONS = ("inverse_dynamics", "forward_dynamics", "mass_matrix")
+BUILD = Path(__file__).parents[2] / "build"
+DEFINED = ("BOOST_MPL_LIMIT_LIST_SIZE=30", "BOOST_MPL_LIMIT_VECTOR_SIZE=30",
+           "BOOST_MPL_CFG_NO_PREPROCESSED_HEADERS", "BOOST_FUSION_INVOKE_MAX_ARITY=12",
+           "PINOCCHIO_ENABLE_TEMPLATE_INSTANTIATION", "PINOCCHIO_WITH_URDFDOM")
+FLAGS = ("-std=c11", "-O3", "-march=native", "-ffp-contract=off", "-shared", "-fPIC")
+
+
+def main() -> None:
+    """Print what a call costs, and the ratios."""
+    kernels = {name: kernels_of(replace(robot(file, free, False).functions, name=name))
+               for name, (file, free) in ROBOTS.items()}
+    print("\nOperations (sums, products, quotients, choices), and pairs of sine and cosine")
+    print(tabulate([(name, *map(_operations, _programs(x))) for name, x in kernels.items()],
+                   ("robot", *FUNCTIONS)))
+    if program := _program():
+        print("\nFrom C++, ns a call, minimum; ratio: time of Pinocchio's wheel / ours in double")
+        print(tabulate([row for name, x in kernels.items() for row in _from_c(program, name, x)],
+                       ("robot", "function", "compiler", "double", "single", "pinocchio", "ratio"),
+                       floatfmt=".1f"))
+    print("\nFrom Python, µs a call; ratio: time of Pinocchio's / ours")
+    print(tabulate([row for name, x in kernels.items() for row in _from_python(name, x)],
+                   ("robot", "function", "ours", "pinocchio", "ratio"), floatfmt=".2f"))
+    print("\nA semi-implicit step of 1 ms under gravity, µs; MuJoCo: mj_step without contacts")
+    print(tabulate([_step(name, kernels[name]) for name in ("ur5", "panda")],
+                   ("robot", "ours", "mujoco", "ratio"), floatfmt=".2f"))
+
+
+def _programs(x: Kernels):
+    found = {f.name: f.program for f in x.functions.functions}
+    return [found[name] for name in FUNCTIONS]
+
+
+def _operations(program) -> str:
+    counts = program.counts
+    return f"{sum(counts.values()) - counts[Op.SIN] - counts[Op.COS]} + {counts[Op.SIN]}"
+
+
+def _program() -> Path | None:
+    """The C++ program, compiled when it is not there; None where that cannot be done."""
+    BUILD.mkdir(exist_ok=True)
+    program = BUILD / "dynamics"
+    source = Path(__file__).with_suffix(".cpp")
+    if program.exists() and program.stat().st_mtime > source.stat().st_mtime:
+        return program
+    prefix = path_of(ROBOTS["ur5"][0]).parents[5]
+    command = ["g++", "-std=c++17", "-O3", "-DNDEBUG", "-w", *(f"-D{x}" for x in DEFINED),
+               f"-I{prefix}/include", "-I/usr/include/eigen3", str(source), "-o", str(program),
+               f"-L{prefix}/lib", f"-Wl,-rpath,{prefix}/lib", "-lpinocchio_default",
+               "-lpinocchio_parsers", "-ldl"]
+    print("compiling against Pinocchio's headers, about two minutes …")
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode:
+        print("no comparison from C++:", done.stderr.strip().splitlines()[:1])
+        return None
+    return program
+
+
+def _from_c(program: Path, name: str, x: Kernels):
+    file, free = ROBOTS[name]
+    sources = c_files(x.functions, "for the benchmark")
+    for path, text in sources.items():
+        (BUILD / path).write_text(text)
+    for compiler in filter(shutil.which, ("gcc", "clang") if x.functions.nv < 20 else ("clang",)):
+        library = BUILD / f"{name}-{compiler}.so"
+        subprocess.run([compiler, *FLAGS, str(BUILD / f"{name}.c"), "-o", str(library), "-lm"],
+                       check=True)
+        printed = subprocess.run(
+            [program, path_of(file), "free" if free else "fixed", library, name,
+             str(x.functions.nq), str(x.functions.nv)], check=True, capture_output=True, text=True)
+        times = {(f, whose): float(low)
+                 for f, whose, low, _ in csv.reader(io.StringIO(printed.stdout))}
+        for f in FUNCTIONS:
+            ours, theirs = times[f, "double"], times[f, "pinocchio"]
+            yield name, f, compiler, ours, times.get((f, "single")), theirs, theirs / ours
+
+
+def _from_python(name: str, x: Kernels):
+    file, free = ROBOTS[name]
+    model = robot(file, free, False).model
+    data, rng = model.createData(), np.random.default_rng(0)
+    theirs_q = pin.randomConfiguration(model, -np.ones(model.nq), np.ones(model.nq))
+    q, v, a = np.array(x.functions.neutral), *rng.normal(size=(2, x.functions.nv))
+    double = x.double
+    pairs = {
+        "inverse_dynamics": (lambda: double.inverse_dynamics(q, v, a),
+                             lambda: pin.rnea(model, data, theirs_q, v, a)),
+        "forward_dynamics": (lambda: double.forward_dynamics(q, v, a),
+                             lambda: pin.aba(model, data, theirs_q, v, a)),
+        "mass_matrix": (lambda: double.mass_matrix(q), lambda: pin.crba(model, data, theirs_q))}
+    for f, (ours, theirs) in pairs.items():
+        times = [_microseconds(call) for call in (ours, theirs)]
+        yield name, f, *times, times[1] / times[0]
+
+
+def _microseconds(call, number: int = 2000) -> float:
+    return min(timeit.repeat(call, number=number, repeat=20)) / number * 1e6
+
+
+def _step(name: str, x: Kernels):
+    """A step of ours, in a loop of C, and one of MuJoCo's, in its own."""
+    model = mujoco.MjModel.from_xml_string(_without_meshes(path_of(ROBOTS[name][0]).read_text()))
+    model.opt.timestep = 1e-3
+    model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
+    model.dof_damping[:] = 0
+    model.dof_frictionloss[:] = 0
+    model.jnt_limited[:] = 0
+    data = mujoco.MjData(model)
+    steps, count = 1000, 100
+    theirs = min(timeit.repeat(lambda: mujoco.mj_step(model, data, steps),
+                               lambda: mujoco.mj_resetData(model, data), number=1, repeat=20)) / steps
+    q = np.tile(np.array(x.functions.neutral), (count, 1))
+    v = np.zeros((count, x.functions.nv))
+    step = x.double.step_semi_implicit_euler
+    ours = min(timeit.repeat(lambda: step(1e-3, q, v), number=10, repeat=50)) / 10 / count
+    return name, ours * 1e6, theirs * 1e6, theirs / ours
+
+
+def _without_meshes(text: str) -> str:
+    """The robot's file as MuJoCo reads it without its meshes."""
+    text = re.sub(r"<(visual|collision)\b[^>]*>.*?</\1>", "", text, flags=re.DOTALL)
+    return text.replace("</robot>", '<mujoco><compiler discardvisual="true" fusestatic="true"/>'
+                        "</mujoco></robot>")
+
+
+if __name__ == "__main__":
+    main()
