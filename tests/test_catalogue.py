@@ -6,8 +6,9 @@ import sys
 import pytest
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.dynamics.effect import Place
+from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place
 from coscrew_codegen.effects import EFFECTS
+from coscrew_codegen.scene_files.catalogue import described
 
 NAMES = ("actuator", "armature", "buoyancy", "coulomb", "drag", "gravity", "limit", "mimic", "reaction",
          "spring", "spring_damper", "stribeck", "viscous", "wrench")
@@ -52,3 +53,11 @@ def test_a_closed_pipe_is_no_error():
     done = subprocess.run(f"{sys.executable} -m coscrew_codegen effects | head -n 1", shell=True,
                           capture_output=True, text=True, check=True)
     assert done.stdout.startswith("actuator") and not done.stderr
+
+
+def test_alternatives_are_told():
+    effect = Effect("stop", "ends", "…", Place.JOINT,
+                    (ParameterOf("lower", "rad", "lower end", required=False),
+                     ParameterOf("upper", "rad", "upper end", required=False)),
+                    any_of=("lower", "upper"))
+    assert list(described(effect))[-1].strip() == "at least one of lower, upper"

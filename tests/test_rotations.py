@@ -86,12 +86,33 @@ def test_opposite_slanted_turns_leave_no_residue():
 
 
 def test_only_what_is_within_the_tolerance_snaps():
-    for near in (F(0), F(1), F(-1)):
+    beyond = SNAP * F(1001, 1000)
+    for one in (F(1), F(-1)):
         for off in (SNAP, -SNAP):
-            assert rotations.snapped(near + off) == near
-            assert rotations.snapped(near + off * F(1001, 1000)) == near + off * F(1001, 1000)
-    assert rotations.snapped(F(2)) == 2 and rotations.snapped(F(1, 2)) == F(1, 2)
-    assert rotations.snapped(2 + SNAP / 2) == 2 + SNAP / 2
+            assert rotations.snapped((one + off, off, -off)) == (one, 0, 0)
+            assert rotations.snapped((off, one)) == (0, one)
+        for off in (beyond, -beyond):
+            assert rotations.snapped((one + off, F(0), F(0))) == (one + off, 0, 0)
+            assert rotations.snapped((one, off, F(0))) == (one, off, 0)
+    assert rotations.snapped((F(2), F(1, 2), SNAP)) == (2, F(1, 2), 0)
+    assert rotations.snapped((2 + SNAP / 2, F(0), F(0))) == (2 + SNAP / 2, 0, 0)
+
+
+def test_entries_near_one_stay_where_others_stand_beside_them():
+    """A turn by 1e-6 has a cosine within 1e-12 of 1, and is a turn."""
+    small = F(1, 10**6)
+    cosine = 1 - small**2 / 2
+    turn = (cosine, -small, F(0), small, cosine, F(0), F(0), SNAP, 1 - SNAP)
+    assert rotations.snapped(turn) == (*turn[:7], 0, 1)
+
+
+@pytest.mark.parametrize("rough", ["1.5708", "-1.570796", "3.1416", "1.5707963"])
+def test_rough_right_angles_stay_rotations(rough):
+    """Sines near 1 are left alone where the cosine beside them is not zero."""
+    R = matrix(rotations.from_rpy(F(rough), F(0), F(rough)))
+    truth = about((0, 0, 1), number(rough)) * about((1, 0, 0), number(rough))
+    assert far(R, truth) < float(SNAP)
+    assert far(R * R.T, mpmath.eye(3)) < float(SNAP)
 
 
 def test_axes_are_normalised_and_snapped():

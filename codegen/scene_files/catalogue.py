@@ -52,6 +52,8 @@ def described(effect: Effect) -> Iterator[str]:
     for parameter in effect.parameters:
         yield from textwrap.wrap(_line(parameter), WIDTH, initial_indent="      ",
                                  subsequent_indent="          ")
+    if effect.any_of:
+        yield f"      at least one of {', '.join(effect.any_of)}"
 
 
 def _line(parameter: ParameterOf) -> str:
