@@ -116,6 +116,20 @@ def test_steps_in_one_call_are_those_one_by_one(kernels, integrator, precision):
     assert together[1].tobytes() == v.tobytes()
 
 
+@pytest.mark.parametrize("precision", ROUNDOFF)
+def test_without_a_compiler_the_same_run_comes_from_numpy(kernels, tmp_path, monkeypatch,
+                                                          precision):
+    """To the last bit: of a spring only sums, products and quotients are taken."""
+    monkeypatch.setenv("CC", "no-such-compiler")
+    with pytest.warns(RuntimeWarning, match="pure NumPy"):
+        others = load_scene(scene_file(tmp_path, texts.SPRING, "spring"))
+    found, wanted = (simulated(x, Asked(until=0.1, precision=precision))[0]
+                     for x in (others, kernels["SPRING"]))
+    assert found.trajectory.q.tobytes() == wanted.trajectory.q.tobytes()
+    assert found.recording.values.tobytes() == wanted.recording.values.tobytes()
+    assert dict(found.recording.provenance)["compiler"] == "none: NumPy"
+
+
 def test_a_parameter_may_be_set(kernels):
     (first,) = simulated(kernels["SPRING"], Asked(precision="double",
                                                   settings=(("block.mass", 8.0),)))
