@@ -9,6 +9,14 @@ Each stage is a function from one frozen value to the next; imports run one way,
     program, tiers/    Kernel → Program: explicit order of evaluation, no SymPy
     targets/           Program → text of one language and precision
     emit, __main__     text → templates → files; the command line
+
+Scenes take the operations' Programs from there on:
+
+    scene_files/       TOML, URDF → Scene: a model and the effects it calls for
+    dynamics/          Scene → Programs of its functions, the operations' Programs replayed
+    effects/           one Effect each: what fills slots of the dynamics
+    scene_functions    what targets see of a scene
+    simulate/, cost/   compile, run, record, check; what effects and accuracy cost
 """
 
 

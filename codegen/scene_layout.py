@@ -5,7 +5,7 @@ from __future__ import annotations
 import keyword
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.dynamics.function import SceneFunctions
+from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.layout import Files
 from coscrew_codegen.targets import scene_c, scene_python
 from coscrew_codegen.targets.scene_text import check_names, printable

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 
 from coscrew_codegen.dynamics.functions import derive
-from coscrew_codegen.dynamics.function import Function, SceneFunctions
+from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.dynamics.scene import Applied, Scene
 
 TELLING = ("inverse_dynamics", "forward_dynamics", "mass_matrix")

@@ -12,7 +12,7 @@ from coscrew_codegen.cost import CostError
 from coscrew_codegen.cost.leaving_out import TELLING, Part, parts
 from coscrew_codegen.cost.loops import ELEMENTS, Compiled, Timed, compiled
 from coscrew_codegen.cost.work_precision import Point, Reference, reference, work_precision
-from coscrew_codegen.dynamics.function import Function
+from coscrew_codegen.scene_functions import Function
 from coscrew_codegen.program import counts_in_words
 from coscrew_codegen.report.variants import flops
 from coscrew_codegen.simulate import native

@@ -13,7 +13,7 @@ from coscrew_codegen.dynamics.numbers import Number, Vector, add, cross, dot, ne
 from coscrew_codegen.dynamics.record import Recorder
 from coscrew_codegen.dynamics.scene import Applied, Scene, Setting
 from coscrew_codegen.dynamics.states import BodyState, JointState
-from coscrew_codegen.effects.effect import Effect, Force, Line, Torque
+from coscrew_codegen.dynamics.effect import Effect, Force, Line, Torque
 
 
 @dataclass(frozen=True)

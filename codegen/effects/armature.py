@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.effects.effect import Effect, ParameterOf, Place, Values
+from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place, Values
 
 if TYPE_CHECKING:
     from coscrew_codegen.dynamics.numbers import Number

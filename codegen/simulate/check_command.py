@@ -19,7 +19,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 def run(options: argparse.Namespace) -> int:
     """Check; returns the exit status: 0, or 1 if an expectation is not met or a run stopped early."""
     try:
-        from coscrew_codegen import load_scene
+        from coscrew_codegen.simulate.load import load_scene
         from coscrew_codegen.simulate import check, outcome
     except ModuleNotFoundError as error:
         raise SimulateError(f"check {NEEDED.format(error.name)}") from None

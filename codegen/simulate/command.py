@@ -68,7 +68,7 @@ def _setting(text: str) -> tuple[str, float]:
 def run(options: argparse.Namespace) -> int:
     """Simulate; returns the exit status: 0, 1 if a run stopped early, 130 if it was interrupted."""
     try:
-        from coscrew_codegen import load_scene
+        from coscrew_codegen.simulate.load import load_scene
         from coscrew_codegen.simulate import outcome, plot, view, write
     except ModuleNotFoundError as error:
         raise SimulateError(f"simulate {NEEDED.format(error.name)}") from None

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 from coscrew_codegen import emit
 from coscrew_codegen.dynamics import derive
-from coscrew_codegen.dynamics.function import SceneFunctions
+from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.scene_layout import banner_of, c_files, python_files
 from coscrew_codegen.simulate import calls, native
 from coscrew_codegen.targets import scene_calls

@@ -10,7 +10,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from coscrew_codegen.dynamics.function import Coordinate, SceneFunctions
+from coscrew_codegen.scene_functions import Coordinate, SceneFunctions
 from coscrew_codegen.dynamics.names import did_you_mean
 from coscrew_codegen.dynamics.scene import Scene
 from coscrew_codegen.simulate import SimulateError

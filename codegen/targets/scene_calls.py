@@ -7,7 +7,7 @@ output a pointer; `…_run` takes n steps of h in a row, from the time t on.  Al
 
 from dataclasses import dataclass
 
-from coscrew_codegen.dynamics.function import SceneFunctions
+from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.render import render
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.precision import PRECISIONS, Precision

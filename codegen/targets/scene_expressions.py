@@ -6,7 +6,7 @@ keep the Program's order.  Takes time in proportion to the Program's length.
 
 from collections import Counter
 
-from coscrew_codegen.dynamics.function import Function
+from coscrew_codegen.scene_functions import Function
 from coscrew_codegen.program import Constant, Input, Instruction, NotANumber, Operand, Ref
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.c_statements import WIDTH

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import prod
 
-from coscrew_codegen.dynamics.function import Function, SceneFunctions
+from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.program import Constant, counts_in_words
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.targets.precision import Precision

@@ -1,8 +1,9 @@
 """The heavy top, as a Taylor series to 50 digits.
 
-A top on a fixed point: 15 kg, centre of mass 1 m along its axis y, moments of inertia J1 = J3 = 15.234375
-and J2 = 0.46875 kg m² about the point, g = 9.81 m/s² along -z; it starts upright in y with
-ω = (0, 150, -4.61538) rad/s.  With n its axis and L its angular momentum in space, ω2 is constant,
+A top on a fixed point: 15 kg, centre of mass 1 m along its axis y, moments of inertia
+J1 = J3 = 15.234375 and J2 = 0.46875 kg m² about the point, g = 9.81 m/s² along -z; it starts with
+its axis level and ω = (0, 150, -4.61538) rad/s.  With n its axis and L its angular momentum in
+space, ω2 is constant,
 
 n' = L × n / J1, L' = m g l e_z × n, r' = (0; L / J1) r / 2,
 
@@ -31,7 +32,8 @@ def figures() -> Iterator[Figure]:
     J = [mpf(x) for x in ABOUT_CENTRE]
     J1, J2, spin = J[0] + mpf(MASS) * mpf(LENGTH)**2, J[1], mpf(START[1])
     torque = mpf(MASS) * mpf(GRAVITY) * mpf(LENGTH)
-    state = [mpf(x) for x in (0, 1, 0, J1 * mpf(START[0]), J2 * spin, J1 * mpf(START[2]), 1, 0, 0, 0)]
+    momentum = (J1 * mpf(START[0]), J2 * spin, J1 * mpf(START[2]))
+    state = [mpf(x) for x in (0, 1, 0, *momentum, 1, 0, 0, 0)]
     t, beta = mpf(0), spin * (1 - J2 / J1)
     for time in TIMES:
         while t < mpf(time):

@@ -32,7 +32,7 @@ class Pendulum:
 
 
 def figures() -> Iterator[Figure]:
-    """Angle, speed, position of the mass, pull along the rod; at the period and its quarters, too."""
+    """Angle, speed, place of the mass, pull along the rod; at quarters of the period, too."""
     mp.dps = DIGITS
     pendulum = Pendulum()
     quarters = [i * pendulum.period / 4 for i in (1, 2, 3, 4)]

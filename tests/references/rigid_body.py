@@ -1,4 +1,4 @@
-"""A body that turns freely, by Jacobi's elliptic functions and Legendre's third integral, to 50 digits.
+"""A body that turns freely, by elliptic functions and Legendre's third integral, to 50 digits.
 
 Euler's equations I ω' + ω × I ω = 0 with I1 < I2 < I3.  Where L² < 2 T I2,
 ω1 = C dn u, ω2 = B sn u, ω3 = A cn u; where L² > 2 T I2 the first and the third change places.

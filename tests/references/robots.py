@@ -47,12 +47,14 @@ class Robot:
         self.data = self.model.createData()
 
     def _each(self, value: float | Mapping[str, float]) -> np.ndarray:
-        return np.array([value[x] if isinstance(value, dict) else value for x in self.joints], float)
+        each = [value[x] if isinstance(value, dict) else value for x in self.joints]
+        return np.array(each, float)
 
     def _of_model(self, key: str) -> np.ndarray:
         if "joints" in self.scene:
             tables = [self.scene["joints"][x] for x in self.joints]
-            return np.array([x["limits"][key] if key == "effort" else x[key] for x in tables], float)
+            found = [x["limits"][key] if key == "effort" else x[key] for x in tables]
+            return np.array(found, float)
         numbers = {"damping": self.model.damping, "friction": self.model.upperDryFrictionLimit,
                    "effort": self.model.upperEffortLimit}[key]
         return np.array(numbers[self.first:])
@@ -80,7 +82,8 @@ class Robot:
         u = (self.kp * (np.array([f(t) for f in self.target]) - angle)
              + self.kd * (np.array([f(t) for f in self.target_v]) - speed))
         friction = self.d * speed + self.tau_c * np.tanh(speed / self.eps)
-        return np.concatenate((np.zeros(self.first), np.clip(u, -self.limit, self.limit) - friction))
+        motors = np.clip(u, -self.limit, self.limit)
+        return np.concatenate((np.zeros(self.first), motors - friction))
 
     def acceleration(self, t: float, y: np.ndarray) -> np.ndarray:
         """(nv)."""

@@ -1,4 +1,4 @@
-"""What a scene's derivation hands to the targets: its functions as Programs, and how they are read."""
+"""What the derivation of a scene hands to the targets: its functions as Programs."""
 
 from dataclasses import dataclass
 
