@@ -1,4 +1,4 @@
-"""coscrew cost: which scenes it compares, that what it times is the scene, errors against closed forms."""
+"""coscrew cost: what it compares, that what it times is the scene, errors against closed forms."""
 
 import math
 import subprocess
@@ -54,7 +54,8 @@ def test_each_effect_is_left_out_once(kernels):
 
 def test_what_costs_nothing_is_not_left_out(kernels):
     """Reactions are outputs, no effects on the motion."""
-    found = {x.words: [a.effect.name for a in x.scene.effects] for x in parts(kernels["PENDULUM"].scene)}
+    found = {x.words: [a.effect.name for a in x.scene.effects]
+             for x in parts(kernels["PENDULUM"].scene)}
     assert found == {"all effects": ["gravity", "reaction"], "bare": ["reaction"]}
 
 
@@ -93,8 +94,8 @@ def test_the_loops_compile_without_warnings(kernels, tmp_path):
         for file, content in {**c_files(whole.functions, banner_of(name)),
                               "loops.c": text(whole, whole.public)}.items():
             (tmp_path / file).write_text(content)
-        subprocess.run(["cc", "-std=c11", "-Wall", "-Wextra", "-pedantic", "-Werror", "-fsyntax-only",
-                        "loops.c"], cwd=tmp_path, check=True)
+        flags = ("-std=c11", "-Wall", "-Wextra", "-pedantic", "-Werror", "-fsyntax-only")
+        subprocess.run(["cc", *flags, "loops.c"], cwd=tmp_path, check=True)
 
 
 @pytest.mark.parametrize("step", ("semi_implicit_euler", "linear_implicit_euler", "rk4"))

@@ -21,8 +21,8 @@ from coscrew_codegen.simulate.recording import Column, Recording
 from tests import scene_texts as texts
 
 ENDINGS = tuple(write.FORMATS)
-EVERYTHING = """record = ["q", "v", "a", "energy", "momentum", "power", "pose.bob", "position.bob", "twist.bob",
-    "reaction.hinge", "energy.total", "pose.bob.3"]"""
+EVERYTHING = """record = ["q", "v", "a", "energy", "momentum", "power", "pose.bob", "position.bob",
+    "twist.bob", "reaction.hinge", "energy.total", "pose.bob.3"]"""
 
 
 def outcomes(folder: Path, text: str, **asked):
@@ -102,7 +102,8 @@ def test_what_is_recorded_does_not_depend_on_how_many_samples_at_once(swings, mo
 
 def test_differences_are_the_largest_of_each_quantity():
     columns = (Column("q.a", "rad", "q"), Column("q.b", "rad", "q"), Column("q.c", "m", "q"))
-    double = Recording(np.array([0.0, 1.0]), columns, np.array([[1.0, 2.0, 3.0], [4.0, -5.0, 6.0]]), ())
+    double = Recording(np.array([0.0, 1.0]), columns,
+                       np.array([[1.0, 2.0, 3.0], [4.0, -5.0, 6.0]]), ())
     single = Recording(np.array([0.0, 1.0, 2.0]), columns, np.array(
         [[1.0, 2.5, 3.0], [4.25, -5.0, np.nan], [9, 9, 9]], np.float32), ())
     first, second = differences(double, single)
@@ -115,7 +116,7 @@ def test_differences_are_the_largest_of_each_quantity():
 # what is written
 
 def read_back(path: Path) -> tuple[list[str], np.ndarray, np.ndarray, dict[str, str]]:
-    """Names with units, t, values and provenance, as a reader that knows nothing of coscrew does."""
+    """Names with units, t, values and provenance, as readers that know nothing of coscrew do."""
     if path.suffix == ".csv":
         lines = path.read_text().splitlines()
         told = dict(x[2:].split(": ", 1) for x in lines if x.startswith("#"))

@@ -89,8 +89,8 @@ def test_nothing_is_loaded_and_nothing_fails(browser, runs, name):
 
 @pytest.mark.parametrize("t", (0.0, 0.3333, 1.0, 1.987))
 def test_bodies_are_where_the_closed_form_says(shown, t):
-    """The bob hangs 1 m below the hinge, turned by the angle about y; between frames it is off by at
-    most h²/8 of its acceleration, which is no more than 2 g."""
+    """The bob hangs 1 m below the hinge, turned by the angle about y; between frames it is off by
+    at most h²/8 of its acceleration, which is no more than 2 g."""
     angle = float(texts.pendulum(t)[0])
     wanted = (-math.sin(angle), 0, -math.cos(angle), math.cos(angle / 2), 0, math.sin(angle / 2), 0)
     assert np.abs(pose(shown, 1, t) - wanted).max() < 0.05**2 / 8 * 2 * texts.GRAVITY

@@ -1,4 +1,4 @@
-"""What a scene costs: operations and times of its kernels, effect by effect, and accuracy by time."""
+"""What a scene costs: operations and times of kernels, effect by effect, and accuracy by time."""
 
 
 class CostError(ValueError):

@@ -16,7 +16,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     add_scene(parser)
     parser.add_argument("--plot", metavar="FILE", type=Path, help="a figure: .svg or .png")
     parser.add_argument("--digits", metavar="N", type=_digits,
-                        help="compute the reference with N digits, 20 to 60: slow, of smooth scenes only")
+                        help="compute the reference with N digits, 20 to 60: slow, and of smooth "
+                             "scenes only")
     parser.set_defaults(run=run)
 
 

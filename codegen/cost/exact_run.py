@@ -1,4 +1,4 @@
-"""A run's end with many digits: the recorded dynamics evaluated in mpmath, integrated by extrapolation.
+"""A run's end with many digits: the recorded dynamics evaluated in mpmath, and extrapolated.
 
 Independent of the emitted texts, of their precisions and of SciPy; not of the recorded dynamics.
 """
@@ -116,8 +116,8 @@ class _Run:
     tolerance: mpf
 
     def end(self, y: Numbers) -> tuple[Numbers, mpf]:
-        """y at the end, by the modified midpoint rule with 2, 4, 6, … steps, extrapolated to steps of
-        zero (Gragg, Bulirsch, Stoer), and the sum of the errors that were estimated."""
+        """y at the end, by the modified midpoint rule with 2, 4, 6, … steps, extrapolated to steps
+        of zero (Gragg, Bulirsch, Stoer), and the sum of the errors that were estimated."""
         t, h, apart = mpf(0), self.until / 16, mpf(0)
         while t < self.until:
             h = min(h, self.until - t)

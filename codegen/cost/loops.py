@@ -2,7 +2,7 @@
 
 import ctypes
 import functools
-import timeit
+import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -41,7 +41,7 @@ class Compiled:
 
     def time(self, function: Function, precision: Precision, inputs: Sequence[np.ndarray],
              seconds: float) -> Timed:
-        """A function's time per call over `inputs`, ELEMENTS of each, measured for about `seconds`."""
+        """A function's time per call over `inputs`, ELEMENTS of each, in about `seconds`."""
         run = functools.partial(timed_calls, self.library, _loop(function.name, precision),
                                 ELEMENTS, pointers((*_given(inputs, precision),
                                                     *_made(function, precision))))
@@ -61,14 +61,15 @@ class Compiled:
 
     def run(self, step: str, precision: Precision, steps: int, h: float, p: Sequence[float],
             start: State) -> tuple[np.ndarray, np.ndarray, float]:
-        """q and v after this many steps of h from `start` at t = 0, and the seconds they took."""
+        """q and v after this many steps of h from `start` at t = 0, and the seconds of processor time
+        that they took: other processes' do not count."""
         q, v = (np.array(x, precision.numpy_type) for x in start)
         parameters = np.array([*p, 0], precision.numpy_type)
         function = getattr(self.library, _run(step, precision))
         arguments = [ctypes.c_void_p(x.ctypes.data) for x in (parameters, q, v)]
-        began = timeit.default_timer()
+        began = time.thread_time()
         function(ctypes.c_long(steps), ctypes.c_double(h), *arguments)
-        return q, v, timeit.default_timer() - began
+        return q, v, time.thread_time() - began
 
 
 def _given(inputs: Sequence[np.ndarray], precision: Precision) -> list[np.ndarray]:
@@ -80,7 +81,7 @@ def _made(function: Function, precision: Precision) -> list[np.ndarray]:
 
 
 def compiled(part: Part, functions: Sequence[Function], compiler: Compiler) -> Compiled:
-    """A part's loops over these functions, compiled as load_scene does.  Raises CompilationError."""
+    """A part's loops over these functions, compiled as load_scene does; CompilationError if not."""
     name = part.functions.name
     files = {**c_files(part.functions, banner_of(name)), "loops.c": text(part, functions),
              "driver.c": render("report/driver.c")}

@@ -54,8 +54,9 @@ def _accuracy(axes: Axes, costs: Costs) -> None:
                            if (x.integrator, x.precision) == (name, precision)
                            and 0 < x.error < math.inf)
             if found:
-                axes.plot(*zip(*found), dash + _MARKERS[i % len(_MARKERS)], color=f"C{i}", markersize=4,
-                          linewidth=1, label=f"{name}, {precision}", gid=f"{name} {precision}",
+                axes.plot(*zip(*found), dash + _MARKERS[i % len(_MARKERS)], color=f"C{i}",
+                          markersize=4, linewidth=1, label=f"{name}, {precision}",
+                          gid=f"{name} {precision}",
                           markerfacecolor="white" if precision == "single" else f"C{i}")
     if not axes.lines:
         axes.text(0.5, 0.5, "no reference", transform=axes.transAxes, ha="center")

@@ -38,8 +38,8 @@ def _effects(costs: Costs) -> str:
 
 def _accuracy(costs: Costs) -> str:
     if costs.reference is None:
-        return ("No accuracy against time: neither DOP853 nor Radau's method reaches the end of this "
-                "run with tight tolerances in time.")
+        return ("No accuracy against time: neither DOP853 nor Radau's method reaches the end of "
+                "this run with tight tolerances in time.")
     truth = costs.reference
     head = (f"Error of the coordinates at t = {truth.t:g} s against time; the reference is "
             f"{truth.words}, good to about {truth.error:.1g}.\nSteps of emitted integrators, in C; "
@@ -47,8 +47,8 @@ def _accuracy(costs: Costs) -> str:
     rows = [(x.integrator, x.precision, x.step, x.steps, 1e6 * x.seconds,
              x.error if math.isfinite(x.error) else "unstable", "*" if _best(x, costs) else "")
             for x in costs.points]
-    headers = ("integrator", "precision", "step, s, or rtol", "steps", "time, µs", "error, m or rad",
-               "best")
+    headers = ("integrator", "precision", "step, s, or rtol", "steps", "time, µs",
+               "error, m or rad", "best")
     return f"{head}\n{tabulate(rows, headers, floatfmt='.3g')}\n* no run is faster and as accurate"
 
 

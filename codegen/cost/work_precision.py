@@ -42,7 +42,7 @@ class Point:
     precision: str
     step: float  # s; of SciPy's integrators the relative tolerance
     steps: int
-    seconds: float
+    seconds: float  # of processor time
     error: float  # the largest of a coordinate, in m or rad (quaternions: of a component)
     by: str  # C, or Python
 
@@ -58,8 +58,8 @@ def error(system: System, q: np.ndarray, truth: Reference) -> float:
 
 
 def reference(system: System, until: float, digits: int | None) -> Reference | None:
-    """The state at the end: with `digits`, computed with that many; else by DOP853 with tolerances of
-    1e-13, or where that takes too long by Radau's method; None if that does, too."""
+    """The state at the end: with `digits`, computed with that many; else by DOP853 with tolerances
+    of 1e-13, or where that takes too long by Radau's method; None if that does, too."""
     if digits:
         from coscrew_codegen.cost.exact_run import exact_end
 
@@ -112,10 +112,12 @@ def work_precision(kernels: object, library: Compiled, planned: Plan, asked: Ask
     for name, tolerances in (("dop853", _TOLERANCES), ("radau", _TOLERANCES[:4])):
         its = system(kernels, "double", dict(asked.settings))
         for tolerance in tolerances:
+            began = time.thread_time()
             run = _end(its, planned.until, name, tolerance)
+            seconds = time.thread_time() - began
             if run is None:
                 break  # tighter ones would take longer still
-            yield Point(name, "double", tolerance, run.steps, run.seconds,
+            yield Point(name, "double", tolerance, run.steps, seconds,
                         error(its, run.q[-1], truth), "Python")
 
 

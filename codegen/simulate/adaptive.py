@@ -1,7 +1,8 @@
 """Integration by SciPy, which chooses its steps by tolerances.
 
-Integrated is y = (q; v), with q' = v of angles and lengths, and for quaternions r' = r (0; ω) / 2, which
-keeps |r| but for the tolerance: r is normalized before the dynamics see it and where it is sampled.
+Integrated is y = (q; v), with q' = v of angles and lengths, and for quaternions r' = r (0; ω) / 2,
+which keeps |r| but for the tolerance: r is normalized before the dynamics see it, and where it is
+sampled.
 """
 
 from collections.abc import Callable, Iterator
@@ -71,8 +72,8 @@ def _q_rates(system: System, r: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.
 
 
 def jacobian_of(system: System, rates: Rates) -> Rates:
-    """(t, y) -> ∂y'/∂y by central differences, all in one call, with steps for the precision that the
-    dynamics are computed in: SciPy's, made for double, would see nothing but noise in single."""
+    """(t, y) -> ∂y'/∂y by central differences, all in one call, with steps for the precision that
+    the dynamics are computed in: SciPy's, made for double, would see only noise in single."""
     step = float(np.cbrt(np.finfo(system.dtype).eps))
 
     def jacobian(t: float, y: np.ndarray) -> np.ndarray:

@@ -1,5 +1,5 @@
-"""The balance of energy along a trajectory: E(t) - E(0) = ∫ P dt, P the power of all effects that have
-no potential energy."""
+"""The balance of energy along a trajectory: E(t) - E(0) = ∫ P dt, P the power of all effects that
+have no potential energy."""
 
 from dataclasses import dataclass
 
@@ -20,7 +20,7 @@ class Balance:
     work: float
     defect: float  # the largest |E(t) - E(0) - ∫ P dt|
     at: float  # where, in s
-    scale: float  # the largest of kinetic energy, change of energy, and work: what makes it relative
+    scale: float  # the largest of kinetic energy, change of energy, and work
 
     @property
     def relative(self) -> float:

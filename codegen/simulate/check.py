@@ -107,7 +107,7 @@ def _met(system: System, trajectory: Trajectory, wanted: Expectation) -> Met:
     near = int(np.argmin(np.abs(trajectory.t - wanted.at)))
     came = math.nan
     if abs(trajectory.t[near] - wanted.at) <= 1e-9 * max(1.0, wanted.at):
-        one = Trajectory(*(x[near:near + 1] for x in (trajectory.t, trajectory.q, trajectory.v)), 0, 0)
+        one = _chosen(trajectory, np.array([near]))
         came = float(quantity(system, one, asked)[0, 0])
     return Met(wanted, came, asked.units[0])
 
@@ -130,7 +130,8 @@ def _matrices(system: System, trajectory: Trajectory) -> tuple[float, float, flo
     """Round trip in unit roundoffs, condition of the mass matrix, and where that is largest."""
     t, q, v = (x[_some(trajectory)] for x in (trajectory.t, trajectory.q, trajectory.v))
     free = accelerations(system, t, q, v)
-    other = np.abs(free).max(-1, keepdims=True, initial=1) * np.cos(np.arange(1, free.shape[-1] + 1))
+    size = np.abs(free).max(-1, keepdims=True, initial=1)
+    other = size * np.cos(np.arange(1, free.shape[-1] + 1))
     a = (free + other).astype(system.dtype)  # other than that of the effects alone
     tau = system.call("inverse_dynamics", t=t, q=q, v=v, a=a)
     again = system.call("forward_dynamics", t=t, q=q, v=v, tau=tau)
@@ -150,11 +151,15 @@ def _some(trajectory: Trajectory) -> np.ndarray:
     return np.unique(np.linspace(0, n - 1, min(n, _STATES)).round().astype(int))
 
 
+def _chosen(trajectory: Trajectory, samples: np.ndarray) -> Trajectory:
+    return Trajectory(*(x[samples] for x in (trajectory.t, trajectory.q, trajectory.v)), 0, 0)
+
+
 def _sparse(system: System, trajectory: Trajectory) -> Recording:
     """The state and what the scene records, at some of the samples."""
-    chosen = _some(trajectory)
-    some = Trajectory(*(x[chosen] for x in (trajectory.t, trajectory.q, trajectory.v)), 0, 0)
-    asked = [recorded(text, system.scene) for text in dict.fromkeys(("q", "v", *system.scene.record))]
+    some = _chosen(trajectory, _some(trajectory))
+    texts = dict.fromkeys(("q", "v", *system.scene.record))
+    asked = [recorded(text, system.scene) for text in texts]
     columns = tuple(Column(name, unit, x.quantity) for x in asked
                     for name, unit in zip(x.names, x.units, strict=True))
     return Recording(some.t, columns, np.concatenate(
@@ -183,7 +188,8 @@ def _checks(along: tuple[Along, ...]) -> str:
             ("the same with " + " or ".join(dict.fromkeys(_finer(x) for x in along)),
              *(f"{x.fine.relative:.2g}" for x in along)),
             ("it is", *(_verdict(x) for x in along)),
-            ("|aba(rnea(a)) - a| / (|a| + |aba(0)|), at most, in u", *(f"{x.round_trip:.3g}" for x in along)),
+            ("|aba(rnea(a)) - a| / (|a| + |aba(0)|), at most, in u",
+             *(f"{x.round_trip:.3g}" for x in along)),
             ("condition of the mass matrix (SI units), at most",
              *(f"{x.condition:.3g}" for x in along)),
             ("where that is, t in s", *(f"{x.at:g}" for x in along))]
@@ -196,7 +202,7 @@ def _finer(along: Along) -> str:
 
 
 def _verdict(along: Along) -> str:
-    """Whether the defect of energy is the integrator's, which shrinks with the step, or rounding."""
+    """Whether the defect of energy is the integrator's, which shrinks with steps, or rounding."""
     coarse, fine = along.coarse.relative, along.fine.relative
     roundoff = 2.0 ** (-53 if along.precision == "double" else -24)
     if coarse <= 1e4 * roundoff:

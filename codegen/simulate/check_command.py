@@ -10,14 +10,15 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     """Add `check` to the command line."""
     parser = commands.add_parser(
         "check", help="check a scene's run",
-        description="Check a scene's run: its expectations, the balance of energy, both precisions, "
-        "inverse and forward dynamics.  The exit status is 1 if an expectation is not met.")
+        description="Check a scene's run: its expectations, the balance of energy, both "
+        "precisions, inverse and forward dynamics.  The exit status is 1 if an expectation "
+        "is not met.")
     add_scene(parser)
     parser.set_defaults(run=run)
 
 
 def run(options: argparse.Namespace) -> int:
-    """Check; returns the exit status: 0, or 1 if an expectation is not met or a run stopped early."""
+    """Check; returns the exit status: 0, or 1 if an expectation is not met or a run stops early."""
     try:
         from coscrew_codegen.simulate.load import load_scene
         from coscrew_codegen.simulate import check, outcome

@@ -23,8 +23,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         description="Integrate a scene's motion, and write, plot or show what it records.")
     add_scene(parser)
     parser.add_argument("--output", metavar="FILE", type=Path,
-                        help="what is recorded: .csv, .npz or .parquet; with --precision both, single "
-                             "precision goes to FILE's name with .single before its ending")
+                        help="what is recorded: .csv, .npz or .parquet; with --precision both, "
+                             "single precision goes to FILE's name with .single before its ending")
     parser.add_argument("--plot", metavar="FILE", type=Path, help="a plot of it: .svg or .png")
     parser.add_argument("--view", metavar="FILE", type=Path, help="a playback in space: .html")
     parser.set_defaults(run=run)

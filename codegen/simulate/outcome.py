@@ -100,8 +100,8 @@ def _digits(outcome: Outcome) -> str:
 def _balances(outcomes: tuple[Outcome, ...]) -> str:
     found: list[Balance] = [balance(x.system, x.trajectory) for x in outcomes]
     rows = [(words, *(getattr(x, name) for x in found)) for name, words in (
-        ("before", "energy at the start"), ("after", "energy at the end"), ("work", "work of effects"),
-        ("defect", "gained beyond that, at most"))]
+        ("before", "energy at the start"), ("after", "energy at the end"),
+        ("work", "work of effects"), ("defect", "gained beyond that, at most"))]
     table = tabulate(rows, ("J", *(x.system.precision.name for x in outcomes)), floatfmt=".9g")
     note = "(The work is summed over the samples; `coscrew check` sums over every step.)"
     return f"{table}\n{note}" if any(x.work for x in found) else table

@@ -17,8 +17,8 @@ ADAPTIVE = ("dop853", "radau")
 
 @dataclass(frozen=True)
 class Plan:
-    """How long to integrate, when to sample (s), how: `step` is of emitted integrators, rtol and atol
-    of SciPy's; `also` are further times to sample at."""
+    """How long to integrate, when to sample (s), how: `step` is of emitted integrators, rtol and
+    atol of SciPy's; `also` are further times to sample at."""
 
     until: float
     every: float
@@ -67,18 +67,19 @@ def plan(system: System, until: float | None = None, step: float | None = None,
                 run.step if step is None else step, *tolerances(system), also)
     known = (*(name.replace("_", "-") for name in system.functions.steps), *ADAPTIVE)
     if made.integrator not in known:
-        raise SimulateError(f"integrator {made.integrator!r}: {did_you_mean(made.integrator, known)}")
+        hint = did_you_mean(made.integrator, known)
+        raise SimulateError(f"integrator {made.integrator!r}: {hint}")
     for name, value in (("until", made.until), ("step", made.step), ("every", made.every)):
         if not (math.isfinite(value) and value > 0):
             raise SimulateError(f"{name}: wanted a positive number of seconds; got {value}")
     if made.until / made.every > MOST_SAMPLES:
-        raise SimulateError(f"{made.until:g} s are {made.until / made.every:.3g} samples, one every "
-                            f"{made.every:g} s; wanted at most {MOST_SAMPLES}")
+        raise SimulateError(f"{made.until:g} s are {made.until / made.every:.3g} samples, one "
+                            f"every {made.every:g} s; wanted at most {MOST_SAMPLES}")
     return made
 
 
 def tolerances(system: System) -> tuple[float, float]:
     """The scene's, but no finer than 16 spacings of the precision: below, estimates of errors are
-    noise, and the steps would shrink without end.  SciPy takes no rtol below 100 spacings in double."""
+    noise, and steps would shrink without end.  SciPy takes no rtol below 100 spacings in double."""
     least = max(16 * float(np.finfo(system.dtype).eps), 100 * float(np.finfo(float).eps))
     return max(system.scene.run.rtol, least), max(system.scene.run.atol, least)

@@ -41,7 +41,7 @@ class Progress:
 
 
 def line(t: float, until: float, elapsed: float, drift: float) -> str:
-    """The line at time t of a run that has taken `elapsed` s, its energy changed by the part `drift`."""
+    """The line at time t of a run that has taken `elapsed` s; `drift` is the energy's, relative."""
     speed = t / elapsed if elapsed > 0 else 0
     left = f"{(until - t) / speed:.0f} s" if speed > 0 else "?"
     return (f"t {t:.3g}/{until:g} s  {100 * t / until:.0f} %  {speed:.3g}x real time  "

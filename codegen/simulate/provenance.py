@@ -1,4 +1,4 @@
-"""Where a recording comes from: scene, kernels, integrator, compiler, versions.  No hosts, no dates."""
+"""Where recordings come from: scene, kernels, integrator, compiler, version; no hosts, no dates."""
 
 import hashlib
 from collections.abc import Iterator, Mapping
@@ -33,7 +33,7 @@ def scene_hash(scene: Scene) -> str:
 
 
 def _told(value: object) -> Iterator[str]:
-    """The value in words, deterministic: effects by name, mappings sorted, fractions as they are."""
+    """The value in words, always the same: effects by name, mappings sorted, exact fractions."""
     if isinstance(value, Effect | Enum):
         yield f"{type(value).__name__} {value.name}"
     elif is_dataclass(value):

@@ -1,4 +1,4 @@
-"""What `[outputs] record` asks for, computed along a trajectory: from states, all samples at once."""
+"""What `[outputs] record` asks for, computed along a trajectory, from its states."""
 
 from dataclasses import dataclass, replace
 

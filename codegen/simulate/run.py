@@ -1,8 +1,8 @@
 """Integrates a scene's equations of motion and samples the states on the way.
 
-Emitted integrators take equal steps, no longer than asked for, that never span a sample: between two
-samples there are ceil(interval / step) of them.  SciPy's choose their steps by tolerances and are
-sampled through their interpolants; at the end they stop exactly.
+Emitted integrators take equal steps, no longer than asked for, that never span a sample: between
+two samples there are ceil(interval / step) of them.  SciPy's choose their steps by tolerances and
+are sampled through their interpolants; at the end they stop exactly.
 """
 
 import math
@@ -24,8 +24,8 @@ Sampled = Iterator[tuple[np.ndarray, np.ndarray, int, str]]
 
 
 def integrate(system: System, plan: Plan, watch: Watch | None = None) -> Trajectory:
-    """The trajectory from the scene's start.  A state that is not finite, a solver that gives up, and
-    an interrupt (Ctrl-C) end it early; what was sampled so far is kept.
+    """The trajectory from the scene's start.  A state that is not finite, a solver that gives up,
+    and an interrupt (Ctrl-C) end it early; what was sampled so far is kept.
 
     `watch` is called with each sample as it is reached."""
     times, (q, v) = plan.samples, system.start()

@@ -21,7 +21,7 @@ State = tuple[np.ndarray, np.ndarray]
 
 @dataclass(frozen=True)
 class System:
-    """A scene's functions: `kernels` has one callable for each, in `precision`; p are its parameters."""
+    """A scene's functions: `kernels` has a callable for each, in `precision`; p are parameters."""
 
     scene: Scene
     functions: SceneFunctions
@@ -51,8 +51,8 @@ class System:
         return getattr(self.kernels, name)(*arguments)
 
     def stepper(self, name: str) -> Callable[[int, float, float, np.ndarray, np.ndarray], State]:
-        """The integrator as (n, t, h, q, v) -> q and v after n steps of h: in one call of C where the
-        functions are compiled."""
+        """The integrator as (n, t, h, q, v) -> q and v after n steps of h: in one call of C where
+        the functions are compiled."""
         function, p = getattr(self.kernels, name), self._p
         if repeated := getattr(function, "repeated", None):
             return lambda n, t, h, q, v: repeated(n, t, h, p, q, v)
@@ -95,7 +95,7 @@ class System:
                      if c.kind in ("spherical", "free"))
 
     def lacking(self, q: np.ndarray, v: np.ndarray) -> str:
-        """'joint elbow: v is inf': the first number of a state that is not finite; "" if all are."""
+        """'joint elbow: v is inf': the first number of a state that is not finite; else ""."""
         for c in self.functions.coordinates:
             for name, numbers in (("q", q[c.q]), ("v", v[c.v])):
                 if not np.isfinite(numbers).all():
@@ -118,7 +118,8 @@ def system(kernels: object, precision: str, settings: Mapping[str, float] | None
     for name in settings or {}:
         if name not in names:
             hint = did_you_mean(name, names) if names else "this scene lists none"
-            raise SimulateError(f"--set {name}: wanted one of the scene's `runtime` parameters; {hint}")
+            raise SimulateError(f"--set {name}: wanted one of the scene's `runtime` parameters; "
+                                f"{hint}")
     values = tuple((settings or {}).get(name, value) for name, value in functions.parameters)
     found = next(x for x in PRECISIONS if x.name == precision)
     return System(scene, functions, getattr(kernels, precision), found, values)

@@ -1,7 +1,7 @@
 """A run as a page that plays it back in space: HTML that needs nothing else, no network either.
 
-Bodies are boxes of the same mass and inertia; lines go from a body's origin to the joints on it and,
-thinner, to its centre of mass.
+Bodies are boxes of the same mass and inertia; lines go from a body's origin to the joints on it
+and, thinner, to its centre of mass.
 """
 
 import base64
@@ -29,10 +29,10 @@ _SPEEDS = ((0.1, "0.1×"), (0.25, "0.25×"), (0.5, "0.5×"), (1, "1×"), (2, "2�
 
 @dataclass(frozen=True)
 class Drawn:
-    """What is drawn: each entry is fixed to a body, by its number, -1 the world, and in its frame."""
+    """What is drawn: each entry is fixed to the body of a number, -1 the world, in its frame."""
 
     shapes: list[dict] = field(default_factory=list)  # body, shape: half sides, place as a pose
-    lines: list[dict] = field(default_factory=list)  # body, points, rod: whether to a centre of mass
+    lines: list[dict] = field(default_factory=list)  # body, points, rod: to a centre of mass?
     slides: list[dict] = field(default_factory=list)  # body, point, child: from point to its origin
     joints: list[dict] = field(default_factory=list)  # body, point
     extent: list[dict] = field(default_factory=list)  # body, points: what the camera shows
@@ -57,7 +57,8 @@ def page(system: System, trajectory: Trajectory, provenance: Provenance) -> str:
     count = len(names)
     sentence = (f"{count} {'body' if count == 1 else 'bodies'}, {trajectory.t[-1]:g} s, "
                 f"{dict(provenance)['integrator']}, {system.precision.name} precision.")
-    speed = max((x for x, _ in _SPEEDS if x <= 1 and x * _LEAST_SHOWN <= t[-1]), default=_SPEEDS[0][0])
+    speed = max((x for x, _ in _SPEEDS if x <= 1 and x * _LEAST_SHOWN <= t[-1]),
+                default=_SPEEDS[0][0])
     return render("view/page.html", speed=speed, name=scene.name, sentence=sentence, bodies=names,
                   stopped=trajectory.stopped, speeds=_SPEEDS, energies=tuple(energies),
                   provenance=provenance, data=json.dumps(data, allow_nan=False, separators=(
@@ -74,7 +75,7 @@ def _shown(system: System, trajectory: Trajectory) -> tuple[np.ndarray, ...]:
 
 
 def _frames(t: np.ndarray, bodies: int) -> np.ndarray:
-    """Which samples are shown: at most 60 a second and _MOST_NUMBERS in all, the last one always."""
+    """Which samples are shown: at most 60 a second and _MOST_NUMBERS in all; always the last."""
     most = max(2, min(int(_FRAMES_A_SECOND * t[-1]) + 2, _MOST_NUMBERS // (7 * max(bodies, 1))))
     return np.unique(np.linspace(0, len(t) - 1, min(most, len(t))).round().astype(int))
 
@@ -84,8 +85,8 @@ def _packed(numbers: np.ndarray, kind: str) -> str:
 
 
 def _poses(system: System, t: np.ndarray, q: np.ndarray) -> np.ndarray:
-    """Position and unit quaternion of each body at each time, in single precision, of which there is
-    more than pixels show.  (frames, bodies, 7)."""
+    """Position and unit quaternion of each body at each time, in single precision, of which there
+    is more than pixels show.  (frames, bodies, 7)."""
     D = np.asarray(system.call("body_poses", t=t, q=q), float).reshape(len(q), -1, 3, 4)
     turned = coscrew.double.quaternion_from_mat3x3(D[..., :3])
     with np.errstate(over="ignore"):
@@ -157,7 +158,7 @@ def box_of(mass: np.ndarray, moments: np.ndarray) -> tuple[np.ndarray, np.ndarra
 
 
 def _size(system: System) -> float:
-    """About how large the model is: the longest way along it between joints and centres, or 0.1 m."""
+    """About how large the model is: the longest way from a joint to another or a centre; else 0.1 m."""
     model = system.scene.model
     offsets = [np.linalg.norm(_numbers(system, j.placement.t)) for j in model.joints]
     centres = [np.linalg.norm(_numbers(system, b.inertia.com)) for b in model.bodies if b.inertia]

@@ -21,7 +21,7 @@ def write(recording: Recording, path: Path) -> None:
 
 
 def check_target(path: Path, endings: tuple[str, ...]) -> None:
-    """Find out, before anything is computed, whether `path` can be written.  Raises SimulateError."""
+    """Find out, before anything is computed, if `path` can be written.  Raises SimulateError."""
     if path.suffix not in endings:
         raise SimulateError(f"{path}: wanted a name that ends in {' or '.join(endings)}")
     if path.is_dir():
@@ -51,7 +51,7 @@ def delivered(path: Path) -> Iterator[Path]:
 
 
 def as_csv(recording: Recording, path: Path) -> None:
-    """Lines `# what: value`, a line of names with units, then numbers that read back to the same."""
+    """Lines `# what: value`, a line of names with units, then numbers that read back the same."""
     with path.open("w", encoding="utf-8", newline="") as file:
         for what, value in recording.provenance:
             file.write(f"# {what}: {' '.join(value.split())}\n")
@@ -72,8 +72,8 @@ def as_npz(recording: Recording, path: Path) -> None:
 
 
 def as_parquet(recording: Recording, path: Path) -> None:
-    """A column for t and each quantity, its unit in the field's metadata; provenance, as JSON, in the
-    schema's under `coscrew`."""
+    """A column for t and each quantity, its unit in the field's metadata; provenance, as JSON, in
+    the schema's under `coscrew`."""
     import pyarrow
     import pyarrow.parquet
 

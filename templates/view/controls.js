@@ -26,7 +26,8 @@ function orbit(dx, dy) {
 }
 
 function zoom(factor) {
-  view.distance = Math.min(Math.max(view.distance * factor, home.distance / 50), home.distance * 20);
+  const wanted = view.distance * factor;
+  view.distance = Math.min(Math.max(wanted, home.distance / 50), home.distance * 20);
   draw();
 }
 
@@ -39,9 +40,10 @@ document.addEventListener("keydown", event => {
 });
 
 canvas.addEventListener("keydown", event => {
-  const action = { ArrowLeft: () => orbit(-.1, 0), ArrowRight: () => orbit(.1, 0),
-                   ArrowUp: () => orbit(0, .1), ArrowDown: () => orbit(0, -.1),
-                   "+": () => zoom(1 / 1.2), "=": () => zoom(1 / 1.2), "-": () => zoom(1.2) }[event.key];
+  const action = {
+    ArrowLeft: () => orbit(-.1, 0), ArrowRight: () => orbit(.1, 0),
+    ArrowUp: () => orbit(0, .1), ArrowDown: () => orbit(0, -.1),
+    "+": () => zoom(1 / 1.2), "=": () => zoom(1 / 1.2), "-": () => zoom(1.2) }[event.key];
   if (action) {
     event.preventDefault();
     action();
@@ -63,7 +65,9 @@ canvas.addEventListener("pointermove", event => {
   if (!before) return;
   const distance = pointers.size === 2 ? apart() : 0;
   pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-  if (pointers.size === 1) orbit((event.clientX - before.x) / 150, (event.clientY - before.y) / 150);
+  if (pointers.size === 1) {
+    orbit((event.clientX - before.x) / 150, (event.clientY - before.y) / 150);
+  }
   if (pointers.size === 2 && apart() > 0) zoom(distance / apart());
 });
 for (const name of ["pointerup", "pointercancel"]) {

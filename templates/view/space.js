@@ -1,6 +1,7 @@
 "use strict";
-// Bodies in space, drawn on a canvas: camera, perspective, painter's order.  Knows poses and shapes,
-// not time.  Vectors are arrays of three; a pose is [x, y, z, w, i, j, k]: position, unit quaternion.
+// Bodies in space, drawn on a canvas: camera, perspective, painter's order.  Knows poses and
+// shapes, not time.  Vectors are arrays of three; a pose is [x, y, z, w, i, j, k]: position, unit
+// quaternion.
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const plus = (a, b, k = 1) => [a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]];
@@ -28,7 +29,8 @@ function between(a, b, k) {
 
 // A camera that looks at `target` from `distance`; angles are about `up`.
 function camera(target, distance, up) {
-  const third = unit(up), first = unit(cross(Math.abs(third[0]) < .9 ? [1, 0, 0] : [0, 1, 0], third));
+  const third = unit(up), other = Math.abs(third[0]) < .9 ? [1, 0, 0] : [0, 1, 0];
+  const first = unit(cross(other, third));
   const axes = [first, cross(third, first), third];
   return { target, distance, axes, azimuth: -2.2, elevation: .35 };
 }

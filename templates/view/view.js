@@ -36,7 +36,7 @@ function poseOf(body, t) {
   return between(stored(low, body), stored(high, body), k);
 }
 
-// What the camera looks at, from how far, and how high the floor is: of everything that is ever drawn.
+// What the camera looks at, from how far, and how high the floor is, for all that is ever drawn.
 function framing() {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   let floor = Infinity;
@@ -87,12 +87,14 @@ function draw() {
   }
   for (const { body, point } of data.joints) painter.disc(placed(at(body), point), 4.5, card, ink);
   if ($("names").checked) {
-    data.bodies.forEach((name, body) => painter.text(placed(now[body], data.labels[body]), name, ink));
+    data.bodies.forEach((name, body) =>
+      painter.text(placed(now[body], data.labels[body]), name, ink));
   }
   painter.paint();
 }
 
-// A grid below everything, across the upward direction, its lines 1, 2 or 5 times a power of ten apart.
+// A grid below everything, across the upward direction, its lines 1, 2 or 5 times a power of ten
+// apart.
 function drawGrid(painter, style) {
   const [first, second, up] = home.axes, size = home.distance / 1.2;
   const decade = 10 ** Math.floor(Math.log10(size / 6));
