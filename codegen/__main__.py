@@ -1,4 +1,4 @@
-"""The command line: `coscrew generate`, `simulate`, `check`, `cost`, `report`; also `python -m coscrew_codegen`."""
+"""The command line: `coscrew generate`, `simulate`, …; also `python -m coscrew_codegen`."""
 
 import argparse
 import sys
@@ -15,6 +15,7 @@ try:
     from coscrew_codegen.layout import Files, Programs, generated_files, program_of
     from coscrew_codegen.operations import FAMILIES
     from coscrew_codegen.report import ReportError, command
+    from coscrew_codegen.scene_files import catalogue
     from coscrew_codegen.scene_files.errors import SceneError
     from coscrew_codegen.scene_files.toml_scene import read_scene
     from coscrew_codegen.scene_layout import scene_files
@@ -60,7 +61,7 @@ def _parser() -> argparse.ArgumentParser:
     generate.add_argument("--language", metavar="NAME",
                           help=f"{' or '.join(LANGUAGES)} (default: both, and the extension)")
     generate.set_defaults(run=_generate)
-    for subcommand in (simulate, check_command, cost, command):
+    for subcommand in (simulate, check_command, cost, catalogue, command):
         subcommand.add_parser(commands)
     return parser
 

@@ -1,4 +1,4 @@
-"""The functions of a scene as their Programs say: on floats, 50-digit numbers, Fractions or symbols.
+"""The functions of a scene as their Programs say: on floats, 50-digit numbers or Fractions.
 
 Shares nothing with the targets but the Programs, and needs no compiler.
 """
@@ -9,7 +9,6 @@ from fractions import Fraction
 
 import mpmath
 import numpy as np
-import sympy as sp
 
 from coscrew_codegen.dynamics.functions import derive
 from coscrew_codegen.dynamics.scene import Scene
@@ -47,15 +46,12 @@ DOUBLE, SINGLE = _floats(np.float64, "double"), _floats(np.float32, "single")
 MULTIPRECISE = Arithmetic(lambda x: _rational(mpmath.mpf)(x.double), _rational(mpmath.mpf), _MPMATH)
 """In the precision of mpmath's context, constants too."""
 
-SYMBOLIC = Arithmetic(lambda x: sp.Rational(x.double.numerator, x.double.denominator),
-                      _rational(sp.sympify), {name: getattr(sp, name) for name in
-                                              ("sqrt", "sin", "cos", "exp", "tanh", "atan2")})
-
 
 def rational(circle: Mapping[Fraction, tuple[Fraction, Fraction]]) -> Arithmetic:
     """Fractions, with (sin, cos) of the angles that occur: rational points of the circle."""
-    return Arithmetic(lambda x: x.double, Fraction, {"sin": lambda q: circle[q][0],
-                                                     "cos": lambda q: circle[q][1]})
+    odd = {**circle, **{-q: (-s, c) for q, (s, c) in circle.items()}}
+    return Arithmetic(lambda x: x.double, Fraction, {"sin": lambda q: odd[q][0],
+                                                     "cos": lambda q: odd[q][1]})
 
 
 def evaluator(program: Program, arithmetic: Arithmetic) -> Callable[[Sequence], list]:
@@ -91,8 +87,8 @@ def _expression(op: Op, x: Sequence[str]) -> str:
 
 
 class Evaluated:
-    """The functions of a scene by name: f("forward_dynamics", q=…, v=…, tau=…) is a list of numbers,
-    or of a scalar output the number.
+    """The functions of a scene by name: f("forward_dynamics", q=…, v=…, tau=…) is a list of
+    numbers, or of a scalar output the number.
 
     What a function does not take may be given and is left out; p is, if not given, what the scene
     says, and t is zero."""

@@ -1,7 +1,7 @@
 """Each effect alone: its closed form at 50 digits, and its law along motions.
 
-Motions are integrated by Runge and Kutta's method; what is missing at 2n steps must then be what n and
-2n steps differ by, so that no tolerance is chosen.
+Motions are integrated by Runge and Kutta's method; what is missing at 2n steps must then be what n
+and 2n steps differ by, so that no tolerance is chosen.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -42,8 +42,8 @@ def assert_same(found: Sequence, wanted: Sequence) -> None:
 
 
 def assert_reaches(truth: float, run: Callable[[int], float], steps: int, order: int = 4) -> None:
-    """run(n) tends to the truth with n^-order, and to nothing else: at 2n, to a quarter of its error,
-    which must be below a millionth."""
+    """run(n) tends to the truth with n^-order, and to nothing else: at 2n, to a quarter of its
+    error, which must be below a millionth."""
     coarse, fine = run(steps), run(2 * steps)
     error = (fine - coarse) / (2**order - 1)
     assert abs(fine + error - float(truth)) <= abs(error) / 4, (coarse, fine, float(truth))
@@ -137,7 +137,7 @@ def test_dry_friction_creeps_where_it_holds() -> None:
     held = moving(rotor(2), drive, applied("coulomb", "j0", tau_c=1, eps=eps)).implicit(1e-2, 500)
     creep = 1e-3 * np.arctanh(0.75)
     assert abs(held.v[0] - creep) <= 1e-12 * creep
-    held = moving(rotor(2), drive, applied("stribeck", "j0", tau_c=HALF, tau_s=1, v_s=Fraction(1, 10),
+    held = moving(rotor(2), drive, applied("stribeck", "j0", tau_c=HALF, tau_s=1, v_s=TENTH,
                                            eps=eps)).implicit(1e-2, 2000)
     weaker = HALF * Fraction(held.v[0])**2 / Fraction(1, 100)  # by which the level is below tau_s
     assert 0 <= held.v[0] - creep <= float(2 * eps * weaker / (1 - Fraction(9, 16)))
@@ -222,7 +222,7 @@ def test_bang_bang_is_a_parabola() -> None:
 
 
 def outgoing(alpha: mpf, v: mpf) -> mpf:
-    """The speed after a bounce: v/c - ln(1 + c v)/c² is the same before and after, c = 1.5 alpha."""
+    """The speed after a bounce: v/c - ln(1 + c v)/c² is kept by a bounce, c = 1.5 alpha."""
     c = 3 * alpha / 2
 
     def kept(x: mpf) -> mpf:
@@ -249,7 +249,8 @@ def test_limits_bounce(side: int) -> None:
 
 @pytest.mark.parametrize("ends", [{"lower": -1}, {"upper": 1}, {"lower": -1, "upper": 1}])
 @pytest.mark.parametrize("q, v", [("-1", "-2"), ("-1.3", "-2"), ("-1.3", "3"), ("-1.3", "9"),
-                                  ("0.2", "5"), ("1", "1"), ("1.6", "-3"), ("1.6", "-9"), ("1.6", "4")])
+                                  ("0.2", "5"), ("1", "1"), ("1.6", "-3"), ("1.6", "-9"),
+                                  ("1.6", "4")])
 def test_limits_push_and_never_pull(ends: dict, q: str, v: str) -> None:
     q, v, k, alpha = mpf(q), mpf(v), 7, mpf("0.2")
     depth, side = max((mpf(ends.get("lower", -9)) - q, 1), (q - mpf(ends.get("upper", 9)), -1))
@@ -283,14 +284,15 @@ QUATERNION = [mpf(x) / 10 for x in (1, 5, -7, 5)]  # of norm 1
 @pytest.mark.parametrize("frame", ["world", "body"])
 def test_wrenches_act_at_their_point(frame: str) -> None:
     """The generalised force on a free body is (f; tau + r × f) in its frame."""
-    push = applied("wrench", "b0", force=(Formula("t"), 2, Fraction(3)), torque=(5, Formula("-t"), 7),
+    push = applied("wrench", "b0", force=(Formula("t"), 2, 3), torque=(5, Formula("-t"), 7),
                    point=numbers("0.5", 1, -2), frame=frame)
     t, r = mpf("0.3"), array([mpf("0.5"), 1, -2])
     force, torque = array([t, 2, 3]), array([5, -t, 7])
     if frame == "world":
         R = rotation_of(array(QUATERNION))
         force, torque = R.T @ force, R.T @ torque
-    found = multiprecise(free_body(2), push)("bias_torques", t=t, q=[1, 2, 3, *QUATERNION], v=[0] * 6)
+    f = multiprecise(free_body(2), push)
+    found = f("bias_torques", t=t, q=[1, 2, 3, *QUATERNION], v=[0] * 6)
     assert_same([-x for x in found], [*force, *(torque + skew(r) @ force)])
 
 
@@ -302,7 +304,8 @@ def test_wrenches_may_be_arguments() -> None:
 
 
 def test_falling_bodies_reach_their_terminal_speed() -> None:
-    """v_t tanh(g t/v_t), v_t² = 2 m g/(rho area); of Stokes' law v_t (1 - e^(-b t/m)), v_t = m g/b."""
+    """v_t tanh(g t/v_t), v_t² = 2 m g/(rho area); by Stokes' law v_t (1 - e^(-b t/m)), v_t = m g/b.
+    """
     model = slider(Fraction(1, 5), Z)
     drag = applied("drag", "b0", rho=Fraction(6, 5), area=Fraction(1, 4))
     g, t = mpf("9.81"), mpf("0.8")
@@ -326,7 +329,8 @@ def test_drag_resists_the_motion_of_its_point(values: dict, resistance: Callable
         force = -resistance(u) * u
         still = multiprecise(free_body(2))("bias_torques", q=[0, 0, 0, *QUATERNION], v=v)
         found = f("bias_torques", q=[0, 0, 0, *QUATERNION], v=v)
-        assert_same([a - b for a, b in zip(still, found, strict=True)], [*force, *(skew(r) @ force)])
+        assert_same([a - b for a, b in zip(still, found, strict=True)],
+                    [*force, *(skew(r) @ force)])
 
 
 def test_buoyancy_lifts_at_its_centre() -> None:
@@ -340,8 +344,8 @@ def test_buoyancy_lifts_at_its_centre() -> None:
                                       *(skew(array([0, 1, 0])) @ (mpf("2.5") * up))])
     low, high = (f("energy", q=[0, 0, z, 1, 0, 0, 0], v=[0] * 6)[1] for z in (0, 1))
     assert_same([high - low], [(4 - mpf("2.5")) * mpf("9.81")])
-    assert_same(multiprecise(free_body(4), lift)("bias_torques", q=[0, 0, 0, 1, 0, 0, 0], v=[0] * 6),
-                [0] * 6)
+    weightless = multiprecise(free_body(4), lift)
+    assert weightless("bias_torques", q=[0, 0, 0, 1, 0, 0, 0], v=[0] * 6) == [0] * 6
 
 
 def two_free_bodies() -> Model:
@@ -436,7 +440,7 @@ def test_catalogue_is_complete() -> None:
 
 def test_double_precision_is_the_same_program() -> None:
     """The Program in double is near the one at 50 digits: no constant is a float by accident."""
-    effect = applied("stribeck", "j0", tau_c=Fraction(1, 3), tau_s=Fraction(2, 3), v_s=Fraction(1, 7),
-                     eps=Fraction(1, 9))
+    third = Fraction(1, 3)
+    effect = applied("stribeck", "j0", tau_c=third, tau_s=2 * third, v_s=third / 2, eps=third / 3)
     found = Evaluated(scene(rotor(), effect), DOUBLE)("bias_torques", q=[0], v=[0.1])[0]
     assert abs(found - -friction(mpf(0.1), effect)) <= 8 * 2**-53

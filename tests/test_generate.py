@@ -169,8 +169,8 @@ def imported_modules(node: ast.AST) -> list[str]:
 def test_imports_run_one_way():
     """algebra < quantity < operations < kernel < passes < program < bounds < tiers < … < emit."""
     order = ["algebra", "quantity", "operations", "kernel", "passes", "program", "scene_functions",
-             "bounds", "tiers", "targets", "special", "exact", "selection", "render", "extension",
-             "layout", "documentation", "emit", "report", "dynamics", "effects", "scene_files",
+             "bounds", "tiers", "render", "targets", "special", "exact", "selection", "extension", "layout",
+             "documentation", "emit", "report", "dynamics", "effects", "scene_files",
              "scene_layout", "simulate", "cost", "__main__"]
     package = ROOT / "codegen"
     allowed_elsewhere = {"build"}  # runs inside setuptools, on its own

@@ -9,9 +9,9 @@ from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.targets import scene_calls
 from coscrew_codegen.targets.precision import PRECISIONS
-from tests.c_harness import COMPILERS, EXACT, STRICT, run
+from tests.c_harness import COMPILERS, DIALECTS, EXACT, STRICT, run
 from tests.generated_scenes import imported
-from tests.test_scene_agreement import inputs, same_bits
+from tests.test_scene_agreement import UNIT, inputs, same_bits
 
 FILES = ("arm.c", "arm.h", "arm/__init__.py", "arm/_arrays.py", "arm/double.py", "arm/single.py")
 
@@ -116,6 +116,36 @@ def test_generated_c_compiles_and_loads_from_the_file(folder: Path):
         assert kernels.compiled and kernels.scene.name == "arm"
         assert kernels.functions.parameters == (("hand.mass", 0.5),)
         assert kernels.double.mass_matrix([0.5], [0, 1, 0, 0, 0]).shape == (4, 4)
+
+
+AWKWARD = ("int", "sin", "q", "lambda", "tau", "np", "v_0", "*/ x", "π", "2", "arm_NQ", "call")
+
+
+def test_bodies_and_joints_may_be_called_anything(folder: Path):
+    """Words of the languages, names of arguments, what would end a comment."""
+    parents = ("world", *(f"{name} body" for name in AWKWARD))
+    scene = ['name = "main_arm"', "[effects.gravity]"]
+    for n, name in enumerate(AWKWARD):
+        scene += [f'["bodies"."{name} body"]', "mass = 1", "inertia = [1, 1, 1]",
+                  "com = [0.1, 0.2, 0.3]", f'["joints"."{name}"]', f'parent = "{parents[n]}"',
+                  f'child = "{name} body"', f"axis = [{n % 2}, {1 - n % 2}, 0]",
+                  f'type = "{("revolute", "prismatic")[n % 3 == 2]}"',
+                  "origin = { xyz = [0.1, 0, 0] }"]
+    (folder / "main_arm.toml").write_text("\n".join(scene), encoding="utf-8")
+    assert main(["generate", "main_arm.toml", "-o", "out"]) == 0
+    for compiler, language in DIALECTS:
+        run([compiler, *language, *STRICT, "-O1", "-c", folder / "out" / "main_arm.c", "-o",
+             folder / "x.o"])
+    kernels = load_scene("main_arm.toml")
+    package = imported(kernels.functions, folder / "other")
+    assert package.JOINTS == AWKWARD
+    q, v, a = np.random.default_rng(3).normal(size=(3, 7, len(AWKWARD)))
+    tau = package.double.inverse_dynamics(q, v, a)
+    found = kernels.double.forward_dynamics(q, v, tau)
+    condition = np.linalg.cond(kernels.double.mass_matrix(q))
+    largest = np.linalg.norm(a, axis=-1)
+    bound = 100 * UNIT["double"] * condition * largest  # eight roundings a joint, amplified
+    assert np.all(np.linalg.norm(found - a, axis=-1) <= bound)
 
 
 @pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)

@@ -137,6 +137,7 @@ def test_processors_without_march_native_are_served(tmp_path: Path, cache: Path,
     ("tau", [[1.0], [2.0]], r"tau: shape \(\.\.\., 2\) is wanted; shape \(2, 1\) came"),
     ("q", ["a", "b"], "q: real numbers are wanted; <U1 came"),
     ("v", [1j, 2j], "v: real numbers are wanted; complex128 came"),
+    ("q", [[1.0, 2.0], [1.0]], "q: an array is wanted; rows of different lengths came"),
     ("t", None, "t: real numbers are wanted; object came"),
     ("t", 1j, "t: real numbers are wanted; complex128 came"),
 ))

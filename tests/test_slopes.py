@@ -1,4 +1,4 @@
-"""Slopes of effects are those of their forces, and their energies those of their work, at 50 digits.
+"""Slopes of effects are those of their forces, their energies those of their work, at 50 digits.
 
 Derivatives are central differences over 1e-16, wrong by about 1e-32 of the third derivative.
 """
@@ -82,7 +82,7 @@ def test_every_effect_on_joints_is_here() -> None:
 
 @pytest.mark.parametrize("name, values, true", CASES)
 def test_slopes_are_those_of_the_torque(name: str, values: dict, true: bool) -> None:
-    """True, or not below the slope, nor below the torque that saturates over the way to its zero."""
+    """True; or not below the slope, nor where it saturates below |torque| / |v|."""
     f = torque_of(name, values)
     for q, v in STATES:
         found = f(q, v)

@@ -42,15 +42,22 @@ class Compiled:
     def time(self, function: Function, precision: Precision, inputs: Sequence[np.ndarray],
              seconds: float) -> Timed:
         """A function's time per call over `inputs`, ELEMENTS of each, measured for about `seconds`."""
-        given = [np.ascontiguousarray(x, precision.numpy_type) for x in inputs]
-        made = [np.zeros((ELEMENTS, size(a)), precision.numpy_type) for a in outputs(function)]
         run = functools.partial(timed_calls, self.library, _loop(function.name, precision),
-                                ELEMENTS, pointers((*given, *made)))
+                                ELEMENTS, pointers((*_given(inputs, precision),
+                                                    *_made(function, precision))))
         calls = 1
         while (sample := run(calls, 3).min() * ELEMENTS * calls) < _SAMPLE:
             calls *= 2
         samples = run(calls, max(5, int(1e9 * seconds / sample)))
         return Timed(float(samples.min()), float(np.median(samples) / samples.min() - 1))
+
+    def once(self, function: Function, precision: Precision, inputs: Sequence[np.ndarray]
+             ) -> list[np.ndarray]:
+        """What the timed loop computes: the outputs, (ELEMENTS, numbers) each."""
+        made = _made(function, precision)
+        timed_calls(self.library, _loop(function.name, precision), ELEMENTS,
+                    pointers((*_given(inputs, precision), *made)), 1, 1)
+        return made
 
     def run(self, step: str, precision: Precision, steps: int, h: float, p: Sequence[float],
             start: State) -> tuple[np.ndarray, np.ndarray, float]:
@@ -62,6 +69,14 @@ class Compiled:
         began = timeit.default_timer()
         function(ctypes.c_long(steps), ctypes.c_double(h), *arguments)
         return q, v, timeit.default_timer() - began
+
+
+def _given(inputs: Sequence[np.ndarray], precision: Precision) -> list[np.ndarray]:
+    return [np.ascontiguousarray(x, precision.numpy_type) for x in inputs]
+
+
+def _made(function: Function, precision: Precision) -> list[np.ndarray]:
+    return [np.zeros((ELEMENTS, size(a)), precision.numpy_type) for a in outputs(function)]
 
 
 def compiled(part: Part, functions: Sequence[Function], compiler: Compiler) -> Compiled:

@@ -31,8 +31,10 @@ def plot(costs: Costs, path: Path) -> None:
 def _bars(axes: Axes, costs: Costs) -> None:
     rows = [x for x in costs.rows if x.function == _SHOWN]
     for i, (precision, colour) in enumerate(_COLOURS.items()):
-        axes.barh([n + 0.4 * i for n in range(len(rows))], [x.times[i].minimum for x in rows], 0.38,
-                  color=colour, label=precision)
+        bars = axes.barh([n + 0.4 * i for n in range(len(rows))],
+                         [x.times[i].minimum for x in rows], 0.38, color=colour, label=precision)
+        for bar, row in zip(bars, rows, strict=True):
+            bar.set_gid(f"{row.part}-{precision}-ns")
     for n, x in enumerate(rows):
         axes.annotate(f"{x.flops} flops", (0, n), (4, 0), textcoords="offset points",
                       va="center", fontsize=7, color="white")
@@ -53,7 +55,7 @@ def _accuracy(axes: Axes, costs: Costs) -> None:
                            and 0 < x.error < math.inf)
             if found:
                 axes.plot(*zip(*found), dash + _MARKERS[i % len(_MARKERS)], color=f"C{i}", markersize=4,
-                          linewidth=1, label=f"{name}, {precision}",
+                          linewidth=1, label=f"{name}, {precision}", gid=f"{name} {precision}",
                           markerfacecolor="white" if precision == "single" else f"C{i}")
     if not axes.lines:
         axes.text(0.5, 0.5, "no reference", transform=axes.transAxes, ha="center")

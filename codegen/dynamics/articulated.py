@@ -4,7 +4,7 @@ The wrenches of the motion with a = 0 are known from inverse dynamics; what rema
 answers an acceleration of its frame with its articulated inertia, and no term holds a velocity.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from coscrew_codegen.dynamics.bodies import UPPER, Rigid, symmetric

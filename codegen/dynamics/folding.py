@@ -11,7 +11,7 @@ from functools import cache
 
 import mpmath
 
-from coscrew_codegen.program import Constant, Instruction, NotANumber, Op, Operand, Ref
+from coscrew_codegen.program import Constant, Instruction, Op, Operand, Ref
 
 DIGITS = 60
 """Decimal digits of constants that are no short fractions: far beyond double precision."""

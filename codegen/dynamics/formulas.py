@@ -50,8 +50,8 @@ class _Step:
 class Formula:
     """A function of the time t in s.
 
-    Raises FormulaError, naming what came and what was wanted, for anything else than numbers, t, pi,
-    + - * /, ** (with a constant integer or half-integer), sin, cos, exp, tanh, sqrt,
+    Raises FormulaError, naming what came and what was wanted, for anything else than numbers, t,
+    pi, + - * /, ** (with a constant integer or half-integer), sin, cos, exp, tanh, sqrt,
     abs, min, max."""
 
     text: str

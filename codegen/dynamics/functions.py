@@ -1,19 +1,16 @@
 """The functions of a scene: each a recording of its own, which holds what its outputs need."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from functools import cached_property
 
-from coscrew_codegen.dynamics import articulated, composite, coordinates, forward, inverse
-from coscrew_codegen.dynamics.acting import Acting, gravity, joint_inertias
-from coscrew_codegen.dynamics.bodies import Rigid, kinetic_energy, lumped
+from coscrew_codegen.dynamics import (composite, coordinates, energies, forward, frames, inverse)
+from coscrew_codegen.dynamics.acting import Acting
 from coscrew_codegen.dynamics.formulas import Formula
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.dynamics.identifiers import identifiers
-from coscrew_codegen.dynamics.motion import Motion
-from coscrew_codegen.dynamics.numbers import Number, add, cross, dot, rotated, scaled
+from coscrew_codegen.dynamics.numbers import Number
 from coscrew_codegen.dynamics.record import Recorder, array, headings
-from coscrew_codegen.dynamics.scene import Applied, Scene
+from coscrew_codegen.dynamics.recording import Recording
+from coscrew_codegen.dynamics.scene import Scene
 from coscrew_codegen.dynamics.tree import Tree, tree_of
 from coscrew_codegen.quantity import Argument
 
@@ -42,41 +39,9 @@ def tree_for(scene: Scene) -> Tree:
     return tree_of(scene.model, any(x.effect.mimic for x in scene.effects))
 
 
-@dataclass
-class _Recording:
-    """One function while it is recorded, and what most functions start from."""
-
-    scene: Scene
-    tree: Tree
-    names: tuple[str, ...]
-    recorder: Recorder
-
-    def motion(self, moving: bool = True, accelerating: bool = True, falling: bool = True) -> Motion:
-        """The motion for the function's inputs; `falling`: in the scene's gravity."""
-        down = gravity(self.scene, self.recorder) if falling else None
-        return Motion(self.recorder, self.tree, self.names, down, moving, accelerating)
-
-    @cached_property
-    def rigids(self) -> list[Rigid]:
-        """The inertia of each link."""
-        found = []
-        for name, link in zip(self.names, self.tree.links, strict=True):
-            with self.recorder.part(f"{name}_inertia", link.name):
-                found.append(lumped(self.recorder, link.seats))
-        return found
-
-    @cached_property
-    def inertias(self) -> dict[str, Number]:
-        """What joints have of their own, by joint."""
-        return joint_inertias(self.scene, self.recorder)
-
-    def torques(self, motion: Motion, acting: Acting | None) -> list[Number]:
-        """Inverse dynamics."""
-        wrenches = inverse.transmitted(motion, inverse.net_wrenches(motion, self.rigids, acting))
-        return inverse.joint_torques(motion, wrenches, acting, self.inertias)
-
-
 class _Derivation:
+    """The functions one by one, each recorded from its inputs."""
+
     def __init__(self, scene: Scene):
         self.scene, self.tree = scene, tree_for(scene)
         self.names = identifiers([link.name for link in self.tree.links])
@@ -118,14 +83,14 @@ class _Derivation:
     # one function
 
     def _function(self, name: str, words: str, inputs: str, outputs: Sequence[Argument],
-                  compute: Callable[[_Recording], Sequence[Sequence[Number]]],
+                  compute: Callable[[Recording], Sequence[Sequence[Number]]],
                   dynamic: bool = True, acted: bool = False, internal: bool = False) -> Function:
         """A function of these inputs, with p if it is of the dynamics, t if effects act in it."""
         given = [*(["t"] if acted and self.timed else []), *(["h"] if "h" in inputs.split() else []),
                  *(["p"] if dynamic and self.scene.parameters else []),
                  *(x for x in inputs.split() if x != "h")]
         recorder = Recorder([self.inputs[x] for x in given])
-        results = compute(_Recording(self.scene, self.tree, self.names, recorder))
+        results = compute(Recording(self.scene, self.tree, self.names, recorder))
         program = recorder.program(name, list(zip(outputs, results, strict=True)))
         return Function(name, words, program, headings(program), internal)
 
@@ -133,7 +98,7 @@ class _Derivation:
         return self.inputs["tau"]
 
     def _inverse(self) -> Function:
-        def compute(x: _Recording):
+        def compute(x: Recording):
             motion = x.motion()
             return [x.torques(motion, Acting(self.scene, motion).act())]
 
@@ -142,7 +107,7 @@ class _Derivation:
             "the accelerations a, beside the effects", "q v a", [self._tau()], compute, acted=True)
 
     def _bias(self) -> Function:
-        def compute(x: _Recording):
+        def compute(x: Recording):
             motion = x.motion(accelerating=False)
             return [x.torques(motion, Acting(self.scene, motion).act())]
 
@@ -151,14 +116,14 @@ class _Derivation:
             "effects' torques", "q v", [self._tau()], compute, acted=True)
 
     def _gravity(self) -> Function:
-        def compute(x: _Recording):
+        def compute(x: Recording):
             return [x.torques(x.motion(moving=False, accelerating=False), None)]
 
         return self._function("gravity_torques", "tau that holds the model still against gravity "
                               "alone", "q", [self._tau()], compute)
 
     def _forward(self) -> Function:
-        def compute(x: _Recording):
+        def compute(x: Recording):
             motion = x.motion(accelerating=False)
             acting = Acting(self.scene, motion).act()
             return [forward.accelerations(motion, acting, x.rigids, x.inertias,
@@ -169,7 +134,7 @@ class _Derivation:
             [self.inputs["a"]], compute, acted=True)
 
     def _implicit(self) -> Function:
-        def compute(x: _Recording):
+        def compute(x: Recording):
             motion = x.motion(accelerating=False)
             acting = Acting(self.scene, motion).act()
             zero = [x.recorder.number(0)] * self.tree.nv
@@ -182,7 +147,7 @@ class _Derivation:
             compute, acted=True, internal=True)
 
     def _mass(self) -> Function:
-        def compute(x: _Recording):
+        def compute(x: Recording):
             M = composite.mass_matrix(x.motion(False, False, False), x.rigids, x.inertias)
             return [[entry for row in M for entry in row]]
 
@@ -191,17 +156,17 @@ class _Derivation:
                               [array("M", (nv, nv), "masses in kg, kg m, kg m^2")], compute)
 
     def _energy(self) -> Function:
-        def compute(x: _Recording):
+        def compute(x: Recording):
             motion = x.motion(accelerating=False)
             acting = Acting(self.scene, motion).act()
-            return [[_kinetic(x, motion), _potential(x, motion) + acting.potential()]]
+            return [[energies.kinetic(x, motion), energies.potential(x, motion) + acting.potential()]]
 
         return self._function(
             "energy", "e = (kinetic, potential) energy; of gravity zero where centres of mass are at "
             "the world's origin", "q v", [array("e", (2,), "energies in J")], compute, acted=True)
 
     def _power(self) -> Function:
-        def compute(x: _Recording):
+        def compute(x: Recording):
             motion = x.motion(accelerating=False)
             return [[Acting(self.scene, motion).act().power()]]
 
@@ -210,18 +175,18 @@ class _Derivation:
             "q v", [array("P", (), "power in W")], compute, acted=True)
 
     def _momentum(self) -> Function:
-        def compute(x: _Recording):
-            return [_momentum(x, x.motion(accelerating=False))]
+        def compute(x: Recording):
+            return [energies.momentum(x, x.motion(accelerating=False))]
 
         return self._function(
             "momentum", "c = (p; L): linear momentum, angular momentum about the world's origin, in the "
             "world's frame", "q v", [array("c", (6,), "in kg m/s, kg m^2/s")], compute)
 
     def _poses(self) -> Function:
-        def compute(x: _Recording):
+        def compute(x: Recording):
             motion, found = x.motion(), []
             for body in self.bodies:
-                R, t = _seat_pose(x, motion, body)
+                R, t = frames.pose(x, motion, body)
                 found += [R[3 * i + j] if j < 3 else t[i] for i in range(3) for j in range(4)]
             return [found]
 
@@ -230,13 +195,11 @@ class _Derivation:
                               compute, dynamic=False)
 
     def _twists(self) -> Function:
-        def compute(x: _Recording):
+        def compute(x: Recording):
             motion, found = x.motion(accelerating=False), []
             for body, name in self.bodies.items():
-                number, placement = self.tree.seat_of(body)
                 with x.recorder.part(f"{name}_twist", body):
-                    screw = (*motion.velocity(number), *motion.turning(number))
-                    found += x.recorder.call("product_Adinvs", _row_by_row(x, placement), screw)
+                    found += frames.twist(x, motion, body)
             return [found]
 
         return self._function(
@@ -244,9 +207,9 @@ class _Derivation:
             [array("s", (len(self.bodies), 6), "screws in m/s, rad/s")], compute, dynamic=False)
 
     def _jacobian(self, body: str) -> Function:
-        def compute(x: _Recording):
+        def compute(x: Recording):
             with x.recorder.part(f"{self.bodies[body]}_J", body):
-                columns = _jacobian(x, x.motion(False, False), body)
+                columns = frames.jacobian(x, x.motion(False, False), body)
             return [[columns[j][i] for i in range(6) for j in range(self.tree.nv)]]
 
         return self._function(
@@ -254,7 +217,7 @@ class _Derivation:
             [array("J", (6, self.tree.nv), "screws of the speeds")], compute, dynamic=False)
 
     def _reaction(self, joint: str, name: str) -> Function:
-        def compute(x: _Recording):
+        def compute(x: Recording):
             motion = x.motion()
             acting = Acting(self.scene, motion).act()
             wrenches = inverse.transmitted(
@@ -268,7 +231,7 @@ class _Derivation:
             [array("f", (6,), "coscrew in N, N m")], compute, acted=True)
 
     def _integrated(self) -> Function:
-        def compute(x: _Recording):
+        def compute(x: Recording):
             return [coordinates.integrated(x.recorder, self.tree, self.names)]
 
         return self._function(
@@ -276,7 +239,7 @@ class _Derivation:
             "q + phi", "q phi", [array("qo", (self.tree.nq,), "coordinates")], compute, dynamic=False)
 
     def _chart(self) -> Function:
-        def compute(x: _Recording):
+        def compute(x: Recording):
             return [coordinates.chart_rate(x.recorder, self.tree, self.names)]
 
         return self._function(
@@ -284,77 +247,3 @@ class _Derivation:
             "[phi, [phi, v]]/12, enough for four orders", "v phi",
             [array("u", (self.tree.nv,), "in m/s, rad/s")], compute, dynamic=False, internal=True)
 
-
-def _kinetic(x: _Recording, motion: Motion) -> Number:
-    total = x.recorder.number(0)
-    for number, (rigid, link) in enumerate(zip(x.rigids, x.tree.links, strict=True)):
-        with x.recorder.part(f"{x.names[number]}_kinetic", link.name):
-            if not rigid.vanishes:
-                total = total + kinetic_energy(rigid, motion.velocity(number),
-                                               motion.turning(number))
-            if link.joint.name in x.inertias:
-                v = motion.speeds(number)[0]
-                total = total + x.inertias[link.joint.name] * (v * v) / 2
-    return total
-
-
-def _potential(x: _Recording, motion: Motion) -> Number:
-    """-Σ g·(m t + R h)."""
-    total = x.recorder.number(0)
-    for number, (rigid, link) in enumerate(zip(x.rigids, x.tree.links, strict=True)):
-        with x.recorder.part(f"{x.names[number]}_potential", link.name):
-            R, t = motion.pose(number)
-            moment = add(scaled(rigid.m, t), rotated(R, rigid.h))
-            total = total - dot(motion.gravity, moment)
-    return total
-
-
-def _momentum(x: _Recording, motion: Motion) -> tuple[Number, ...]:
-    total = (*motion.zero, *motion.zero)
-    for number, rigid in enumerate(x.rigids):
-        with x.recorder.part(f"{x.names[number]}_momentum", x.tree.links[number].name):
-            screw = (*motion.velocity(number), *motion.turning(number))
-            own = x.recorder.call("product_Bs", rigid.numbers, screw)
-            R, t = motion.pose(number)
-            force = rotated(R, tuple(own[:3]))
-            total = add(total, (*force, *add(rotated(R, tuple(own[3:])), cross(t, force))))
-    return total
-
-
-def _row_by_row(x: _Recording, placement) -> tuple[Number, ...]:
-    R, t = x.recorder.numbers(placement.R), x.recorder.numbers(placement.t)
-    return tuple(R[3 * i + j] if j < 3 else t[i] for i in range(3) for j in range(4))
-
-
-def _seat_pose(x: _Recording, motion: Motion, body: str):
-    """R and t of a body in the world."""
-    number, placement = x.tree.seat_of(body)
-    R, t = motion.pose(number)
-    with x.recorder.part(f"{x.names[number] if number >= 0 else 'world'}_seat", body):
-        own = x.recorder.numbers(placement.R), x.recorder.numbers(placement.t)
-        return x.recorder.call("product_drdr", R, own[0]), add(t, rotated(R, own[1]))
-
-
-def _jacobian(x: _Recording, motion: Motion, body: str) -> list[Sequence[Number]]:
-    """A column a speed: the joint's screw as the body sees it."""
-    number, placement = x.tree.seat_of(body)
-    R, t = x.recorder.numbers(placement.R), x.recorder.numbers(placement.t)
-    columns: list[Sequence[Number]] = [(*motion.zero, *motion.zero)] * x.tree.nv
-    while number >= 0:
-        link = x.tree.links[number]
-        D = tuple(R[3 * i + j] if j < 3 else t[i] for i in range(3) for j in range(4))
-        for freedom, screw in enumerate(articulated.freedoms(motion, number)):
-            column, place = x.recorder.call("product_Adinvs", D, screw), link.v.start + freedom
-            if link.driver:
-                place = x.tree.links[link.driver.link].v.start
-                column = scaled(column[0].like(link.driver.multiplier), column)
-            columns[place] = add(columns[place], column)
-        own = motion.frame(number)
-        R, t = x.recorder.call("product_drdr", own[0], R), add(own[1], rotated(own[0], t))
-        number = link.parent
-    return columns
-
-
-def effects_of(scene: Scene, name: str) -> tuple[Applied, ...]:
-    """The places where the effect of this name acts."""
-    return tuple(x for x in scene.effects if x.effect.name == name)

@@ -1,23 +1,21 @@
 """Joints that follow others."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 
-from coscrew_codegen.dynamics.model import Joint, Kind, Mimic
+from coscrew_codegen.dynamics.model import Joint, Kind, Mimic, Model
 from coscrew_codegen.dynamics.names import did_you_mean
 from coscrew_codegen.dynamics.assembly import ModelError
 
 
-def without_chains(joints: Sequence[Joint]) -> tuple[Joint, ...]:
-    """The joints, where those that follow a follower follow its leader.
+def without_chains(model: Model) -> Model:
+    """The model, where joints that follow a follower follow its leader.
 
     q2 = α2 q1 + β2, q1 = α1 q0 + β1: q2 = α1 α2 q0 + α2 β1 + β2.  Raises ModelError for leaders
     that do not exist or are no joints with one coordinate, and for followers in a circle."""
-    if not any(joint.mimic for joint in joints):
-        return tuple(joints)
-    by_name = {joint.name: joint for joint in joints}
-    return tuple(replace(joint, mimic=_resolved(joint, by_name)) if joint.mimic else joint
-                 for joint in joints)
+    by_name = {joint.name: joint for joint in model.joints}
+    return replace(model, joints=tuple(
+        replace(joint, mimic=_resolved(joint, by_name)) if joint.mimic else joint
+        for joint in model.joints))
 
 
 def _resolved(follower: Joint, by_name: dict[str, Joint]) -> Mimic:

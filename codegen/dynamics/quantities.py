@@ -49,7 +49,7 @@ class Recorded:
 
 
 def recorded(text: str, scene: Scene) -> Recorded:
-    """What a text such as "q.elbow" names in a scene; QuantityError with the nearest name if none."""
+    """What a text such as "q.elbow" names; raises QuantityError with the nearest name."""
     quantity, _, rest = text.partition(".")
     if quantity in _UNITS:
         return _of_joints(text, quantity, rest, scene)

@@ -12,8 +12,8 @@ DIGITS = 50
 
 SNAP = Fraction(1, 10**11)
 """How near to 0 or ±1 an entry counts as that.  Files write right angles as 1.57079632679, which is
-4.9e-12 off, and matrices computed in doubles hold residues such as 6e-17: a kernel that multiplied by
-these would cost as much as one for slanted axes.  1e-11 rad displaces a point at 100 m by a nanometre."""
+4.9e-12 off, and matrices computed in doubles hold residues such as 6e-17: a kernel that multiplied
+by these would cost as much as one for slanted axes.  1e-11 rad moves a point at 100 m by a nanometre."""
 
 IDENTITY = tuple(Fraction(i % 4 == 0) for i in range(9))
 
@@ -86,8 +86,8 @@ def rotated(R: Entries, moments: Sequence[Fraction]) -> Entries:
 
 
 def snapped(entries: Sequence[Fraction]) -> Entries:
-    """A vector or rotation, or a sine and cosine, with what is within SNAP of 0 set to 0; what stands
-    alone in its row and column then is ±1.
+    """A vector or rotation, or a sine and cosine, with what is within SNAP of 0 set to 0; what
+    stands alone in its row and column then is ±1.
 
     An entry near ±1 alone tells nothing: that of a turn by 1e-6 is within 1e-12 of it."""
     zeros = [Fraction(0) if abs(x) <= SNAP else x for x in entries]
@@ -103,8 +103,8 @@ def snapped(entries: Sequence[Fraction]) -> Entries:
 
 
 def _about(axis: int, angle: Fraction) -> Entries:
-    """The rotation about a coordinate axis; sine and cosine are snapped on their own, so that what is
-    left stays a rotation to 50 digits."""
+    """The rotation about a coordinate axis; sine and cosine are snapped together, so that what is
+    left stays a rotation."""
     if not angle:
         return IDENTITY
     sine, cosine = _sine_cosine(angle)

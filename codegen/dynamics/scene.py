@@ -14,9 +14,9 @@ Setting = Scalar | tuple[Scalar | Formula, ...] | tuple[str, str] | Formula | st
 @dataclass(frozen=True)
 class Applied:
     """An effect where it acts: on a joint, on a body, or under a label of its own (a spring between
-    two bodies); gravity and other effects on everything act on "".  `values` has an entry for each of
-    the effect's parameters, and of two bodies "bodies", their names.  A label tells several of one
-    effect on one body apart."""
+    two bodies); gravity and other effects on everything act on "".  `values` has an entry for each
+    of the effect's parameters, and of two bodies "bodies", their names.  A label tells several of
+    one effect on one body apart."""
 
     effect: Effect
     on: str

@@ -3,12 +3,12 @@
 import keyword
 import re
 
-_C = """alignas alignof asm atomic auto bool break case catch char class compl concept const consteval
-constexpr constinit continue decltype default delete do double dynamic_cast else enum explicit export
-extern false float for friend goto if inline int long main mutable namespace new noexcept nullptr
-operator private protected public register requires restrict return short signed sizeof static struct
-switch template this thread_local throw true try typedef typeid typename typeof union unsigned using
-virtual void volatile wchar_t while""".split()
+_C = """alignas alignof asm atomic auto bool break case catch char class compl concept const
+consteval constexpr constinit continue decltype default delete do double dynamic_cast else
+enum explicit export extern false float for friend goto if inline int long main mutable
+namespace new noexcept nullptr operator private protected public register requires restrict
+return short signed sizeof static struct switch template this thread_local throw true try
+typedef typeid typename typeof union unsigned using virtual void volatile wchar_t while""".split()
 _PACKAGES = ("coscrew", "coscrew_codegen", "numpy", "scipy")  # that scenes' own packages import
 _TAKEN = frozenset((*_C, *_PACKAGES, *keyword.kwlist, *keyword.softkwlist))
 _LONGEST = 40

@@ -3,15 +3,16 @@
 import math
 from fractions import Fraction
 
+from coscrew_codegen.dynamics.effect import ParameterOf
 from coscrew_codegen.dynamics.formulas import Formula, FormulaError
 from coscrew_codegen.dynamics.model import WORLD
 from coscrew_codegen.dynamics.scene import Setting
-from coscrew_codegen.dynamics.effect import ParameterOf
 from coscrew_codegen.scene_files.errors import shown
 from coscrew_codegen.scene_files.tables import Decimals, Table, described
 
 
-def setting(table: Table, parameter: ParameterOf, value: object, bodies: tuple[str, ...]) -> Setting:
+def setting(table: Table, parameter: ParameterOf, value: object, bodies: tuple[str, ...]
+            ) -> Setting:
     """What a file gives for a parameter; SceneError if it is not of the parameter's kind."""
     key, kind = parameter.name, parameter.kind
     if kind == "vector":

@@ -13,7 +13,8 @@ from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.xml import read_bytes
 
 SIZE = 2**20  # bytes
-_DOTS = re.compile(r"(?:[\w\"'-]+[ \t]*\.[ \t]*){30}")  # keys of keys, which tomllib nests
+_DOTS = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){30}""")
+"""Keys of keys of keys, on which tomllib spends quadratic time."""
 
 
 class Decimals(str):
@@ -44,7 +45,7 @@ class Table:
 
     def key(self, key: str) -> str:
         """The key as a file would write it in full."""
-        parts = [self.where, key if re.fullmatch(r"[\w-]*", key) else shown(key)]
+        parts = [self.where, key if re.fullmatch(r"[\w-]{0,60}", key) else shown(key)]
         return ".".join(part for part in parts if part)
 
     def missing(self, key: str, wanted: str) -> NoReturn:
@@ -168,7 +169,7 @@ def read_toml(path: Path) -> Table:
         text = read_bytes(path, SIZE).decode("utf-8-sig").replace("\r\n", "\n")
         if found := _DOTS.search(text):
             line = text.count("\n", 0, found.start()) + 1
-            raise SceneError(path, f"line {line}", "a key of more than 30 parts; wanted a shorter one")
+            raise SceneError(path, f"line {line}", "a key of more than 30 parts; wanted fewer")
         return Table(path, "", tomllib.loads(text, parse_float=Decimals))
     except SceneError:
         raise

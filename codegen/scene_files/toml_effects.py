@@ -1,30 +1,18 @@
 """The tables [effects.*] of a scene file as Applied effects.
 
-An effect on joints or bodies is given for several at once, with `joints = "all"` or a list of them, or
-by tables of its parameters ({ elbow = 0.1 }); or in tables of its own, [effects.stribeck.elbow].
+An effect on joints or bodies is given for several at once, with `joints = "all"` or a list of them,
+or by tables of its parameters ({ elbow = 0.1 }); or in tables of its own, [effects.stribeck.elbow].
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
-from fractions import Fraction
-from functools import cached_property
 
-from coscrew_codegen.dynamics.model import WORLD, Joint, Kind, Model
+from coscrew_codegen.dynamics.effect import Effect, Place
+from coscrew_codegen.dynamics.model import WORLD, Model
 from coscrew_codegen.dynamics.names import did_you_mean
 from coscrew_codegen.dynamics.quantities import expected, recorded
-from coscrew_codegen.dynamics.scene import Applied, Scene, Setting
-from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place
-from coscrew_codegen.scene_files import settings
+from coscrew_codegen.dynamics.scene import Applied, Scene
+from coscrew_codegen.scene_files.effect_table import ALL, MODEL, EffectTable, Use
 from coscrew_codegen.scene_files.tables import Table, described
-
-ALL, MODEL = "all", "model"
-
-
-@dataclass
-class Use:
-    """What the effects take from the model: (joint, field), as they are read."""
-
-    of_model: set[tuple[str, str]] = field(default_factory=set)
 
 
 def read_effects(effects: Table, model: Model, catalogue: tuple[Effect, ...], use: Use
@@ -38,111 +26,12 @@ def read_effects(effects: Table, model: Model, catalogue: tuple[Effect, ...], us
     found: list[Applied] = []
     for effect in catalogue:
         if effect.name in effects:
-            reading = _Reading(effect, effects.table(effect.name), model, use)
+            reading = EffectTable(effect, effects.table(effect.name), model, use)
             found += readers[effect.place](reading)
     return tuple(found)
 
 
-@dataclass(frozen=True)
-class _Reading:
-    """One effect's table."""
-
-    effect: Effect
-    table: Table
-    model: Model
-    use: Use
-
-    @cached_property
-    def bodies(self) -> tuple[str, ...]:
-        return tuple(body.name for body in self.model.bodies)
-
-    @cached_property
-    def targets(self) -> Mapping[str, Joint | None]:
-        """What the effect can act on, in the model's order: joints, or bodies."""
-        if self.effect.place is Place.JOINT:
-            return {joint.name: joint for joint in self.model.joints if self.suits(joint)}
-        return dict.fromkeys(self.bodies)
-
-    @property
-    def what(self) -> str:
-        return "joint" if self.effect.place is Place.JOINT else "body"
-
-    @property
-    def several(self) -> str:
-        return "joints" if self.effect.place is Place.JOINT else "bodies"
-
-    @property
-    def parameters(self) -> tuple[str, ...]:
-        return tuple(parameter.name for parameter in self.effect.parameters)
-
-    def suits(self, joint: Joint) -> bool:
-        if self.effect.mimic:
-            return joint.mimic is not None
-        if self.effect.reaction:
-            return joint.kind is not Kind.FIXED
-        return joint.kind in (Kind.REVOLUTE, Kind.PRISMATIC)
-
-    def target(self, table: Table, key: str, name: str) -> str:
-        """The name, if the effect can act on it."""
-        for joint in self.model.joints if self.what == "joint" else ():
-            if joint.name == name and not self.suits(joint):
-                why = "mimics no other" if self.effect.mimic else f"is {joint.kind.value}"
-                table.refuse(key, f"{self.effect.name} cannot act on joint {name!r}, which {why}")
-        return table.known(key, name, self.what, self.targets)
-
-    def values(self, table: Table, given: Mapping[str, object], target: str,
-               named: bool = True) -> dict[str, Setting] | None:
-        """The parameters' values; None if the model lacks one, and the target was not named."""
-        kind = self._kind(table, given)
-        values: dict[str, Setting] = {}
-        read: set[tuple[str, str]] = set()
-        for parameter in self.effect.parameters:
-            name = parameter.name
-            if parameter.of and kind not in parameter.of:
-                if name in given:
-                    table.refuse(name, f"is for kind = {' or '.join(map(repr, parameter.of))}; "
-                                       f"the kind is {kind!r}")
-                values[name] = None
-            elif parameter.model and given.get(name, parameter.default) == MODEL:
-                number = self._of_model(table, parameter, target, named)
-                if number is None and parameter.required:
-                    return None
-                values[name] = number
-                read.add((target, parameter.model))
-            elif name in given:
-                values[name] = settings.setting(table, parameter, given[name], self.bodies)
-            else:
-                values[name] = settings.default(table, parameter)
-        if self.effect.any_of and all(values[name] is None for name in self.effect.any_of):
-            if named:
-                table.missing(self.effect.any_of[0], f"{' or '.join(self.effect.any_of)}")
-            return None
-        self.use.of_model |= read | ({(target, "mimic")} if self.effect.mimic else set())
-        return values
-
-    def _kind(self, table: Table, given: Mapping[str, object]) -> str:
-        """The choice that parameters belong to."""
-        for parameter in self.effect.parameters:
-            if parameter.name == "kind" and any(other.of for other in self.effect.parameters):
-                if "kind" in given:
-                    return settings.setting(table, parameter, given["kind"], ())
-                return settings.default(table, parameter)
-        return ""
-
-    def _of_model(self, table: Table, parameter: ParameterOf, target: str, named: bool
-                  ) -> Fraction | None:
-        """The model's number for a parameter; None if there is none, which for a joint that was
-        named is an error where the effect needs it."""
-        number = getattr(self.targets.get(target), parameter.model, None)
-        if number is not None:
-            settings.refuse_sign(table, parameter, number, f" of {self.what} {target!r}")
-        elif named and parameter.required:
-            table.refuse(parameter.name, f"the model has no {parameter.model} for {self.what} "
-                                         f"{target!r}; wanted a number")
-        return number
-
-
-def _on_scene(reading: _Reading) -> list[Applied]:
+def _on_scene(reading: EffectTable) -> list[Applied]:
     """[effects.gravity] g = …"""
     table = reading.table
     table.only(*reading.parameters)
@@ -152,7 +41,7 @@ def _on_scene(reading: _Reading) -> list[Applied]:
     return [applied]
 
 
-def _on_several(reading: _Reading) -> list[Applied]:
+def _on_several(reading: EffectTable) -> list[Applied]:
     """[effects.viscous] joints = …, d = …, and [effects.viscous.elbow] d = …"""
     table = reading.table
     plain = {key: value for key, value in table.values.items()
@@ -172,7 +61,7 @@ def _on_several(reading: _Reading) -> list[Applied]:
     return found
 
 
-def _in_own_table(reading: _Reading, key: str, value: object) -> Applied:
+def _in_own_table(reading: EffectTable, key: str, value: object) -> Applied:
     """[effects.viscous.elbow], or under a label [effects.wrench.push] body = "tool"."""
     table = reading.table
     if not isinstance(value, dict):
@@ -192,7 +81,7 @@ def _in_own_table(reading: _Reading, key: str, value: object) -> Applied:
     return Applied(reading.effect, on, reading.values(own, own.values, on))
 
 
-def _on_named(reading: _Reading, plain: Mapping[str, object]) -> Iterator[Applied]:
+def _on_named(reading: EffectTable, plain: Mapping[str, object]) -> Iterator[Applied]:
     """joints = "all" or a list, or the joints that tables of parameters name."""
     if not plain:
         return
@@ -225,7 +114,7 @@ def _on_named(reading: _Reading, plain: Mapping[str, object]) -> Iterator[Applie
                          f"wanted numbers, or no {reading.effect.name}")
 
 
-def _chosen(reading: _Reading, several: object, by_target: Mapping[str, Table]
+def _chosen(reading: EffectTable, several: object, by_target: Mapping[str, Table]
             ) -> tuple[tuple[str, ...], bool]:
     """The targets in the model's order, and whether they were named one by one."""
     table = reading.table
@@ -245,13 +134,13 @@ def _chosen(reading: _Reading, several: object, by_target: Mapping[str, Table]
     return tuple(name for name in reading.targets if name in names), True
 
 
-def _refuse_nowhere(reading: _Reading) -> None:
+def _refuse_nowhere(reading: EffectTable) -> None:
     name = reading.table.where
     reading.table.missing(reading.several, f'{reading.several} = "{ALL}", a list of names, or '
                                            f"tables [{name}.{reading.what.upper()}]")
 
 
-def _on_pairs(reading: _Reading) -> list[Applied]:
+def _on_pairs(reading: EffectTable) -> list[Applied]:
     """[effects.tendon.LABEL] bodies = [a, b], …"""
     found = []
     if not reading.table.values:

@@ -34,7 +34,7 @@ def read_model(file: Table, name: str, base: Kind) -> Model:
     bodies = tuple(_body(name, table) for name, table in file.tables("bodies"))
     joints = tuple(_joint(name, table) for name, table in file.tables("joints"))
     try:
-        model = assembled(name, bodies, without_chains(joints), base)
+        model = without_chains(assembled(name, bodies, joints, base))
         refuse_impossible(model)
     except ModelError as error:
         raise SceneError(file.file, error.element, error.problem) from None

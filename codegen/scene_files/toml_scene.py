@@ -6,17 +6,18 @@ from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
+from coscrew_codegen.dynamics.effect import Effect
 from coscrew_codegen.dynamics.model import Joint, Kind, Model
 from coscrew_codegen.dynamics.possible import unmoved_mass
 from coscrew_codegen.dynamics.quantities import QuantityError, expected, followers, recorded
 from coscrew_codegen.dynamics.rotations import unit
 from coscrew_codegen.dynamics.scene import Expectation, Run, Scene
-from coscrew_codegen.dynamics.effect import Effect
+from coscrew_codegen.scene_files.effect_table import Use
 from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.identifiers import identifier, refused
 from coscrew_codegen.scene_files.runtime import with_parameters
 from coscrew_codegen.scene_files.tables import Table, described, read_toml
-from coscrew_codegen.scene_files.toml_effects import Use, read_effects, with_reactions
+from coscrew_codegen.scene_files.toml_effects import read_effects, with_reactions
 from coscrew_codegen.scene_files.toml_model import read_model, refuse_not_unit
 from coscrew_codegen.scene_files.unused import unused
 from coscrew_codegen.scene_files.urdf import read_urdf

@@ -1,14 +1,14 @@
-"""Physical numbers of a model that a scene does not use: they are told, never dropped in silence."""
+"""Physical numbers of a model that a scene does not use: told, never dropped in silence."""
 
-from coscrew_codegen.dynamics.model import Joint, Kind, Model
 from coscrew_codegen.dynamics.effect import Effect
+from coscrew_codegen.dynamics.model import Joint, Kind, Model
 
 _FIELDS = ("damping", "friction", "effort", "velocity", "lower", "upper")
 
 
 def unused(model: Model, used: set[tuple[str, str]], catalogue: tuple[Effect, ...]
            ) -> tuple[str, ...]:
-    """One line for each number that is in no `used` (joint, field), with the effect that would use it.
+    """One line for each number whose (joint, field) is not `used`, with the effect to add for it.
 
     Damping and friction of zero are nothing to use."""
     lines = []

@@ -58,7 +58,7 @@ class _Urdf:
 
     def model(self, base: Kind) -> Model:
         if self.root.tag != "robot":
-            self._refuse(self.root, "", f"the root element is <{self.root.tag[:60]}>; wanted <robot>")
+            self._refuse(self.root, "", f"the root is <{self.root.tag[:60]}>; wanted <robot>")
         for child in self.root.children:
             if child.tag.startswith("xacro:"):
                 self._refuse(child, "", f"<{child.tag[:60]}>: expand the file with xacro first")
@@ -66,9 +66,9 @@ class _Urdf:
         lines = {f"body {e.attributes.get('name')!r}": e for e in reversed(links)}
         lines |= {f"joint {e.attributes.get('name')!r}": e for e in reversed(joints)}
         try:
-            model = assembled(self.root.attributes.get("name", self.path.stem),
-                         tuple(self._body(link) for link in links),
-                         without_chains(tuple(self._joint(joint) for joint in joints)), base)
+            model = without_chains(assembled(
+                self.root.attributes.get("name", self.path.stem), tuple(map(self._body, links)),
+                tuple(map(self._joint, joints)), base))
             refuse_impossible(model)
         except ModelError as error:
             self._refuse(lines.get(error.element, self.root), error.element, error.problem)
@@ -167,7 +167,7 @@ class _Urdf:
     def _name(self, owner: Element) -> str:
         name = self._text(owner, "name", f"<{owner.tag}>")
         if not name.isprintable():
-            self._refuse(owner, f"<{owner.tag}>", f"name {shown(name)}; wanted printable characters")
+            self._refuse(owner, f"<{owner.tag}>", f"name {shown(name)}; wanted one line")
         return name
 
     def _text(self, owner: Element, attribute: str, element: str) -> str:
@@ -202,7 +202,8 @@ class _Urdf:
 
         return self._read(owner, attribute, element, three)
 
-    def _read(self, owner: Element, attribute: str, element: str, reader: Callable[[str], _T]) -> _T:
+    def _read(self, owner: Element, attribute: str, element: str,
+              reader: Callable[[str], _T]) -> _T:
         text = self._text(owner, attribute, element)
         try:
             return reader(text)
@@ -226,10 +227,11 @@ class _Urdf:
         """Elements of simulators are passed over, but not those that are a slip of the pen."""
         for child in owner.children:
             if child.tag not in _PARTS[owner.tag]:
-                near = get_close_matches(child.tag[:60].lower(), _PARTS[owner.tag], n=1, cutoff=0.75)
+                tag = child.tag[:60]
+                near = get_close_matches(tag.lower(), _PARTS[owner.tag], n=1, cutoff=0.75)
                 if near:
-                    self._refuse(child, element, f"unknown element <{child.tag[:60]}>; "
-                                                 f"did you mean <{near[0]}>?")
+                    self._refuse(child, element,
+                                 f"unknown element <{tag}>; did you mean <{near[0]}>?")
 
     def _refuse(self, at: Element, element: str, problem: str) -> NoReturn:
         where = f"line {at.line}, {element}" if element else f"line {at.line}"

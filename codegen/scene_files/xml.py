@@ -48,8 +48,8 @@ def read_xml(path: Path, ignored: frozenset[str]) -> Element:
         raise SceneError(path, f"line {error.getLineNumber()}",
                          f"{error.getMessage()}; wanted well-formed XML") from None
     except DefusedXmlException:
-        raise SceneError(path, f"line {parser.getLineNumber()}", "holds a document type (<!DOCTYPE) "
-                         "or entities; wanted XML without them") from None
+        raise SceneError(path, f"line {parser.getLineNumber()}", "holds a document type "
+                         "(<!DOCTYPE) or entities; wanted XML without them") from None
     except (SAXException, LookupError, ValueError) as error:
         if isinstance(error, SceneError):
             raise

@@ -120,7 +120,8 @@ def _along(system: System, planned: Plan, trajectory: Trajectory) -> Along:
         finer = replace(planned, step=planned.step / _FINER, every=planned.every / _FINER)
         step = f"step {planned.step:g} s"
     again = _integrated(system, finer)
-    round_trip, condition, at = _matrices(system, trajectory)
+    with np.errstate(all="ignore"):  # a run that stopped ends with huge numbers
+        round_trip, condition, at = _matrices(system, trajectory)
     return Along(system.precision.name, step, trajectory.stopped, balance(system, trajectory),
                  balance(system, again), round_trip, condition, at)
 

@@ -39,9 +39,11 @@ def _lines(axes: Axes, recordings: Sequence[Recording], columns: Sequence[Column
     for recording, dash in zip(recordings, _DASHES):
         for i, column in enumerate(columns):
             values = np.ma.masked_invalid(recording.of(column.name))
-            named = recording is recordings[0] and i < _MOST_NAMED
+            first = recording is recordings[0]
+            named = first and i < _MOST_NAMED
             axes.plot(recording.t, values, dash, color=f"C{i % 10}", linewidth=1,
-                      label=_escaped(column.name) if named else "_", gid=column.name)
+                      label=_escaped(column.name) if named else "_",
+                      gid=column.name if first else f"{column.name} single")
     if len(columns) > 1 or columns[0].name != columns[0].quantity:
         more = len(columns) - _MOST_NAMED
         axes.legend(frameon=False, fontsize=7, loc="upper left", bbox_to_anchor=(1, 1),

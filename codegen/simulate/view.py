@@ -23,6 +23,7 @@ from coscrew_codegen.simulate.write import delivered
 _FRAMES_A_SECOND = 60
 _MOST_NUMBERS = 2_000_000  # of poses: 8 MB, more than enough for a minute of thirty bodies
 _THIN = 0.06  # of a box's longest side, or for a point mass of the model's size
+_LEAST_SHOWN = 3.0  # s that a playback takes before anybody chooses its speed
 _SPEEDS = ((0.1, "0.1×"), (0.25, "0.25×"), (0.5, "0.5×"), (1, "1×"), (2, "2×"), (5, "5×"))
 
 
@@ -46,21 +47,30 @@ def view(system: System, trajectory: Trajectory, provenance: Provenance, path: P
 def page(system: System, trajectory: Trajectory, provenance: Provenance) -> str:
     """The page's text."""
     scene, names = system.scene, [body.name for body in system.scene.model.bodies]
-    frames = _frames(trajectory.t, len(names))
-    t, q, v = trajectory.t[frames], trajectory.q[frames], trajectory.v[frames]
+    t, q, v, poses = _shown(system, trajectory)
     kinetic, potential = system.energies(t, q, v)
     energies = {"kinetic": kinetic, "potential": potential, "total": kinetic + potential}
-    data = {"t": _packed(t, "<f8"), "poses": _packed(_poses(system, t, q), "<f4"),
+    data = {"t": _packed(t, "<f8"), "poses": _packed(poses, "<f4"),
             "energies": {name: _packed(values, "<f8") for name, values in energies.items()},
             "bodies": names, "up": _up(system), **asdict(drawn(system)),
             "labels": _labels(system)}
     count = len(names)
     sentence = (f"{count} {'body' if count == 1 else 'bodies'}, {trajectory.t[-1]:g} s, "
                 f"{dict(provenance)['integrator']}, {system.precision.name} precision.")
-    return render("view/page.html", name=scene.name, sentence=sentence, bodies=names,
+    speed = max((x for x, _ in _SPEEDS if x <= 1 and x * _LEAST_SHOWN <= t[-1]), default=_SPEEDS[0][0])
+    return render("view/page.html", speed=speed, name=scene.name, sentence=sentence, bodies=names,
                   stopped=trajectory.stopped, speeds=_SPEEDS, energies=tuple(energies),
                   provenance=provenance, data=json.dumps(data, allow_nan=False, separators=(
                       ",", ":")).replace("<", "\\u003c"))
+
+
+def _shown(system: System, trajectory: Trajectory) -> tuple[np.ndarray, ...]:
+    """t, q, v and poses of the frames, up to the first whose poses overflow."""
+    frames = _frames(trajectory.t, len(system.scene.model.bodies))
+    t, q, v = (x[frames] for x in (trajectory.t, trajectory.q, trajectory.v))
+    poses = _poses(system, t, q)
+    count = max(1, int(np.argmin([*np.isfinite(poses).all((1, 2)), False])))
+    return t[:count], q[:count], v[:count], poses[:count]
 
 
 def _frames(t: np.ndarray, bodies: int) -> np.ndarray:
@@ -74,10 +84,12 @@ def _packed(numbers: np.ndarray, kind: str) -> str:
 
 
 def _poses(system: System, t: np.ndarray, q: np.ndarray) -> np.ndarray:
-    """Position and unit quaternion of each body at each time.  (frames, bodies, 7)."""
+    """Position and unit quaternion of each body at each time, in single precision, of which there is
+    more than pixels show.  (frames, bodies, 7)."""
     D = np.asarray(system.call("body_poses", t=t, q=q), float).reshape(len(q), -1, 3, 4)
     turned = coscrew.double.quaternion_from_mat3x3(D[..., :3])
-    return np.concatenate((D[..., 3], turned), -1)
+    with np.errstate(over="ignore"):
+        return np.concatenate((D[..., 3], turned), -1).astype(np.float32)
 
 
 def _up(system: System) -> list[float]:

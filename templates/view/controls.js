@@ -3,7 +3,11 @@
 
 $("play").addEventListener("click", () => play(!state.playing));
 $("start").addEventListener("click", () => { play(false); seek(0); });
-$("time").addEventListener("input", () => { play(false); seek(Number($("time").value) * end); });
+$("time").addEventListener("input", () => {
+  const time = Number($("time").value) * end;  // before the page shows the old one again
+  play(false);
+  seek(time);
+});
 $("speed").addEventListener("change", () => { state.speed = Number($("speed").value); });
 $("names").addEventListener("change", draw);
 $("reset").addEventListener("click", () => { Object.assign(view, home); draw(); });

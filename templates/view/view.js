@@ -15,7 +15,7 @@ const canvas = $("space"), context = canvas.getContext("2d");
 const stored = (frame, body) => Array.from(
   poses.subarray(7 * (frame * count + body), 7 * (frame * count + body) + 7));
 
-const state = { time: 0, playing: false, speed: 1, frame: 0, last: null };
+const state = { time: 0, playing: false, speed: Number($("speed").value), last: null };
 const { target, distance, floor } = framing();
 const view = camera(target, distance, data.up), home = { ...view };
 

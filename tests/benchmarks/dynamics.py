@@ -11,14 +11,18 @@ import shutil
 import subprocess
 import timeit
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 
 import mujoco
 import numpy as np
 import pinocchio as pin
 from tabulate import tabulate
-from tests.test_pinocchio import path_of, robot
+from tests.robots import FOLDER, path_of, robot, scene_of
 
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.dynamics.scene import Applied, Scene
+from coscrew_codegen.effects import EFFECTS
 from coscrew_codegen.program import Op
 from coscrew_codegen.scene_layout import c_files
 from coscrew_codegen.simulate.load import Kernels, kernels_of
@@ -31,6 +35,7 @@ BUILD = Path(__file__).parents[2] / "build"
 DEFINED = ("BOOST_MPL_LIMIT_LIST_SIZE=30", "BOOST_MPL_LIMIT_VECTOR_SIZE=30",
            "BOOST_MPL_CFG_NO_PREPROCESSED_HEADERS", "BOOST_FUSION_INVOKE_MAX_ARITY=12",
            "PINOCCHIO_ENABLE_TEMPLATE_INSTANTIATION", "PINOCCHIO_WITH_URDFDOM")
+PASSIVE = (("viscous", "d", Fraction(1, 2)), ("armature", "inertia", Fraction(1, 10)))
 FLAGS = ("-std=c11", "-O3", "-march=native", "-ffp-contract=off", "-shared", "-fPIC")
 
 
@@ -49,9 +54,10 @@ def main() -> None:
     print("\nFrom Python, µs a call; ratio: time of Pinocchio's / ours")
     print(tabulate([row for name, x in kernels.items() for row in _from_python(name, x)],
                    ("robot", "function", "ours", "pinocchio", "ratio"), floatfmt=".2f"))
-    print("\nA semi-implicit step of 1 ms under gravity, µs; MuJoCo: mj_step without contacts")
-    print(tabulate([_step(name, kernels[name]) for name in ("ur5", "panda")],
-                   ("robot", "ours", "mujoco", "ratio"), floatfmt=".2f"))
+    print("\nA step of 1 ms, µs, semi-implicit under gravity alone, linearly implicit with damping and "
+          "armature, too;\nMuJoCo: mj_step without contacts")
+    print(tabulate([_step(name, effects) for name in ("ur5", "panda") for effects in ((), PASSIVE)],
+                   ("robot", "effects", "ours", "mujoco", "ratio"), floatfmt=".2f"))
 
 
 def _programs(x: Kernels):
@@ -71,7 +77,7 @@ def _program() -> Path | None:
     source = Path(__file__).with_suffix(".cpp")
     if program.exists() and program.stat().st_mtime > source.stat().st_mtime:
         return program
-    prefix = path_of(ROBOTS["ur5"][0]).parents[5]
+    prefix = FOLDER.parents[2]
     command = ["g++", "-std=c++17", "-O3", "-DNDEBUG", "-w", *(f"-D{x}" for x in DEFINED),
                f"-I{prefix}/include", "-I/usr/include/eigen3", str(source), "-o", str(program),
                f"-L{prefix}/lib", f"-Wl,-rpath,{prefix}/lib", "-lpinocchio_default",
@@ -125,23 +131,37 @@ def _microseconds(call, number: int = 2000) -> float:
     return min(timeit.repeat(call, number=number, repeat=20)) / number * 1e6
 
 
-def _step(name: str, x: Kernels):
-    """A step of ours, in a loop of C, and one of MuJoCo's, in its own."""
+def _step(name: str, effects: tuple[tuple[str, str, Fraction], ...]):
+    """A step of ours, of many states in a loop of C, and one of MuJoCo's, in its own."""
     model = mujoco.MjModel.from_xml_string(_without_meshes(path_of(ROBOTS[name][0]).read_text()))
     model.opt.timestep = 1e-3
     model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
-    model.dof_damping[:] = 0
-    model.dof_frictionloss[:] = 0
-    model.jnt_limited[:] = 0
+    values = {key: float(value) for _, key, value in effects}
+    model.dof_damping[:], model.dof_armature[:] = values.get("d", 0), values.get("inertia", 0)
+    model.dof_frictionloss[:], model.jnt_limited[:] = 0, 0
     data = mujoco.MjData(model)
     steps, count = 1000, 100
     theirs = min(timeit.repeat(lambda: mujoco.mj_step(model, data, steps),
-                               lambda: mujoco.mj_resetData(model, data), number=1, repeat=20)) / steps
+                               lambda: mujoco.mj_resetData(model, data), number=1, repeat=20))
+    x = kernels_of(derive(_with(name, effects)))
     q = np.tile(np.array(x.functions.neutral), (count, 1))
     v = np.zeros((count, x.functions.nv))
-    step = x.double.step_semi_implicit_euler
+    step = x.double.step_linear_implicit_euler if effects else x.double.step_semi_implicit_euler
     ours = min(timeit.repeat(lambda: step(1e-3, q, v), number=10, repeat=50)) / 10 / count
-    return name, ours * 1e6, theirs * 1e6, theirs / ours
+    names = ", ".join(("gravity", *(effect for effect, _, _ in effects)))
+    return name, names, ours * 1e6, theirs / steps * 1e6, theirs / steps / ours
+
+
+def _with(name: str, effects: tuple[tuple[str, str, Fraction], ...]) -> Scene:
+    """The robot's scene with these effects on each of its joints."""
+    scene = replace(scene_of(ROBOTS[name][0]), name=name)
+    known = {effect.name: effect for effect in EFFECTS}
+    joints = [c.joint for c in robot(ROBOTS[name][0], False, False).functions.coordinates]
+    applied = []
+    for effect, key, value in effects:
+        unset = {p.name: p.default for p in known[effect].parameters}
+        applied += [Applied(known[effect], joint, {**unset, key: value}) for joint in joints]
+    return replace(scene, effects=(*scene.effects, *applied))
 
 
 def _without_meshes(text: str) -> str:

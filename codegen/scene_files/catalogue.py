@@ -1,0 +1,80 @@
+"""`coscrew effects`: the catalogue of effects, as scene files write them."""
+
+import argparse
+import os
+import sys
+import textwrap
+from collections.abc import Iterator
+from fractions import Fraction
+
+from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place
+from coscrew_codegen.dynamics.names import did_you_mean
+from coscrew_codegen.effects import EFFECTS
+from coscrew_codegen.scene_files.errors import SceneError
+
+WIDTH = 96
+
+_WHERE = {
+    Place.SCENE: "[effects.{0}]",
+    Place.JOINT: "[effects.{0}] joints = …, or [effects.{0}.JOINT]",
+    Place.BODY: "[effects.{0}] bodies = …, [effects.{0}.BODY], or [effects.{0}.LABEL] body = …",
+    Place.PAIR: "[effects.{0}.LABEL] bodies = [A, B]"}
+
+
+def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add `effects` to the command line."""
+    parser = commands.add_parser("effects", help="print the effects scenes may call for",
+                                 description="Print effects: equations, parameters, units.")
+    parser.add_argument("names", metavar="NAME", nargs="*", help="only these (default: all)")
+    parser.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Print the effects named, or all.  Raises SceneError for a name that means nothing."""
+    known = {effect.name: effect for effect in EFFECTS}
+    for name in options.names:
+        if name not in known:
+            raise SceneError("coscrew effects", name, f"no such effect; {did_you_mean(name, known)}")
+    chosen = [known[name] for name in options.names] or EFFECTS
+    try:
+        print("\n\n".join("\n".join(described(effect)) for effect in chosen), flush=True)
+    except BrokenPipeError:  # `coscrew effects | head`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return 0
+
+
+def described(effect: Effect) -> Iterator[str]:
+    """The lines of one effect."""
+    yield f"{effect.name}: {effect.words}"
+    yield from textwrap.wrap(effect.equation, WIDTH, initial_indent="    ",
+                             subsequent_indent="        ")
+    yield f"    {_WHERE[effect.place].format(effect.name)}"
+    for parameter in effect.parameters:
+        yield from textwrap.wrap(_line(parameter), WIDTH, initial_indent="      ",
+                                 subsequent_indent="          ")
+    if effect.any_of:
+        yield f"      at least one of {', '.join(effect.any_of)}"
+
+
+def _line(parameter: ParameterOf) -> str:
+    unit = f" [{parameter.unit}]" if parameter.unit else ""
+    kinds = {"vector": "three numbers", "formula": "a number or a function of t",
+             "formulas": "three numbers or functions of t"}
+    notes = [kinds[parameter.kind]] if parameter.kind in kinds else []
+    if parameter.choices:
+        notes.append(" | ".join(parameter.choices))
+    if parameter.of:
+        notes.append(f"for {' and '.join(parameter.of)}")
+    if parameter.model:
+        notes.append(f'"model": the joint\'s {parameter.model}')
+    if parameter.default is not None:
+        notes.append(f"default {_written(parameter.default)}")
+    elif not parameter.required:
+        notes.append("may be left out")
+    return f"{parameter.name}{unit}: {parameter.words}" + (f" ({'; '.join(notes)})" if notes else "")
+
+
+def _written(value: object) -> str:
+    if isinstance(value, tuple):
+        return f"[{', '.join(map(_written, value))}]"
+    return f"{float(value):g}" if isinstance(value, (int, Fraction)) else str(value)

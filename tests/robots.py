@@ -1,0 +1,138 @@
+"""The robots of example-robot-data, which comes with Pinocchio, in both libraries.
+
+Ours snaps entries of rotations within 1e-11 of 0 and ±1, so Pinocchio gets the files with right angles
+written in full: 1.57079632679 as 1.5707963267948966.
+"""
+
+import re
+import sysconfig
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pinocchio as pin
+
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.dynamics.model import WORLD, Joint, Kind
+from coscrew_codegen.dynamics.scene import Applied, Scene
+from coscrew_codegen.effects import EFFECTS
+from coscrew_codegen.scene_files.urdf import read_urdf
+from coscrew_codegen.scene_functions import SceneFunctions
+
+FOLDER = Path(sysconfig.get_path("purelib"), "cmeel.prefix/share/example-robot-data/robots")
+
+
+def robots() -> tuple[Path, ...]:
+    """All URDF files, in order; none without the package."""
+    return tuple(sorted(FOLDER.rglob("*.urdf")))
+
+
+def path_of(file: str) -> Path:
+    """A robot's file."""
+    return FOLDER / file
+
+
+@dataclass(frozen=True)
+class Robot:
+    """A robot as both see it.  `follow` maps our speeds to Pinocchio's."""
+
+    functions: SceneFunctions
+    model: "pin.Model"
+    follow: np.ndarray
+    offset: np.ndarray  # of Pinocchio's coordinates with one number, by speed
+
+    def states(self, count: int, seed: int = 0):
+        """Random q, v, a of ours, a row a state, each number a float32."""
+        rng = np.random.default_rng(seed)
+        f = self.functions
+        q = rng.uniform(-2, 2, (count, f.nq))
+        for c in f.coordinates:
+            if c.kind in ("free", "spherical"):
+                x = q[:, c.q.stop - 4:c.q.stop]
+                x /= np.linalg.norm(x, axis=1)[:, None]
+        v, a = rng.uniform(-2, 2, (2, count, f.nv))
+        return q, v, a
+
+    def theirs(self, q: np.ndarray) -> np.ndarray:
+        """q as Pinocchio orders it."""
+        model, f = self.model, self.functions
+        found = pin.neutral(model)
+        one = np.zeros(f.nv)  # coordinates with one number, at their speeds' places
+        for c in f.coordinates:
+            if c.kind == "free":
+                x = q[c.q.start:c.q.stop]
+                found[:7] = [*x[:3], *x[4:], x[3]]
+            else:
+                one[c.v.start] = q[c.q.start]
+        values = self.follow @ one + self.offset
+        for joint in model.joints:
+            if joint.nv == 1:
+                x = values[joint.idx_v]
+                found[joint.idx_q:joint.idx_q + joint.nq] = (
+                    x if joint.nq == 1 else (np.cos(x), np.sin(x)))
+        return found
+
+
+def _in_full(text: str) -> str:
+    """The text with right angles written in full."""
+    def angle(found: re.Match) -> str:
+        x = float(found[0])
+        near = round(x / (np.pi / 2)) * np.pi / 2
+        return repr(near) if near and abs(x - near) < 1e-11 else found[0]
+
+    return re.sub(r'rpy\s*=\s*"[^"]*"',
+                  lambda found: re.sub(r"[-+0-9.eE]+", _safely(angle), found[0].split("=")[1])
+                  .join(("rpy=", "")), text)
+
+
+def _safely(function):
+    def apply(found: re.Match) -> str:
+        try:
+            return function(found)
+        except ValueError:
+            return found[0]
+    return apply
+
+
+def scene_of(file: str, free: bool = False, mimics: bool = False) -> Scene:
+    """The robot under gravity; its base free or not; with followers following or not."""
+    model = read_urdf(path_of(file))
+    if free:
+        root = ({j.parent for j in model.joints} - {j.child for j in model.joints}).pop()
+        joints = model.joints
+        if root == WORLD:
+            joints = tuple(replace(j, kind=Kind.FREE) if j.parent == WORLD else j for j in joints)
+        else:
+            joints = (Joint("base", Kind.FREE, WORLD, root), *joints)
+        model = replace(model, joints=joints)
+    effects = {effect.name: effect for effect in EFFECTS}
+    applied = [Applied(effects["gravity"], "",
+                       {"g": (Fraction(0), Fraction(0), Fraction(-981, 100))})]
+    if mimics:
+        applied.append(Applied(effects["mimic"], "", {"joints": "all"}))
+    return Scene("robot", model, tuple(applied))
+
+
+@cache
+def robot(file: str, free: bool, mimics: bool) -> Robot:
+    """The robot in both libraries."""
+    scene = scene_of(file, free, mimics)
+    functions = derive(scene)
+    arguments = (_in_full(path_of(file).read_text()), *([pin.JointModelFreeFlyer()] if free else []))
+    theirs = pin.buildModelFromXML(*arguments)
+    theirs.gravity.linear = np.array([0, 0, -9.81])
+    follow, offset = np.zeros((theirs.nv, functions.nv)), np.zeros(theirs.nv)
+    places = {}
+    for c in functions.coordinates:
+        number = 1 if c.kind == "free" else theirs.getJointId(c.joint)
+        start = theirs.joints[number].idx_v
+        places[c.joint] = c.v.start
+        for k in range(len(c.v)):
+            follow[start + k, c.v.start + k] = 1
+    for joint in (j for j in scene.model.joints if j.mimic and mimics):
+        place = theirs.joints[theirs.getJointId(joint.name)].idx_v
+        follow[place, places[joint.mimic.joint]] = float(joint.mimic.multiplier)
+        offset[place] = float(joint.mimic.offset)
+    return Robot(functions, theirs, follow, offset)

@@ -1,0 +1,63 @@
+"""`coscrew effects` prints every effect with its equation, parameters and units."""
+
+import subprocess
+import sys
+
+import pytest
+
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place
+from coscrew_codegen.effects import EFFECTS
+from coscrew_codegen.scene_files.catalogue import described
+
+NAMES = ("actuator", "armature", "buoyancy", "coulomb", "drag", "gravity", "limit", "mimic", "reaction",
+         "spring", "spring_damper", "stribeck", "viscous", "wrench")
+
+
+def test_the_catalogue_holds_the_effects_and_each_fills_a_slot():
+    assert tuple(effect.name for effect in EFFECTS) == NAMES
+    for effect in EFFECTS:
+        slots = (effect.gravity, effect.joint_torque, effect.joint_inertia, effect.body_force,
+                 effect.pair_force, effect.reaction, effect.mimic)
+        assert sum(map(bool, slots)) == 1, effect.name
+        assert effect.place is not Place.PAIR or effect.pair_force
+
+
+@pytest.mark.parametrize("effect", EFFECTS, ids=lambda effect: effect.name)
+def test_an_effect_is_printed_with_all_that_a_scene_needs(effect, capsys):
+    assert main(["effects", effect.name]) == 0
+    printed = capsys.readouterr().out
+    assert all(len(line) <= 100 for line in printed.splitlines())
+    flat = " ".join(printed.split())
+    assert effect.words in flat and " ".join(effect.equation.split()) in flat
+    for parameter in effect.parameters:
+        unit = f" [{parameter.unit}]" if parameter.unit else ""
+        assert f"{parameter.name}{unit}: {parameter.words}" in flat
+        for choice in parameter.choices:
+            assert choice in flat
+
+
+def test_all_are_printed_in_order(capsys):
+    assert main(["effects"]) == 0
+    heads = [line.split(":")[0] for line in capsys.readouterr().out.splitlines()
+             if line and not line.startswith(" ")]
+    assert tuple(heads) == NAMES
+
+
+def test_a_wrong_name_is_told_the_nearest(capsys):
+    assert main(["effects", "dragg"]) == 2
+    assert "did you mean 'drag'" in capsys.readouterr().err
+
+
+def test_a_closed_pipe_is_no_error():
+    done = subprocess.run(f"{sys.executable} -m coscrew_codegen effects | head -n 1", shell=True,
+                          capture_output=True, text=True, check=True)
+    assert done.stdout.startswith("actuator") and not done.stderr
+
+
+def test_alternatives_are_told():
+    effect = Effect("stop", "ends", "…", Place.JOINT,
+                    (ParameterOf("lower", "rad", "lower end", required=False),
+                     ParameterOf("upper", "rad", "upper end", required=False)),
+                    any_of=("lower", "upper"))
+    assert list(described(effect))[-1].strip() == "at least one of lower, upper"

@@ -1,0 +1,192 @@
+"""coscrew check: what it passes is right, what it fails is wrong."""
+
+import math
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from coscrew_codegen import load_scene
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.dynamics.scene import Expectation
+from coscrew_codegen.simulate.check import Met, check, table
+from coscrew_codegen.simulate.outcome import Asked
+from tests import scene_texts as texts
+
+
+def expecting(text: str, **expected: str) -> str:
+    lines = [f'"{name}" = {{ {value} }}' for name, value in expected.items()]
+    return "\n".join((text, "[expect]", *lines))
+
+
+@pytest.fixture(scope="module")
+def loaded(tmp_path_factory):
+    """Kernels of a scene's text."""
+    folder = tmp_path_factory.mktemp("check")
+
+    def load(text: str):
+        path = folder / f"scene{len(list(folder.iterdir()))}.toml"
+        path.write_text(text)
+        return load_scene(path)
+
+    return load
+
+
+Q, V = (float(x) for x in texts.spring(1.2345))
+RIGHT = expecting(texts.SPRING, **{
+    "q.slide": f"at = 1.2345, value = {Q!r}, rtol = 1e-8",
+    "v.slide": f"at = 1.2345, value = {V!r}, rtol = 1e-8",
+    "energy": f"at = 0, value = {texts.STIFFNESS * 0.005!r}, rtol = 1e-12",
+    "power": f"at = 1.2345, value = {-texts.DAMPING * V**2!r}, rtol = 1e-8"})
+
+
+def test_what_is_expected_rightly_is_met(tmp_path, capsys):
+    path = tmp_path / "scene.toml"
+    path.write_text(RIGHT)
+    assert main(["check", str(path)]) == 0
+    out = capsys.readouterr().out
+    assert out.count("pass  ") == 4
+    assert "FAIL" not in out
+
+
+@pytest.mark.parametrize("right, wrong", ((repr(Q), repr(Q * (1 + 1e-7))), (repr(V), repr(-V))))
+def test_what_is_expected_wrongly_is_not(tmp_path, capsys, right, wrong):
+    path = tmp_path / "scene.toml"
+    path.write_text(RIGHT.replace(f"value = {right}", f"value = {wrong}"))
+    assert main(["check", str(path)]) == 1
+    out = capsys.readouterr().out
+    assert (out.count("pass  "), out.count("FAIL  ")) == (3, 1)
+
+
+def test_what_a_run_does_not_reach_is_not_met(loaded):
+    findings = check(loaded(RIGHT), Asked(until=1.0))
+    assert [math.isnan(x.came) for x in findings.met] == [True, True, False, True]
+    assert not findings.passed
+
+
+def test_a_run_that_stops_does_not_pass(loaded):
+    findings = check(loaded(texts.UNSTABLE), Asked())
+    assert not findings.passed
+    assert "double: not finite at t = " in table(findings)
+
+
+@pytest.mark.parametrize("apart, passed", ((0.0, True), (0.2099, True), (0.2101, False),
+                                           (math.nan, False)))
+def test_expectations_allow_their_tolerances(apart, passed):
+    assert Met(Expectation("q.a", 1.0, -2.0, 0.1, 0.01), -2.0 + apart, "rad").passed == passed
+
+
+@pytest.mark.parametrize("integrator, order", (("semi-implicit-euler", 1), ("rk4", 4)))
+def test_a_defect_of_energy_has_the_integrators_order(loaded, integrator, order):
+    """Of a damped spring: E - E(0) + ∫ d v² dt, the largest, falls with the step."""
+    findings = check(loaded(texts.SPRING), Asked(integrator=integrator, step=1e-2))
+    double = findings.along[0]
+    assert math.log2(double.coarse.relative / double.fine.relative) == pytest.approx(order, abs=0.3)
+    assert f"of order {math.log2(double.coarse.relative / double.fine.relative):.1f}" in table(findings)
+
+
+def test_the_work_of_damping_is_the_energy_lost(loaded):
+    findings = check(loaded(texts.SPRING), Asked())
+    for along, error in zip(findings.along, (1e-10, 1e-5), strict=True):
+        q, v = (float(x) for x in texts.spring(2))
+        lost = texts.STIFFNESS * (q**2 - 0.1**2) / 2 + texts.MASS * v**2 / 2
+        assert along.coarse.work == pytest.approx(lost, abs=error)
+        assert along.coarse.after - along.coarse.before == pytest.approx(lost, abs=error)
+
+
+def test_power_that_does_not_account_for_the_loss_is_found(loaded):
+    """Were an effect's power wrong by 1 %, no smaller step would help."""
+    kernels = loaded(texts.SPRING)
+
+    def wrong(functions):
+        own = {name: getattr(functions, name) for name in functions}
+        return SimpleNamespace(**{**own, "power": lambda *x: 1.01 * own["power"](*x)})
+
+    broken = replace(kernels, double=wrong(kernels.double), single=wrong(kernels.single))
+    text = table(check(broken, Asked()))
+    assert text.count("DOUBTFUL: it does not shrink") == 2
+    assert "DOUBTFUL" not in table(check(kernels, Asked()))
+
+
+def test_dynamics_that_are_no_inverses_are_found(loaded):
+    kernels = loaded(texts.BRICK)
+    right = check(kernels, Asked())
+    assert all(x.round_trip < 100 for x in right.along)
+
+    def wrong(functions):
+        own = {name: getattr(functions, name) for name in functions}
+        return SimpleNamespace(**{**own, "inverse_dynamics": lambda q, v, a: (
+            own["inverse_dynamics"](q, v, a) * np.float32(1 + 2.0**-12))})
+
+    broken = replace(kernels, double=wrong(kernels.double), single=wrong(kernels.single))
+    found = check(broken, Asked())
+    assert found.along[0].round_trip > 1e10
+    assert found.along[1].round_trip > 1e3
+
+
+TWO_LINKS = """
+[bodies.upper]
+mass = 3
+com = [0, 0, -0.4]
+inertia = [0.1, 0.1, 0.01]
+[bodies.lower]
+mass = 1
+com = [0, 0, -0.3]
+inertia = [0.02, 0.02, 0.001]
+[joints.shoulder]
+type = "revolute"
+child = "upper"
+axis = [0, 1, 0]
+[joints.elbow]
+type = "revolute"
+parent = "upper"
+child = "lower"
+axis = [0, 1, 0]
+origin.xyz = [0, 0, -0.8]
+[effects.gravity]
+[start.q]
+shoulder = 1
+elbow = 0.7
+[run]
+duration = 1
+integrator = "rk4"
+"""
+
+
+def test_the_condition_is_that_of_the_mass_matrix(loaded):
+    """Of two links in a plane: M = [[a + 2 b cos θ, c + b cos θ], [c + b cos θ, c]]."""
+    kernels = loaded(TWO_LINKS)
+    along = check(kernels, Asked()).along[0]
+    from coscrew_codegen.simulate.plan import plan
+    from coscrew_codegen.simulate.run import integrate
+    from coscrew_codegen.simulate.system import system
+
+    its = system(kernels, "double")
+    theta = integrate(its, plan(its, every=1e-3)).q[:, 1]
+    a = 0.1 + 3 * 0.4**2 + 0.02 + 1 * (0.3**2 + 0.8**2)
+    b, c = 1 * 0.8 * 0.3, 0.02 + 0.3**2
+    conditions = []
+    for x in b * np.cos(theta):
+        trace, determinant = a + 2 * x + c, (a + 2 * x) * c - (c + x)**2
+        root = math.sqrt(trace**2 / 4 - determinant)
+        conditions.append((trace / 2 + root) / (trace / 2 - root))
+    assert along.condition == pytest.approx(max(conditions), rel=1e-3)
+    assert along.at == pytest.approx(int(np.argmax(conditions)) * 1e-3, abs=2e-3)
+
+
+def test_both_precisions_are_compared(loaded):
+    findings = check(loaded(texts.SPRING), Asked(precision="double"))
+    assert [x.precision for x in findings.along] == ["double", "single"]
+    gap = {x.quantity: x for x in findings.apart}
+    assert 0 < gap["q"].apart < 1e-6
+    assert gap["q"].size == pytest.approx(0.1)
+    assert set(gap) == {"q", "v", "a", "energy", "power"}
+
+
+def test_expectations_of_a_single_scene_are_of_single_precision(loaded):
+    text = RIGHT.replace('precision = "both"', 'precision = "single"')
+    findings = check(loaded(text), Asked())
+    came = findings.met[0].came
+    assert came == float(np.float32(came))
+    assert not findings.passed  # 1e-8 is more than single precision has

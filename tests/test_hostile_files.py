@@ -1,0 +1,168 @@
+"""Hostile and broken files end in one clear error, soon and in little memory."""
+
+import resource
+import time
+
+import pytest
+
+from coscrew_codegen.scene_files.errors import SceneError
+from coscrew_codegen.scene_files.toml_scene import read_scene
+
+from .example_effects import CATALOGUE
+from .test_scene_files import MODEL
+from .test_urdf import ARM
+
+DEEP = 10**6
+
+BOMB = ('<?xml version="1.0"?><!DOCTYPE robot [<!ENTITY a "ha">'
+        + "".join(f'<!ENTITY {chr(98 + i)} "{f"&{chr(97 + i)};" * 10}">' for i in range(12))
+        + ']><robot name="&m;"/>')
+QUADRATIC = ('<!DOCTYPE robot [<!ENTITY a "' + "x" * 10**5 + '">]><robot name="'
+             + "&a;" * 10**4 + '"/>')
+
+XML = {
+    "empty": b"",
+    "no XML": b"solid cube",
+    "binary": bytes(range(256)),
+    "zeros": b"\0" * 1000,
+    "entity bomb": BOMB.encode(),
+    "quadratic bomb": QUADRATIC.encode(),
+    "external entity": b'<!DOCTYPE r [<!ENTITY x SYSTEM "file:///etc/passwd">]><robot name="&x;"/>',
+    "external DTD": b'<!DOCTYPE robot SYSTEM "http://localhost:1/x.dtd"><robot/>',
+    "unknown entity": b'<robot name="&nothing;"/>',
+    "deep": b"<robot>" + b"<link>" * DEEP,
+    "deep in what is ignored": b"<robot><gazebo>" + b"<a>" * DEEP,
+    "long name": b"<robot><" + b"a" * DEEP,
+    "long tag": b"<" + b"a" * DEEP + b"/>",
+    "long number": b'<robot><link name="a"><inertial><mass value="' + b"1" * DEEP
+                   + b'"/></inertial></link></robot>',
+    "wrong encoding": b'<?xml version="1.0" encoding="utf-8"?><robot name="\xff\xfe"/>',
+    "unknown encoding": b'<?xml version="1.0" encoding="klingon"?><robot/>',
+    "same attribute twice": b'<robot name="a" name="b"/>',
+    "two roots": b"<robot/><robot/>",
+    "crossing": b"<robot><link></robot></link>",
+    "html": b"<html><body>404</body></html>",
+    "no links": b"<robot/>",
+    "newline in a name": b'<robot><link name="a&#10;b"/></robot>',
+    "two giant loops": b"<robot>" + b"".join(
+        b'<link name="%d"/><joint name="%d" type="fixed"><parent link="%d"/><child link="%d"/>'
+        b"</joint>" % (i, i, (i + 1) % 2000, i) for i in range(2000)) + b"</robot>",
+    "a ring of followers": b"<robot><link name='w'/>" + b"".join(
+        b'<link name="%d"/><joint name="%d" type="revolute"><parent link="w"/><child link="%d"/>'
+        b'<mimic joint="%d"/></joint>' % (i, i, i, (i + 1) % 500) for i in range(500))
+        + b"</robot>",
+}
+
+TOML = {
+    "no TOML": b"<robot/>",
+    "binary": bytes(range(256)),
+    "latin-1": "name = 'é'".encode("latin-1"),
+    "empty": b"",
+    "deep list": b"runtime = " + b"[" * 10**5,
+    "deep inline table": b"start = " + b"{a=" * 10**5,
+    "deep key": b"a." * 10**5 + b"a = 1",
+    "deep header": b"[" + b"a." * 10**5 + b"a]",
+    "deep quoted key": b'"a".' * 10**5 + b"a = 1",
+    "huge integer": b"every = " + b"9" * 10**5,
+    "huge float": MODEL.encode() + b"[outputs]\nevery = 0." + b"9" * 10**5,
+    "huge exponent": MODEL.encode() + b"[outputs]\nevery = 1e999999999999",
+    "long key": b"a" * 10**5 + b" = 1",
+    "long text": b"precision = '" + b"a" * 10**5 + b"'",
+    "same key twice": b"model = 'a.urdf'\nmodel = 'b.urdf'",
+    "a file of itself": b"model = 'hostile.toml'",
+    "a folder": b"model = '/'",
+    "a device": b"model = '/dev/zero'",
+    "zero in a path": b'model = "a\\u0000.urdf"',
+    "deep formula": MODEL.encode() + b"[effects.motor.elbow]\nu = '" + b"(" * 900 + b"'",
+    "long formula": MODEL.encode() + b"[effects.motor.elbow]\nu = '" + b"1+" * 10**5 + b"1'",
+    "tower": MODEL.encode() + b"[effects.motor.elbow]\nu = '9**9**9**9**9'",
+    "exploding": MODEL.encode() + b"[effects.motor.elbow]\nu = 'exp(exp(exp(exp(9))))'",
+    "code": MODEL.encode() + b"[effects.motor.elbow]\nu = '__import__(\"os\").getpid()'",
+}
+
+
+@pytest.fixture
+def refused(tmp_path):
+    """Reads a hostile file; returns the one line it is refused with."""
+
+    def refused(name, contents):
+        path = tmp_path / name
+        path.write_bytes(contents)
+        start, memory = time.process_time(), resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        with pytest.raises(SceneError) as caught:
+            read_scene(path, CATALOGUE)
+        assert time.process_time() - start < 2
+        assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - memory < 200 * 2**10  # KiB
+        message = str(caught.value)
+        assert "\n" not in message and len(message) < 1000 + len(str(path))
+        assert message.startswith(str(path))
+        return message
+
+    return refused
+
+
+@pytest.mark.parametrize("name", XML)
+def test_hostile_xml(refused, name):
+    refused("hostile.urdf", XML[name])
+
+
+@pytest.mark.parametrize("name", TOML)
+def test_hostile_toml(refused, name):
+    refused("hostile.toml", TOML[name])
+
+
+def test_document_types_are_named_as_the_reason(refused):
+    for name in ("entity bomb", "external entity", "external DTD"):
+        assert "<!DOCTYPE" in refused("bomb.urdf", XML[name])
+    assert "line 1" in refused("deep.urdf", XML["deep"])
+
+
+@pytest.mark.parametrize("end", range(1, len(ARM) - 1, 41))
+def test_truncated_xml(refused, end):
+    assert "line " in refused("arm.urdf", ARM.encode()[:end])
+
+
+def test_truncated_toml(tmp_path):
+    """A TOML file that ends too early may still be one; it never does worse than an error."""
+    text = MODEL + '[effects.viscous]\njoints = "all"\nd = "model"\n'
+    path = tmp_path / "arm.toml"
+    reads = 0
+    for end in range(0, len(text), 2):
+        path.write_text(text[:end])
+        try:
+            read_scene(path, CATALOGUE)
+            reads += 1
+        except SceneError as error:
+            assert str(error).startswith(str(path)) and "\n" not in str(error)
+    assert 0 < reads < len(text) // 4
+
+
+@pytest.mark.parametrize("suffix", [".urdf", ".toml"])
+def test_files_that_cannot_be_read(tmp_path, suffix):
+    with pytest.raises(SceneError, match="cannot be read"):
+        read_scene(tmp_path / f"none{suffix}", CATALOGUE)
+    (tmp_path / f"folder{suffix}").mkdir()
+    with pytest.raises(SceneError, match="cannot be read"):
+        read_scene(tmp_path / f"folder{suffix}", CATALOGUE)
+    with pytest.raises(SceneError, match="wanted a .toml or .urdf file"):
+        read_scene(tmp_path / "arm.sdf", CATALOGUE)
+
+
+def test_huge_files_are_not_read(tmp_path):
+    path = tmp_path / "huge.urdf"
+    with path.open("wb") as file:
+        file.truncate(10**10)
+    with pytest.raises(SceneError, match="larger than 64 MiB"):
+        read_scene(path, CATALOGUE)
+
+
+def test_every_byte_of_a_file_may_be_wrong(tmp_path):
+    """Each of these reads, or is a SceneError: nothing else comes out."""
+    path = tmp_path / "arm.urdf"
+    for place in range(0, len(ARM), 11):
+        for byte in (b"\0", b"<", b'"', b"&", b"\xff", b"9"):
+            path.write_bytes(ARM.encode()[:place] + byte + ARM.encode()[place + 1:])
+            try:
+                read_scene(path, CATALOGUE)
+            except SceneError:
+                pass
