@@ -26,9 +26,9 @@ from tests.test_slopes import random_state
 ROOT = Path(__file__).parent.parent
 
 ZEROS: Mapping[str, tuple[str, ...]] = {
-    "actuator": ("torque", "kp", "kd", "kt"), "armature": ("inertia", "rotor"), "buoyancy": ("rho",),
-    "coulomb": ("tau_c",), "drag": ("rho", "b"), "gravity": ("g",), "limit": ("k",),
-    "spring": ("k",), "spring_damper": ("k", "d"), "stribeck": ("tau_c", "tau_s"),
+    "actuator": ("torque", "kp", "kd", "kt"), "armature": ("inertia", "rotor"),
+    "buoyancy": ("rho",), "coulomb": ("tau_c",), "drag": ("rho", "b"), "gravity": ("g",),
+    "limit": ("k",), "spring": ("k",), "spring_damper": ("k", "d"), "stribeck": ("tau_c", "tau_s"),
     "viscous": ("d",), "wrench": ("force", "torque")}
 """The parameters without which an effect does nothing."""
 
