@@ -61,8 +61,8 @@ class Compiled:
 
     def run(self, step: str, precision: Precision, steps: int, h: float, p: Sequence[float],
             start: State) -> tuple[np.ndarray, np.ndarray, float]:
-        """q and v after this many steps of h from `start` at t = 0, and the seconds of processor time
-        that they took: other processes' do not count."""
+        """q and v after this many steps of h from `start` at t = 0, and the seconds of processor
+        time that they took: other processes' do not count."""
         q, v = (np.array(x, precision.numpy_type) for x in start)
         parameters = np.array([*p, 0], precision.numpy_type)
         function = getattr(self.library, _run(step, precision))

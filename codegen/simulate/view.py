@@ -158,7 +158,7 @@ def box_of(mass: np.ndarray, moments: np.ndarray) -> tuple[np.ndarray, np.ndarra
 
 
 def _size(system: System) -> float:
-    """About how large the model is: the longest way from a joint to another or a centre; else 0.1 m."""
+    """About how large the model is: the longest way from joint to joint or centre; else 0.1 m."""
     model = system.scene.model
     offsets = [np.linalg.norm(_numbers(system, j.placement.t)) for j in model.joints]
     centres = [np.linalg.norm(_numbers(system, b.inertia.com)) for b in model.bodies if b.inertia]
