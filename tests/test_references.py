@@ -16,7 +16,7 @@ from coscrew_codegen.simulate.load import Kernels
 from coscrew_codegen.simulate.system import system
 from tests import mechanisms, runs
 from tests.references import figures as committed
-from tests.references import heavy_top, pendulum, rigid_body, stick_slip
+from tests.references import heavy_top, pendulum, rigid_body
 from tests.references.figures import Figure
 
 SCENES = Path(__file__).parents[1] / "examples/scenes"

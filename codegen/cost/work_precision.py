@@ -10,7 +10,7 @@ import numpy as np
 
 from coscrew_codegen.cost.loops import Compiled
 from coscrew_codegen.simulate.outcome import Asked
-from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
+from coscrew_codegen.simulate.plan import Plan, Trajectory
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import System, system
 from coscrew_codegen.targets.precision import PRECISIONS

@@ -1,6 +1,5 @@
 """Scene files: what a TOML file, or a URDF file alone, says as a Scene."""
 
-import re
 from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction

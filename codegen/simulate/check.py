@@ -114,7 +114,8 @@ def _met(system: System, trajectory: Trajectory, wanted: Expectation) -> Met:
 
 def _along(system: System, planned: Plan, trajectory: Trajectory) -> Along:
     if planned.adaptive:
-        finer = replace(planned, rtol=planned.rtol / _TIGHTER, atol=planned.atol / _TIGHTER)
+        finer = replace(planned, rtol=planned.rtol / _TIGHTER, atol=planned.atol / _TIGHTER,
+                        every=planned.every / _FINER)  # or else Simpson's error would stay
         step = f"rtol {planned.rtol:.3g}"
     else:
         finer = replace(planned, step=planned.step / _FINER, every=planned.every / _FINER)
