@@ -6,10 +6,10 @@ PYTHON  := $(VENV)/bin/python
 PIP     := PYTHONWARNINGS=ignore $(PYTHON) -m pip --quiet --disable-pip-version-check
 SOURCES := $(wildcard $(addprefix generated/,gufunc/*.[ch] gufunc/*/*.[ch] c/coscrew*.h))
 
-.PHONY: all generate check build example test bench attack report clean
+.PHONY: all generate check build example scene test bench attack report clean
 
 all: generate
-	@$(MAKE) --no-print-directory check example
+	@$(MAKE) --no-print-directory check example scene
 
 # The environment.  Its first install finds generated/ as committed, so coscrew itself is there to
 # be regenerated from, and its extension module is built.
@@ -17,7 +17,7 @@ $(VENV)/ready: pyproject.toml
 	$(PYTHON3) -m venv $(VENV)
 	$(PIP) install --upgrade pip "setuptools>=77" wheel
 	$(PIP) install "numpy>=2.0"
-	$(PIP) install --no-build-isolation --editable ".[codegen]"
+	$(PIP) install --no-build-isolation --editable ".[simulate]"
 	touch $@
 	@$(COMPILED) && touch $(VENV)/built || true
 
@@ -50,6 +50,15 @@ example: build
 	  echo "no C program ($(CC): see build/static_torques.log): Python alone" >&2; \
 	  $(PYTHON) examples/static_torques.py; \
 	fi
+
+# And an arm with friction, motors and a payload: generated, simulated, and checked against figures
+# of Pinocchio's; build/arm6/ holds its C and Python, build/arm6.html plays it back.
+scene: build
+	@mkdir -p build
+	$(PYTHON) -m coscrew_codegen generate examples/scenes/arm6.toml -o build/arm6
+	@$(PYTHON) -m coscrew_codegen simulate examples/scenes/arm6.toml --view build/arm6.html \
+	    --output build/arm6.csv >build/arm6.txt
+	$(PYTHON) -m coscrew_codegen check examples/scenes/arm6.toml
 
 $(VENV)/test-ready: $(VENV)/ready
 	$(PIP) install --no-build-isolation --editable ".[test]"

@@ -2,9 +2,9 @@
 chains with quaternions from d'Alembert's principle.
 
 Around a point, sin, cos and q are replaced by their Taylor polynomials of second order in
-deviations x: all that the Lagrange equations need of L(x, w) there, exactly.  A body's kinetic energy
-is that of its mass and of its second moments, ½ m ṗ·ṗ + ½ tr(Ṙ Σ Ṙ^T): no ω, no screws, no recursion.
-Shares no code with the generator.
+deviations x: all that the Lagrange equations need of L(x, w) there, exactly.  A body's kinetic
+energy is that of its mass and of its second moments, ½ m ṗ·ṗ + ½ tr(Ṙ Σ Ṙ^T): no ω, no screws, no
+recursion.  Shares no code with the generator.
 """
 
 from collections.abc import Mapping, Sequence

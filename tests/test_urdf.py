@@ -87,9 +87,12 @@ def test_masses_equal_pinocchios(path):
 
 @pytest.mark.parametrize("path", RIGHT, ids=lambda p: p.name)
 def test_big_robots_are_read_in_well_below_a_second(path):
-    start = time.process_time()
-    read_urdf(path)
-    assert time.process_time() - start < 0.5
+    times = []
+    for _ in range(3):
+        start = time.process_time()
+        read_urdf(path)
+        times.append(time.process_time() - start)
+    assert min(times) < 0.5
 
 
 def poses_at_rest(model):

@@ -1,9 +1,9 @@
 """Forward dynamics of a scene, explicit or linearly implicit.
 
 A linearly implicit step solves (M + h D + h² K) a = tau - h K v, where D and K are how the effects'
-forces fall with speeds and coordinates: on the diagonal where they act at joints, as point masses h d
-where they resist the motion of a point, and as rows e^T of constraints that give way, with e^T v = l',
-where they act between two bodies: what moves both together must not feel them.
+forces fall with speeds and coordinates: on the diagonal where they act at joints, as point masses
+h d where they resist the motion of a point, and as rows e^T of constraints that give way,
+e^T v = l', where they act between two bodies: what moves both together must not feel them.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -34,7 +34,7 @@ class _System:
 def accelerations(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
                   inertias: Mapping[str, Number], tau: Sequence[Number],
                   h: Number | None = None) -> list[Number]:
-    """a with M a + bias = tau; with a step h linearly implicit in what effects say of their slopes."""
+    """a with M a + bias = tau; with a step h linearly implicit in the effects' slopes."""
     system = _system(motion, acting, rigids, inertias, h)
     at_joints = [motion.zero[0]] * motion.tree.nv
     for number in sorted(acting.torques):
@@ -90,7 +90,7 @@ def _solver(motion: Motion, system: _System) -> _Solve:
 
 def _with_pair(motion: Motion, pair: Paired, h: Number, solve: _Solve,
                torques: Sequence[Number]) -> tuple[_Solve, list[Number]]:
-    """Adds c e e^T to the matrix that `solve` inverts, c = h d + h² k, and -h k l' e to the torques.
+    """Adds c e e^T to what `solve` inverts, c = h d + h² k, and -h k l' e to the torques.
 
     a = a' - w (c e·a')/(1 + c e·w), w = solve(e): Sherman and Morrison; nothing divides by zero."""
     still = [(motion.zero, motion.zero)] * len(motion.tree.links)

@@ -184,7 +184,7 @@ class _Derivation:
 
     def _poses(self) -> Function:
         def compute(x: Recording):
-            motion, found = x.motion(), []
+            motion, found = x.motion(falling=False), []
             for body in self.bodies:
                 R, t = frames.pose(x, motion, body)
                 found += [R[3 * i + j] if j < 3 else t[i] for i in range(3) for j in range(4)]
@@ -196,7 +196,7 @@ class _Derivation:
 
     def _twists(self) -> Function:
         def compute(x: Recording):
-            motion, found = x.motion(accelerating=False), []
+            motion, found = x.motion(accelerating=False, falling=False), []
             for body, name in self.bodies.items():
                 with x.recorder.part(f"{name}_twist", body):
                     found += frames.twist(x, motion, body)
@@ -209,7 +209,7 @@ class _Derivation:
     def _jacobian(self, body: str) -> Function:
         def compute(x: Recording):
             with x.recorder.part(f"{self.bodies[body]}_J", body):
-                columns = frames.jacobian(x, x.motion(False, False), body)
+                columns = frames.jacobian(x, x.motion(False, False, False), body)
             return [[columns[j][i] for i in range(6) for j in range(self.tree.nv)]]
 
         return self._function(

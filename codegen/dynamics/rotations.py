@@ -66,6 +66,8 @@ def unit(vector: Iterable[Fraction]) -> Entries:
 
 def product(left: Entries, right: Entries) -> Entries:
     """R = left right, rounded to 50 digits and snapped.  (9),(9)->(9)."""
+    if IDENTITY in (left, right):  # of most origins' three turns, two
+        return right if left == IDENTITY else left
     return _rounded([sum(left[3 * i + k] * right[3 * k + j] for k in range(3))
                      for i in range(3) for j in range(3)])
 
