@@ -12,7 +12,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "16996694d5d0c7cb")
+COMPILED: bool = is_compiled("coscrew._gufunc", "bfb3d3ffe6826264")
 
 if COMPILED:
     from coscrew._gufunc import (
