@@ -18,7 +18,7 @@ SMALL, LARGE, ENLARGING, REDUCING = sp.symbols("small large enlarging reducing",
 # x + GRID - GRID is x rounded so that squares of such numbers below 8, and their sums, are exact.
 GRID = sp.Symbol("grid", positive=True)
 
-# 1 - 40 u: A whose diagonal entries, times this, leave it positive definite is regular to rounding.
+# 1 - 50 u: A whose diagonal entries, times this, leave it positive definite is regular to rounding.
 REGULAR = sp.Symbol("regular", positive=True)
 
 PER_PRECISION: dict[sp.Symbol, tuple[sp.Rational, sp.Rational]] = {
@@ -27,7 +27,7 @@ PER_PRECISION: dict[sp.Symbol, tuple[sp.Rational, sp.Rational]] = {
     LARGE: (sp.Integer(2**511), sp.Integer(2**62)),
     ENLARGING: (sp.Integer(2**600), sp.Integer(2**100)),
     REDUCING: (sp.Rational(1, 2**513), sp.Rational(1, 2**65)),
-    REGULAR: (1 - sp.Rational(40, 2**53), 1 - sp.Rational(40, 2**24)),
+    REGULAR: (1 - sp.Rational(50, 2**53), 1 - sp.Rational(50, 2**24)),
     GRID: (sp.Integer(3 * 2**29), sp.Integer(3 * 2**14)),
 }
 """The constants that differ between double and single precision."""

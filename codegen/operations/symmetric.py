@@ -64,11 +64,12 @@ def substituted(let: Let, L: sp.Matrix, D: list[sp.Expr], b: sp.Matrix) -> sp.Ma
 
 
 def _is_regular(let: Let, A: sp.Matrix) -> sp.Basic:
-    """Whether A - 40 u diag A has positive pivots.  Rounding changes a factored matrix by less than
+    """Whether A - 50 u diag A has positive pivots.  Rounding changes a factored matrix by less than
     (min(i, j) + 2) u sqrt(a_ii a_jj) in row i, column j, counted from 0, so, its diagonal scaled to
-    1, by less than 25 u in all directions together: with positive pivots it has no eigenvalue below
-    15 u, without them one below 65 u.  A threshold of A's own smallest pivot would have to be above
-    what rounding makes of a zero there: a thousand u, for some 6×6 matrices."""
+    1, by less than 25 u in all directions together: with positive pivots A has no eigenvalue below
+    25 u, so that its own are positive, too; without them it has one below 75 u.  A threshold of A's
+    own smallest pivot would have to be above what rounding makes of a zero there: a thousand u, for
+    some 6×6 matrices."""
     less = let("less", sp.Matrix([REGULAR * A[i, i] for i in range(A.rows)]))
     diminished = sp.Matrix(*A.shape, lambda i, j: less[i] if i == j else A[i, j])
     _, D = factored(prefixed(let, "less"), diminished)
@@ -80,8 +81,7 @@ def _solve(let: Let, A: sp.Matrix, b: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
     n = A.rows
     L, D = factored(let, A)
     part = let("pivot_part", bound_smallest_pivot(let, A, D))
-    is_regular = sp.And(0 < part, _is_regular(let, A))
-    regular = sp.Eq(let("regular", sp.Piecewise((1, is_regular), (0, True))), 1)
+    regular = sp.Eq(let("regular", sp.Piecewise((1, _is_regular(let, A)), (0, True))), 1)
     least = let("least", sp.Piecewise((part, part < 0), (0, True)))
     safe = [let(f"safe{i}", sp.Piecewise((d, 0 < d), (1, True))) for i, d in enumerate(D)]
     x = substituted(let, L, safe, b)
@@ -129,7 +129,7 @@ def _operations(matrix: Quantity, right: Quantity, left: Quantity) -> tuple[Oper
            "positive pivot", inputs=(L, b), outputs=(x,), formula=partial(by_factor, unnamed),
            derivation=by_factor, rounding=_backward("of A = L D L^T")),
         op(name=f"{matrix.name}_solve", statement="x = A^-1 b with one step of refinement; returns the "
-           "smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 40 u diag A "
+           "smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A "
            "is not positive definite), it is not positive, and x not a number", inputs=(A, b),
            outputs=(pivot, x), formula=solved, derivation=_solve, rounding=_backward("of A")),
     )

@@ -21,8 +21,14 @@
 #include <math.h>
 #include <string.h>
 
-#if (defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)) && !defined(KSL_ALLOW_FAST_MATH)
+#if !defined(KSL_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
 #error "-ffast-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__RECIPROCAL_MATH__)
+#error "-freciprocal-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
+#error "-ffinite-math-only breaks what is promised of NaN; define KSL_ALLOW_FAST_MATH to accept that"
+#endif
 #endif
 
 #if defined(__GNUC__)
@@ -13044,7 +13050,7 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-   21 mul, 248 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
+   21 mul, 176 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
      select.
    Error <= qo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
@@ -13067,64 +13073,37 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
   const double s_2 = R->m01 + R->m10, s_2_right = s_2 - R->m01, s_2_left = s_2 - s_2_right,
       s_2_left_rest = R->m01 - s_2_left, s_2_right_rest = R->m10 - s_2_right,
       s_2_lo = s_2_left_rest + s_2_right_rest;
-  const double less_0 = 1.0 - R->m00, less_0_right = 1.0 - less_0,
-      less_0_left = less_0 + less_0_right, less_0_left_rest = 1.0 - less_0_left,
-      less_0_right_rest = R->m00 - less_0_right, less_0_lo = less_0_left_rest - less_0_right_rest;
-  const double less_1 = 1.0 - R->m11, less_1_right = 1.0 - less_1,
-      less_1_left = less_1 + less_1_right, less_1_left_rest = 1.0 - less_1_left,
-      less_1_right_rest = R->m11 - less_1_right, less_1_lo = less_1_left_rest - less_1_right_rest;
-  const double less_2 = 1.0 - R->m22, less_2_right = 1.0 - less_2,
-      less_2_left = less_2 + less_2_right, less_2_left_rest = 1.0 - less_2_left,
-      less_2_right_rest = R->m22 - less_2_right, less_2_lo = less_2_left_rest - less_2_right_rest;
-  const double more_0 = R->m00 + 1.0, more_0_right = more_0 - R->m00,
-      more_0_left = more_0 - more_0_right, more_0_left_rest = R->m00 - more_0_left,
-      more_0_right_rest = 1.0 - more_0_right, more_0_lo = more_0_left_rest + more_0_right_rest;
-  const double more_1 = R->m11 + 1.0, more_1_right = more_1 - R->m11,
-      more_1_left = more_1 - more_1_right, more_1_left_rest = R->m11 - more_1_left,
-      more_1_right_rest = 1.0 - more_1_right, more_1_lo = more_1_left_rest + more_1_right_rest;
-  const double more_2 = R->m22 + 1.0, more_2_right = more_2 - R->m22,
-      more_2_left = more_2 - more_2_right, more_2_left_rest = R->m22 - more_2_left,
-      more_2_right_rest = 1.0 - more_2_right, more_2_lo = more_2_left_rest + more_2_right_rest;
-  const double d_0a = less_0 + less_1, d_0a_right = d_0a - less_0, d_0a_left = d_0a - d_0a_right,
-      d_0a_left_rest = less_0 - d_0a_left, d_0a_right_rest = less_1 - d_0a_right,
-      d_0a_lo1 = d_0a_left_rest + d_0a_right_rest, d_0a_lo2 = d_0a_lo1 + less_1_lo,
-      d_0a_lo = d_0a_lo2 + less_0_lo, d_0b = d_0a + less_2, d_0b_right = d_0b - d_0a,
-      d_0b_left = d_0b - d_0b_right, d_0b_left_rest = d_0a - d_0b_left,
-      d_0b_right_rest = less_2 - d_0b_right, d_0b_lo1 = d_0b_left_rest + d_0b_right_rest,
-      d_0b_lo2 = d_0b_lo1 + less_2_lo, d_0b_lo = d_0b_lo2 + d_0a_lo, d_0 = 4.0 - d_0b,
-      d_0_right = 4.0 - d_0, d_0_left = d_0 + d_0_right, d_0_left_rest = 4.0 - d_0_left,
-      d_0_right_rest = d_0b - d_0_right, d_0_lo1 = d_0_left_rest - d_0_right_rest,
-      d_0_lo = d_0_lo1 - d_0b_lo;
-  const double d_1a = 4.0 - less_0, d_1a_right = 4.0 - d_1a, d_1a_left = d_1a + d_1a_right,
-      d_1a_left_rest = 4.0 - d_1a_left, d_1a_right_rest = less_0 - d_1a_right,
-      d_1a_lo1 = d_1a_left_rest - d_1a_right_rest, d_1a_lo = d_1a_lo1 - less_0_lo,
-      d_1b = more_1 + more_2, d_1b_right = d_1b - more_1, d_1b_left = d_1b - d_1b_right,
-      d_1b_left_rest = more_1 - d_1b_left, d_1b_right_rest = more_2 - d_1b_right,
-      d_1b_lo1 = d_1b_left_rest + d_1b_right_rest, d_1b_lo2 = d_1b_lo1 + more_2_lo,
-      d_1b_lo = d_1b_lo2 + more_1_lo, d_1 = d_1a - d_1b, d_1_right = d_1a - d_1,
-      d_1_left = d_1 + d_1_right, d_1_left_rest = d_1a - d_1_left,
-      d_1_right_rest = d_1b - d_1_right, d_1_lo1 = d_1_left_rest - d_1_right_rest,
-      d_1_lo2 = d_1_lo1 - d_1b_lo, d_1_lo = d_1_lo2 + d_1a_lo;
-  const double d_2a = 4.0 - less_1, d_2a_right = 4.0 - d_2a, d_2a_left = d_2a + d_2a_right,
-      d_2a_left_rest = 4.0 - d_2a_left, d_2a_right_rest = less_1 - d_2a_right,
-      d_2a_lo1 = d_2a_left_rest - d_2a_right_rest, d_2a_lo = d_2a_lo1 - less_1_lo,
-      d_2b = more_0 + more_2, d_2b_right = d_2b - more_0, d_2b_left = d_2b - d_2b_right,
-      d_2b_left_rest = more_0 - d_2b_left, d_2b_right_rest = more_2 - d_2b_right,
-      d_2b_lo1 = d_2b_left_rest + d_2b_right_rest, d_2b_lo2 = d_2b_lo1 + more_2_lo,
-      d_2b_lo = d_2b_lo2 + more_0_lo, d_2 = d_2a - d_2b, d_2_right = d_2a - d_2,
-      d_2_left = d_2 + d_2_right, d_2_left_rest = d_2a - d_2_left,
-      d_2_right_rest = d_2b - d_2_right, d_2_lo1 = d_2_left_rest - d_2_right_rest,
-      d_2_lo2 = d_2_lo1 - d_2b_lo, d_2_lo = d_2_lo2 + d_2a_lo;
-  const double d_3a = 4.0 - less_2, d_3a_right = 4.0 - d_3a, d_3a_left = d_3a + d_3a_right,
-      d_3a_left_rest = 4.0 - d_3a_left, d_3a_right_rest = less_2 - d_3a_right,
-      d_3a_lo1 = d_3a_left_rest - d_3a_right_rest, d_3a_lo = d_3a_lo1 - less_2_lo,
-      d_3b = more_0 + more_1, d_3b_right = d_3b - more_0, d_3b_left = d_3b - d_3b_right,
-      d_3b_left_rest = more_0 - d_3b_left, d_3b_right_rest = more_1 - d_3b_right,
-      d_3b_lo1 = d_3b_left_rest + d_3b_right_rest, d_3b_lo2 = d_3b_lo1 + more_1_lo,
-      d_3b_lo = d_3b_lo2 + more_0_lo, d_3 = d_3a - d_3b, d_3_right = d_3a - d_3,
-      d_3_left = d_3 + d_3_right, d_3_left_rest = d_3a - d_3_left,
-      d_3_right_rest = d_3b - d_3_right, d_3_lo1 = d_3_left_rest - d_3_right_rest,
-      d_3_lo2 = d_3_lo1 - d_3b_lo, d_3_lo = d_3_lo2 + d_3a_lo;
+  const double first_0 = R->m00 + 1.0, first_0_right = first_0 - R->m00,
+      first_0_left = first_0 - first_0_right, first_0_left_rest = R->m00 - first_0_left,
+      first_0_right_rest = 1.0 - first_0_right, first_0_lo = first_0_left_rest + first_0_right_rest;
+  const double first_1 = 1.0 - R->m00, first_1_right = 1.0 - first_1,
+      first_1_left = first_1 + first_1_right, first_1_left_rest = 1.0 - first_1_left,
+      first_1_right_rest = R->m00 - first_1_right,
+      first_1_lo = first_1_left_rest - first_1_right_rest;
+  const double others_0 = R->m11 + R->m22, others_0_right = others_0 - R->m11,
+      others_0_left = others_0 - others_0_right, others_0_left_rest = R->m11 - others_0_left,
+      others_0_right_rest = R->m22 - others_0_right,
+      others_0_lo = others_0_left_rest + others_0_right_rest;
+  const double others_1 = R->m11 - R->m22, others_1_right = R->m11 - others_1,
+      others_1_left = others_1 + others_1_right, others_1_left_rest = R->m11 - others_1_left,
+      others_1_right_rest = R->m22 - others_1_right,
+      others_1_lo = others_1_left_rest - others_1_right_rest;
+  const double d_0 = first_0 + others_0, d_0_right = d_0 - first_0, d_0_left = d_0 - d_0_right,
+      d_0_left_rest = first_0 - d_0_left, d_0_right_rest = others_0 - d_0_right,
+      d_0_lo1 = d_0_left_rest + d_0_right_rest, d_0_lo2 = d_0_lo1 + others_0_lo,
+      d_0_lo = d_0_lo2 + first_0_lo;
+  const double d_1 = first_0 - others_0, d_1_right = first_0 - d_1, d_1_left = d_1 + d_1_right,
+      d_1_left_rest = first_0 - d_1_left, d_1_right_rest = others_0 - d_1_right,
+      d_1_lo1 = d_1_left_rest - d_1_right_rest, d_1_lo2 = d_1_lo1 - others_0_lo,
+      d_1_lo = d_1_lo2 + first_0_lo;
+  const double d_2 = first_1 + others_1, d_2_right = d_2 - first_1, d_2_left = d_2 - d_2_right,
+      d_2_left_rest = first_1 - d_2_left, d_2_right_rest = others_1 - d_2_right,
+      d_2_lo1 = d_2_left_rest + d_2_right_rest, d_2_lo2 = d_2_lo1 + others_1_lo,
+      d_2_lo = d_2_lo2 + first_1_lo;
+  const double d_3 = first_1 - others_1, d_3_right = first_1 - d_3, d_3_left = d_3 + d_3_right,
+      d_3_left_rest = first_1 - d_3_left, d_3_right_rest = others_1 - d_3_right,
+      d_3_lo1 = d_3_left_rest - d_3_right_rest, d_3_lo2 = d_3_lo1 - others_1_lo,
+      d_3_lo = d_3_lo2 + first_1_lo;
   const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
   const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
   const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
@@ -13258,8 +13237,8 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
   qo->z = qo_3_final;
 }
 
-/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where angle
-     = 0; any multiple of a quaternion.
+/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
+     nothing turns; any multiple of a quaternion.
    q: quaternion (w; x, y, z), the scalar first; axis: vector.
    23 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
      less, 8 equal, 23 select.
@@ -13318,32 +13297,32 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
       half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
       half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
       half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
-  const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
-      divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
+  const double divisor = n_of_v_n == 0.0 ? 1.0 : n_of_v_n,
+      divisor_lo = n_of_v_n == 0.0 ? 0.0 : n_of_v_n_lo;
   const double unit_0_of_divisor = divisor + divisor_lo,
       unit_0_of_divisor_right = unit_0_of_divisor - divisor,
       unit_0_of_divisor_left = unit_0_of_divisor - unit_0_of_divisor_right,
       unit_0_of_divisor_left_rest = divisor - unit_0_of_divisor_left,
       unit_0_of_divisor_right_rest = divisor_lo - unit_0_of_divisor_right,
       unit_0_of_divisor_lo = unit_0_of_divisor_left_rest + unit_0_of_divisor_right_rest,
-      unit_0 = upper_1 / unit_0_of_divisor, unit_0_product = unit_0 * unit_0_of_divisor,
+      unit_0 = v_y_0 / unit_0_of_divisor, unit_0_product = unit_0 * unit_0_of_divisor,
       unit_0_product_error = ksl_product_error(unit_0, unit_0_of_divisor, unit_0_product),
-      unit_0_rest = upper_1 - unit_0_product, unit_0_exact = unit_0_rest - unit_0_product_error,
+      unit_0_rest = v_y_0 - unit_0_product, unit_0_exact = unit_0_rest - unit_0_product_error,
       unit_0_cross = unit_0 * unit_0_of_divisor_lo, unit_0_residual = unit_0_exact - unit_0_cross,
       unit_0_lo = unit_0_residual / unit_0_of_divisor;
-  const double unit_1 = upper_2 / unit_0_of_divisor, unit_1_product = unit_1 * unit_0_of_divisor,
+  const double unit_1 = v_y_1 / unit_0_of_divisor, unit_1_product = unit_1 * unit_0_of_divisor,
       unit_1_product_error = ksl_product_error(unit_1, unit_0_of_divisor, unit_1_product),
-      unit_1_rest = upper_2 - unit_1_product, unit_1_exact = unit_1_rest - unit_1_product_error,
+      unit_1_rest = v_y_1 - unit_1_product, unit_1_exact = unit_1_rest - unit_1_product_error,
       unit_1_cross = unit_1 * unit_0_of_divisor_lo, unit_1_residual = unit_1_exact - unit_1_cross,
       unit_1_lo = unit_1_residual / unit_0_of_divisor;
-  const double unit_2 = upper_3 / unit_0_of_divisor, unit_2_product = unit_2 * unit_0_of_divisor,
+  const double unit_2 = v_y_2 / unit_0_of_divisor, unit_2_product = unit_2 * unit_0_of_divisor,
       unit_2_product_error = ksl_product_error(unit_2, unit_0_of_divisor, unit_2_product),
-      unit_2_rest = upper_3 - unit_2_product, unit_2_exact = unit_2_rest - unit_2_product_error,
+      unit_2_rest = v_y_2 - unit_2_product, unit_2_exact = unit_2_rest - unit_2_product_error,
       unit_2_cross = unit_2 * unit_0_of_divisor_lo, unit_2_residual = unit_2_exact - unit_2_cross,
       unit_2_lo = unit_2_residual / unit_0_of_divisor;
   const double angle = 2.0 * half, angle_cross2 = 2.0 * half_lo;
-  const double axis_0 = half_of_n == 0.0 ? 1.0 : unit_0,
-      axis_0_lo = half_of_n == 0.0 ? 0.0 : unit_0_lo;
+  const double axis_0 = n_of_v_n == 0.0 ? 1.0 : unit_0,
+      axis_0_lo = n_of_v_n == 0.0 ? 0.0 : unit_0_lo;
   const double angle_rounded = angle + angle_cross2,
       angle_final = angle_rounded == angle_rounded ? angle_rounded : angle;
   const double axis_0_rounded = axis_0 + axis_0_lo,
@@ -13761,7 +13740,7 @@ static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t 
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-   4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
+   4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
    Error <= qo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
     ksl_quaternionf_t *qo) {
@@ -13771,16 +13750,14 @@ static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
   const double s_0 = (double)R->m12 + (double)R->m21;
   const double s_1 = (double)R->m02 + (double)R->m20;
   const double s_2 = (double)R->m01 + (double)R->m10;
-  const double less_0 = 1.0 - (double)R->m00;
-  const double less_1 = 1.0 - (double)R->m11;
-  const double less_2 = 1.0 - (double)R->m22;
-  const double more_0 = (double)R->m00 + 1.0;
-  const double more_1 = (double)R->m11 + 1.0;
-  const double more_2 = (double)R->m22 + 1.0;
-  const double d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0 - d_0b;
-  const double d_1a = 4.0 - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
-  const double d_2a = 4.0 - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
-  const double d_3a = 4.0 - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
+  const double first_0 = (double)R->m00 + 1.0;
+  const double first_1 = 1.0 - (double)R->m00;
+  const double others_0 = (double)R->m11 + (double)R->m22;
+  const double others_1 = (double)R->m11 - (double)R->m22;
+  const double d_0 = first_0 + others_0;
+  const double d_1 = first_0 - others_0;
+  const double d_2 = first_1 + others_1;
+  const double d_3 = first_1 - others_1;
   const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
   const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
   const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
@@ -13810,8 +13787,8 @@ static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
   qo->z = (float)qo_3;
 }
 
-/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where angle
-     = 0; any multiple of a quaternion.
+/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
+     nothing turns; any multiple of a quaternion.
    q: quaternion (w; x, y, z), the scalar first; axis: vector.
    8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
    Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
@@ -13837,12 +13814,12 @@ static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternio
       v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_0);
-  const double divisor = n == 0.0 ? 1.0 : n;
-  const double unit_0 = upper_1 / divisor;
-  const double unit_1 = upper_2 / divisor;
-  const double unit_2 = upper_3 / divisor;
+  const double divisor = v_n == 0.0 ? 1.0 : v_n;
+  const double unit_0 = v_y_0 / divisor;
+  const double unit_1 = v_y_1 / divisor;
+  const double unit_2 = v_y_2 / divisor;
   const double angle = 2.0 * half;
-  const double axis_0 = n == 0.0 ? 1.0 : unit_0;
+  const double axis_0 = v_n == 0.0 ? 1.0 : unit_0;
   axis->x = (float)axis_0;
   axis->y = (float)unit_1;
   axis->z = (float)unit_2;
@@ -13895,7 +13872,7 @@ static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   40 mul, 261 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+   40 mul, 189 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
      less, 10 equal, 51 select.
    Error <= vo: 8 u of its largest component; searched, not proved. */
 static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
@@ -13917,64 +13894,37 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double s_2 = R->m01 + R->m10, s_2_right = s_2 - R->m01, s_2_left = s_2 - s_2_right,
       s_2_left_rest = R->m01 - s_2_left, s_2_right_rest = R->m10 - s_2_right,
       s_2_lo = s_2_left_rest + s_2_right_rest;
-  const double less_0 = 1.0 - R->m00, less_0_right = 1.0 - less_0,
-      less_0_left = less_0 + less_0_right, less_0_left_rest = 1.0 - less_0_left,
-      less_0_right_rest = R->m00 - less_0_right, less_0_lo = less_0_left_rest - less_0_right_rest;
-  const double less_1 = 1.0 - R->m11, less_1_right = 1.0 - less_1,
-      less_1_left = less_1 + less_1_right, less_1_left_rest = 1.0 - less_1_left,
-      less_1_right_rest = R->m11 - less_1_right, less_1_lo = less_1_left_rest - less_1_right_rest;
-  const double less_2 = 1.0 - R->m22, less_2_right = 1.0 - less_2,
-      less_2_left = less_2 + less_2_right, less_2_left_rest = 1.0 - less_2_left,
-      less_2_right_rest = R->m22 - less_2_right, less_2_lo = less_2_left_rest - less_2_right_rest;
-  const double more_0 = R->m00 + 1.0, more_0_right = more_0 - R->m00,
-      more_0_left = more_0 - more_0_right, more_0_left_rest = R->m00 - more_0_left,
-      more_0_right_rest = 1.0 - more_0_right, more_0_lo = more_0_left_rest + more_0_right_rest;
-  const double more_1 = R->m11 + 1.0, more_1_right = more_1 - R->m11,
-      more_1_left = more_1 - more_1_right, more_1_left_rest = R->m11 - more_1_left,
-      more_1_right_rest = 1.0 - more_1_right, more_1_lo = more_1_left_rest + more_1_right_rest;
-  const double more_2 = R->m22 + 1.0, more_2_right = more_2 - R->m22,
-      more_2_left = more_2 - more_2_right, more_2_left_rest = R->m22 - more_2_left,
-      more_2_right_rest = 1.0 - more_2_right, more_2_lo = more_2_left_rest + more_2_right_rest;
-  const double d_0a = less_0 + less_1, d_0a_right = d_0a - less_0, d_0a_left = d_0a - d_0a_right,
-      d_0a_left_rest = less_0 - d_0a_left, d_0a_right_rest = less_1 - d_0a_right,
-      d_0a_lo1 = d_0a_left_rest + d_0a_right_rest, d_0a_lo2 = d_0a_lo1 + less_1_lo,
-      d_0a_lo = d_0a_lo2 + less_0_lo, d_0b = d_0a + less_2, d_0b_right = d_0b - d_0a,
-      d_0b_left = d_0b - d_0b_right, d_0b_left_rest = d_0a - d_0b_left,
-      d_0b_right_rest = less_2 - d_0b_right, d_0b_lo1 = d_0b_left_rest + d_0b_right_rest,
-      d_0b_lo2 = d_0b_lo1 + less_2_lo, d_0b_lo = d_0b_lo2 + d_0a_lo, d_0 = 4.0 - d_0b,
-      d_0_right = 4.0 - d_0, d_0_left = d_0 + d_0_right, d_0_left_rest = 4.0 - d_0_left,
-      d_0_right_rest = d_0b - d_0_right, d_0_lo1 = d_0_left_rest - d_0_right_rest,
-      d_0_lo = d_0_lo1 - d_0b_lo;
-  const double d_1a = 4.0 - less_0, d_1a_right = 4.0 - d_1a, d_1a_left = d_1a + d_1a_right,
-      d_1a_left_rest = 4.0 - d_1a_left, d_1a_right_rest = less_0 - d_1a_right,
-      d_1a_lo1 = d_1a_left_rest - d_1a_right_rest, d_1a_lo = d_1a_lo1 - less_0_lo,
-      d_1b = more_1 + more_2, d_1b_right = d_1b - more_1, d_1b_left = d_1b - d_1b_right,
-      d_1b_left_rest = more_1 - d_1b_left, d_1b_right_rest = more_2 - d_1b_right,
-      d_1b_lo1 = d_1b_left_rest + d_1b_right_rest, d_1b_lo2 = d_1b_lo1 + more_2_lo,
-      d_1b_lo = d_1b_lo2 + more_1_lo, d_1 = d_1a - d_1b, d_1_right = d_1a - d_1,
-      d_1_left = d_1 + d_1_right, d_1_left_rest = d_1a - d_1_left,
-      d_1_right_rest = d_1b - d_1_right, d_1_lo1 = d_1_left_rest - d_1_right_rest,
-      d_1_lo2 = d_1_lo1 - d_1b_lo, d_1_lo = d_1_lo2 + d_1a_lo;
-  const double d_2a = 4.0 - less_1, d_2a_right = 4.0 - d_2a, d_2a_left = d_2a + d_2a_right,
-      d_2a_left_rest = 4.0 - d_2a_left, d_2a_right_rest = less_1 - d_2a_right,
-      d_2a_lo1 = d_2a_left_rest - d_2a_right_rest, d_2a_lo = d_2a_lo1 - less_1_lo,
-      d_2b = more_0 + more_2, d_2b_right = d_2b - more_0, d_2b_left = d_2b - d_2b_right,
-      d_2b_left_rest = more_0 - d_2b_left, d_2b_right_rest = more_2 - d_2b_right,
-      d_2b_lo1 = d_2b_left_rest + d_2b_right_rest, d_2b_lo2 = d_2b_lo1 + more_2_lo,
-      d_2b_lo = d_2b_lo2 + more_0_lo, d_2 = d_2a - d_2b, d_2_right = d_2a - d_2,
-      d_2_left = d_2 + d_2_right, d_2_left_rest = d_2a - d_2_left,
-      d_2_right_rest = d_2b - d_2_right, d_2_lo1 = d_2_left_rest - d_2_right_rest,
-      d_2_lo2 = d_2_lo1 - d_2b_lo, d_2_lo = d_2_lo2 + d_2a_lo;
-  const double d_3a = 4.0 - less_2, d_3a_right = 4.0 - d_3a, d_3a_left = d_3a + d_3a_right,
-      d_3a_left_rest = 4.0 - d_3a_left, d_3a_right_rest = less_2 - d_3a_right,
-      d_3a_lo1 = d_3a_left_rest - d_3a_right_rest, d_3a_lo = d_3a_lo1 - less_2_lo,
-      d_3b = more_0 + more_1, d_3b_right = d_3b - more_0, d_3b_left = d_3b - d_3b_right,
-      d_3b_left_rest = more_0 - d_3b_left, d_3b_right_rest = more_1 - d_3b_right,
-      d_3b_lo1 = d_3b_left_rest + d_3b_right_rest, d_3b_lo2 = d_3b_lo1 + more_1_lo,
-      d_3b_lo = d_3b_lo2 + more_0_lo, d_3 = d_3a - d_3b, d_3_right = d_3a - d_3,
-      d_3_left = d_3 + d_3_right, d_3_left_rest = d_3a - d_3_left,
-      d_3_right_rest = d_3b - d_3_right, d_3_lo1 = d_3_left_rest - d_3_right_rest,
-      d_3_lo2 = d_3_lo1 - d_3b_lo, d_3_lo = d_3_lo2 + d_3a_lo;
+  const double first_0 = R->m00 + 1.0, first_0_right = first_0 - R->m00,
+      first_0_left = first_0 - first_0_right, first_0_left_rest = R->m00 - first_0_left,
+      first_0_right_rest = 1.0 - first_0_right, first_0_lo = first_0_left_rest + first_0_right_rest;
+  const double first_1 = 1.0 - R->m00, first_1_right = 1.0 - first_1,
+      first_1_left = first_1 + first_1_right, first_1_left_rest = 1.0 - first_1_left,
+      first_1_right_rest = R->m00 - first_1_right,
+      first_1_lo = first_1_left_rest - first_1_right_rest;
+  const double others_0 = R->m11 + R->m22, others_0_right = others_0 - R->m11,
+      others_0_left = others_0 - others_0_right, others_0_left_rest = R->m11 - others_0_left,
+      others_0_right_rest = R->m22 - others_0_right,
+      others_0_lo = others_0_left_rest + others_0_right_rest;
+  const double others_1 = R->m11 - R->m22, others_1_right = R->m11 - others_1,
+      others_1_left = others_1 + others_1_right, others_1_left_rest = R->m11 - others_1_left,
+      others_1_right_rest = R->m22 - others_1_right,
+      others_1_lo = others_1_left_rest - others_1_right_rest;
+  const double d_0 = first_0 + others_0, d_0_right = d_0 - first_0, d_0_left = d_0 - d_0_right,
+      d_0_left_rest = first_0 - d_0_left, d_0_right_rest = others_0 - d_0_right,
+      d_0_lo1 = d_0_left_rest + d_0_right_rest, d_0_lo2 = d_0_lo1 + others_0_lo,
+      d_0_lo = d_0_lo2 + first_0_lo;
+  const double d_1 = first_0 - others_0, d_1_right = first_0 - d_1, d_1_left = d_1 + d_1_right,
+      d_1_left_rest = first_0 - d_1_left, d_1_right_rest = others_0 - d_1_right,
+      d_1_lo1 = d_1_left_rest - d_1_right_rest, d_1_lo2 = d_1_lo1 - others_0_lo,
+      d_1_lo = d_1_lo2 + first_0_lo;
+  const double d_2 = first_1 + others_1, d_2_right = d_2 - first_1, d_2_left = d_2 - d_2_right,
+      d_2_left_rest = first_1 - d_2_left, d_2_right_rest = others_1 - d_2_right,
+      d_2_lo1 = d_2_left_rest + d_2_right_rest, d_2_lo2 = d_2_lo1 + others_1_lo,
+      d_2_lo = d_2_lo2 + first_1_lo;
+  const double d_3 = first_1 - others_1, d_3_right = first_1 - d_3, d_3_left = d_3 + d_3_right,
+      d_3_left_rest = first_1 - d_3_left, d_3_right_rest = others_1 - d_3_right,
+      d_3_lo1 = d_3_left_rest - d_3_right_rest, d_3_lo2 = d_3_lo1 - others_1_lo,
+      d_3_lo = d_3_lo2 + first_1_lo;
   const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
   const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
   const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
@@ -14129,9 +14079,9 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   vo->z = vector_2_final;
 }
 
-/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
    R: rotation or other 3×3 matrix; axis: vector.
-   35 mul, 258 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+   35 mul, 204 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
      less, 11 equal, 54 select.
    Error <= angle: 8 u, axis: 5 u of its largest component; searched, not proved. */
 static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
@@ -14153,64 +14103,37 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
   const double s_2 = R->m01 + R->m10, s_2_right = s_2 - R->m01, s_2_left = s_2 - s_2_right,
       s_2_left_rest = R->m01 - s_2_left, s_2_right_rest = R->m10 - s_2_right,
       s_2_lo = s_2_left_rest + s_2_right_rest;
-  const double less_0 = 1.0 - R->m00, less_0_right = 1.0 - less_0,
-      less_0_left = less_0 + less_0_right, less_0_left_rest = 1.0 - less_0_left,
-      less_0_right_rest = R->m00 - less_0_right, less_0_lo = less_0_left_rest - less_0_right_rest;
-  const double less_1 = 1.0 - R->m11, less_1_right = 1.0 - less_1,
-      less_1_left = less_1 + less_1_right, less_1_left_rest = 1.0 - less_1_left,
-      less_1_right_rest = R->m11 - less_1_right, less_1_lo = less_1_left_rest - less_1_right_rest;
-  const double less_2 = 1.0 - R->m22, less_2_right = 1.0 - less_2,
-      less_2_left = less_2 + less_2_right, less_2_left_rest = 1.0 - less_2_left,
-      less_2_right_rest = R->m22 - less_2_right, less_2_lo = less_2_left_rest - less_2_right_rest;
-  const double more_0 = R->m00 + 1.0, more_0_right = more_0 - R->m00,
-      more_0_left = more_0 - more_0_right, more_0_left_rest = R->m00 - more_0_left,
-      more_0_right_rest = 1.0 - more_0_right, more_0_lo = more_0_left_rest + more_0_right_rest;
-  const double more_1 = R->m11 + 1.0, more_1_right = more_1 - R->m11,
-      more_1_left = more_1 - more_1_right, more_1_left_rest = R->m11 - more_1_left,
-      more_1_right_rest = 1.0 - more_1_right, more_1_lo = more_1_left_rest + more_1_right_rest;
-  const double more_2 = R->m22 + 1.0, more_2_right = more_2 - R->m22,
-      more_2_left = more_2 - more_2_right, more_2_left_rest = R->m22 - more_2_left,
-      more_2_right_rest = 1.0 - more_2_right, more_2_lo = more_2_left_rest + more_2_right_rest;
-  const double d_0a = less_0 + less_1, d_0a_right = d_0a - less_0, d_0a_left = d_0a - d_0a_right,
-      d_0a_left_rest = less_0 - d_0a_left, d_0a_right_rest = less_1 - d_0a_right,
-      d_0a_lo1 = d_0a_left_rest + d_0a_right_rest, d_0a_lo2 = d_0a_lo1 + less_1_lo,
-      d_0a_lo = d_0a_lo2 + less_0_lo, d_0b = d_0a + less_2, d_0b_right = d_0b - d_0a,
-      d_0b_left = d_0b - d_0b_right, d_0b_left_rest = d_0a - d_0b_left,
-      d_0b_right_rest = less_2 - d_0b_right, d_0b_lo1 = d_0b_left_rest + d_0b_right_rest,
-      d_0b_lo2 = d_0b_lo1 + less_2_lo, d_0b_lo = d_0b_lo2 + d_0a_lo, d_0 = 4.0 - d_0b,
-      d_0_right = 4.0 - d_0, d_0_left = d_0 + d_0_right, d_0_left_rest = 4.0 - d_0_left,
-      d_0_right_rest = d_0b - d_0_right, d_0_lo1 = d_0_left_rest - d_0_right_rest,
-      d_0_lo = d_0_lo1 - d_0b_lo;
-  const double d_1a = 4.0 - less_0, d_1a_right = 4.0 - d_1a, d_1a_left = d_1a + d_1a_right,
-      d_1a_left_rest = 4.0 - d_1a_left, d_1a_right_rest = less_0 - d_1a_right,
-      d_1a_lo1 = d_1a_left_rest - d_1a_right_rest, d_1a_lo = d_1a_lo1 - less_0_lo,
-      d_1b = more_1 + more_2, d_1b_right = d_1b - more_1, d_1b_left = d_1b - d_1b_right,
-      d_1b_left_rest = more_1 - d_1b_left, d_1b_right_rest = more_2 - d_1b_right,
-      d_1b_lo1 = d_1b_left_rest + d_1b_right_rest, d_1b_lo2 = d_1b_lo1 + more_2_lo,
-      d_1b_lo = d_1b_lo2 + more_1_lo, d_1 = d_1a - d_1b, d_1_right = d_1a - d_1,
-      d_1_left = d_1 + d_1_right, d_1_left_rest = d_1a - d_1_left,
-      d_1_right_rest = d_1b - d_1_right, d_1_lo1 = d_1_left_rest - d_1_right_rest,
-      d_1_lo2 = d_1_lo1 - d_1b_lo, d_1_lo = d_1_lo2 + d_1a_lo;
-  const double d_2a = 4.0 - less_1, d_2a_right = 4.0 - d_2a, d_2a_left = d_2a + d_2a_right,
-      d_2a_left_rest = 4.0 - d_2a_left, d_2a_right_rest = less_1 - d_2a_right,
-      d_2a_lo1 = d_2a_left_rest - d_2a_right_rest, d_2a_lo = d_2a_lo1 - less_1_lo,
-      d_2b = more_0 + more_2, d_2b_right = d_2b - more_0, d_2b_left = d_2b - d_2b_right,
-      d_2b_left_rest = more_0 - d_2b_left, d_2b_right_rest = more_2 - d_2b_right,
-      d_2b_lo1 = d_2b_left_rest + d_2b_right_rest, d_2b_lo2 = d_2b_lo1 + more_2_lo,
-      d_2b_lo = d_2b_lo2 + more_0_lo, d_2 = d_2a - d_2b, d_2_right = d_2a - d_2,
-      d_2_left = d_2 + d_2_right, d_2_left_rest = d_2a - d_2_left,
-      d_2_right_rest = d_2b - d_2_right, d_2_lo1 = d_2_left_rest - d_2_right_rest,
-      d_2_lo2 = d_2_lo1 - d_2b_lo, d_2_lo = d_2_lo2 + d_2a_lo;
-  const double d_3a = 4.0 - less_2, d_3a_right = 4.0 - d_3a, d_3a_left = d_3a + d_3a_right,
-      d_3a_left_rest = 4.0 - d_3a_left, d_3a_right_rest = less_2 - d_3a_right,
-      d_3a_lo1 = d_3a_left_rest - d_3a_right_rest, d_3a_lo = d_3a_lo1 - less_2_lo,
-      d_3b = more_0 + more_1, d_3b_right = d_3b - more_0, d_3b_left = d_3b - d_3b_right,
-      d_3b_left_rest = more_0 - d_3b_left, d_3b_right_rest = more_1 - d_3b_right,
-      d_3b_lo1 = d_3b_left_rest + d_3b_right_rest, d_3b_lo2 = d_3b_lo1 + more_1_lo,
-      d_3b_lo = d_3b_lo2 + more_0_lo, d_3 = d_3a - d_3b, d_3_right = d_3a - d_3,
-      d_3_left = d_3 + d_3_right, d_3_left_rest = d_3a - d_3_left,
-      d_3_right_rest = d_3b - d_3_right, d_3_lo1 = d_3_left_rest - d_3_right_rest,
-      d_3_lo2 = d_3_lo1 - d_3b_lo, d_3_lo = d_3_lo2 + d_3a_lo;
+  const double first_0 = R->m00 + 1.0, first_0_right = first_0 - R->m00,
+      first_0_left = first_0 - first_0_right, first_0_left_rest = R->m00 - first_0_left,
+      first_0_right_rest = 1.0 - first_0_right, first_0_lo = first_0_left_rest + first_0_right_rest;
+  const double first_1 = 1.0 - R->m00, first_1_right = 1.0 - first_1,
+      first_1_left = first_1 + first_1_right, first_1_left_rest = 1.0 - first_1_left,
+      first_1_right_rest = R->m00 - first_1_right,
+      first_1_lo = first_1_left_rest - first_1_right_rest;
+  const double others_0 = R->m11 + R->m22, others_0_right = others_0 - R->m11,
+      others_0_left = others_0 - others_0_right, others_0_left_rest = R->m11 - others_0_left,
+      others_0_right_rest = R->m22 - others_0_right,
+      others_0_lo = others_0_left_rest + others_0_right_rest;
+  const double others_1 = R->m11 - R->m22, others_1_right = R->m11 - others_1,
+      others_1_left = others_1 + others_1_right, others_1_left_rest = R->m11 - others_1_left,
+      others_1_right_rest = R->m22 - others_1_right,
+      others_1_lo = others_1_left_rest - others_1_right_rest;
+  const double d_0 = first_0 + others_0, d_0_right = d_0 - first_0, d_0_left = d_0 - d_0_right,
+      d_0_left_rest = first_0 - d_0_left, d_0_right_rest = others_0 - d_0_right,
+      d_0_lo1 = d_0_left_rest + d_0_right_rest, d_0_lo2 = d_0_lo1 + others_0_lo,
+      d_0_lo = d_0_lo2 + first_0_lo;
+  const double d_1 = first_0 - others_0, d_1_right = first_0 - d_1, d_1_left = d_1 + d_1_right,
+      d_1_left_rest = first_0 - d_1_left, d_1_right_rest = others_0 - d_1_right,
+      d_1_lo1 = d_1_left_rest - d_1_right_rest, d_1_lo2 = d_1_lo1 - others_0_lo,
+      d_1_lo = d_1_lo2 + first_0_lo;
+  const double d_2 = first_1 + others_1, d_2_right = d_2 - first_1, d_2_left = d_2 - d_2_right,
+      d_2_left_rest = first_1 - d_2_left, d_2_right_rest = others_1 - d_2_right,
+      d_2_lo1 = d_2_left_rest + d_2_right_rest, d_2_lo2 = d_2_lo1 + others_1_lo,
+      d_2_lo = d_2_lo2 + first_1_lo;
+  const double d_3 = first_1 - others_1, d_3_right = first_1 - d_3, d_3_left = d_3 + d_3_right,
+      d_3_left_rest = first_1 - d_3_left, d_3_right_rest = others_1 - d_3_right,
+      d_3_lo1 = d_3_left_rest - d_3_right_rest, d_3_lo2 = d_3_lo1 - others_1_lo,
+      d_3_lo = d_3_lo2 + first_1_lo;
   const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
   const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
   const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
@@ -14327,43 +14250,56 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
       half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
       half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
-  const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
-      divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
-  const double unit_0_of_divisor = divisor + divisor_lo,
+  const double divisor = n_of_v_n == 0.0 ? 1.0 : n_of_v_n,
+      divisor_lo = n_of_v_n == 0.0 ? 0.0 : n_of_v_n_lo;
+  const double unit_0_of_v_y_0 = v_y_0 + v_y_0_lo, unit_0_of_v_y_0_right = unit_0_of_v_y_0 - v_y_0,
+      unit_0_of_v_y_0_left = unit_0_of_v_y_0 - unit_0_of_v_y_0_right,
+      unit_0_of_v_y_0_left_rest = v_y_0 - unit_0_of_v_y_0_left,
+      unit_0_of_v_y_0_right_rest = v_y_0_lo - unit_0_of_v_y_0_right,
+      unit_0_of_v_y_0_lo = unit_0_of_v_y_0_left_rest + unit_0_of_v_y_0_right_rest,
+      unit_0_of_divisor = divisor + divisor_lo,
       unit_0_of_divisor_right = unit_0_of_divisor - divisor,
       unit_0_of_divisor_left = unit_0_of_divisor - unit_0_of_divisor_right,
       unit_0_of_divisor_left_rest = divisor - unit_0_of_divisor_left,
       unit_0_of_divisor_right_rest = divisor_lo - unit_0_of_divisor_right,
       unit_0_of_divisor_lo = unit_0_of_divisor_left_rest + unit_0_of_divisor_right_rest,
-      unit_0 = v_y_0_of_upper_1 / unit_0_of_divisor, unit_0_product = unit_0 * unit_0_of_divisor,
+      unit_0 = unit_0_of_v_y_0 / unit_0_of_divisor, unit_0_product = unit_0 * unit_0_of_divisor,
       unit_0_product_error = ksl_product_error(unit_0, unit_0_of_divisor, unit_0_product),
-      unit_0_rest = v_y_0_of_upper_1 - unit_0_product,
+      unit_0_rest = unit_0_of_v_y_0 - unit_0_product,
       unit_0_exact = unit_0_rest - unit_0_product_error,
-      unit_0_numerator = unit_0_exact + v_y_0_of_upper_1_lo,
+      unit_0_numerator = unit_0_exact + unit_0_of_v_y_0_lo,
       unit_0_cross = unit_0 * unit_0_of_divisor_lo,
       unit_0_residual = unit_0_numerator - unit_0_cross,
       unit_0_lo = unit_0_residual / unit_0_of_divisor;
-  const double unit_1 = v_y_1_of_upper_2 / unit_0_of_divisor,
-      unit_1_product = unit_1 * unit_0_of_divisor,
+  const double unit_1_of_v_y_1 = v_y_1 + v_y_1_lo, unit_1_of_v_y_1_right = unit_1_of_v_y_1 - v_y_1,
+      unit_1_of_v_y_1_left = unit_1_of_v_y_1 - unit_1_of_v_y_1_right,
+      unit_1_of_v_y_1_left_rest = v_y_1 - unit_1_of_v_y_1_left,
+      unit_1_of_v_y_1_right_rest = v_y_1_lo - unit_1_of_v_y_1_right,
+      unit_1_of_v_y_1_lo = unit_1_of_v_y_1_left_rest + unit_1_of_v_y_1_right_rest,
+      unit_1 = unit_1_of_v_y_1 / unit_0_of_divisor, unit_1_product = unit_1 * unit_0_of_divisor,
       unit_1_product_error = ksl_product_error(unit_1, unit_0_of_divisor, unit_1_product),
-      unit_1_rest = v_y_1_of_upper_2 - unit_1_product,
+      unit_1_rest = unit_1_of_v_y_1 - unit_1_product,
       unit_1_exact = unit_1_rest - unit_1_product_error,
-      unit_1_numerator = unit_1_exact + v_y_1_of_upper_2_lo,
+      unit_1_numerator = unit_1_exact + unit_1_of_v_y_1_lo,
       unit_1_cross = unit_1 * unit_0_of_divisor_lo,
       unit_1_residual = unit_1_numerator - unit_1_cross,
       unit_1_lo = unit_1_residual / unit_0_of_divisor;
-  const double unit_2 = v_y_2_of_upper_3 / unit_0_of_divisor,
-      unit_2_product = unit_2 * unit_0_of_divisor,
+  const double unit_2_of_v_y_2 = v_y_2 + v_y_2_lo, unit_2_of_v_y_2_right = unit_2_of_v_y_2 - v_y_2,
+      unit_2_of_v_y_2_left = unit_2_of_v_y_2 - unit_2_of_v_y_2_right,
+      unit_2_of_v_y_2_left_rest = v_y_2 - unit_2_of_v_y_2_left,
+      unit_2_of_v_y_2_right_rest = v_y_2_lo - unit_2_of_v_y_2_right,
+      unit_2_of_v_y_2_lo = unit_2_of_v_y_2_left_rest + unit_2_of_v_y_2_right_rest,
+      unit_2 = unit_2_of_v_y_2 / unit_0_of_divisor, unit_2_product = unit_2 * unit_0_of_divisor,
       unit_2_product_error = ksl_product_error(unit_2, unit_0_of_divisor, unit_2_product),
-      unit_2_rest = v_y_2_of_upper_3 - unit_2_product,
+      unit_2_rest = unit_2_of_v_y_2 - unit_2_product,
       unit_2_exact = unit_2_rest - unit_2_product_error,
-      unit_2_numerator = unit_2_exact + v_y_2_of_upper_3_lo,
+      unit_2_numerator = unit_2_exact + unit_2_of_v_y_2_lo,
       unit_2_cross = unit_2 * unit_0_of_divisor_lo,
       unit_2_residual = unit_2_numerator - unit_2_cross,
       unit_2_lo = unit_2_residual / unit_0_of_divisor;
   const double angle = 2.0 * half, angle_cross2 = 2.0 * half_lo;
-  const double axis_0 = half_of_n == 0.0 ? 1.0 : unit_0,
-      axis_0_lo = half_of_n == 0.0 ? 0.0 : unit_0_lo;
+  const double axis_0 = n_of_v_n == 0.0 ? 1.0 : unit_0,
+      axis_0_lo = n_of_v_n == 0.0 ? 0.0 : unit_0_lo;
   const double angle_rounded = angle + angle_cross2,
       angle_final = angle_rounded == angle_rounded ? angle_rounded : angle;
   const double axis_0_rounded = axis_0 + axis_0_lo,
@@ -15056,7 +14992,7 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   11 mul, 26 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
+   11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
    Error <= vo: 8 u of its largest component; searched, not proved. */
 static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const double p_0 = (double)R->m21 - (double)R->m12;
@@ -15065,16 +15001,14 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
   const double s_0 = (double)R->m12 + (double)R->m21;
   const double s_1 = (double)R->m02 + (double)R->m20;
   const double s_2 = (double)R->m01 + (double)R->m10;
-  const double less_0 = 1.0 - (double)R->m00;
-  const double less_1 = 1.0 - (double)R->m11;
-  const double less_2 = 1.0 - (double)R->m22;
-  const double more_0 = (double)R->m00 + 1.0;
-  const double more_1 = (double)R->m11 + 1.0;
-  const double more_2 = (double)R->m22 + 1.0;
-  const double d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0 - d_0b;
-  const double d_1a = 4.0 - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
-  const double d_2a = 4.0 - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
-  const double d_3a = 4.0 - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
+  const double first_0 = (double)R->m00 + 1.0;
+  const double first_1 = 1.0 - (double)R->m00;
+  const double others_0 = (double)R->m11 + (double)R->m22;
+  const double others_1 = (double)R->m11 - (double)R->m22;
+  const double d_0 = first_0 + others_0;
+  const double d_1 = first_0 - others_0;
+  const double d_2 = first_1 + others_1;
+  const double d_3 = first_1 - others_1;
   const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
   const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
   const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
@@ -15118,9 +15052,9 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
   vo->z = (float)vector_2;
 }
 
-/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
    R: rotation or other 3×3 matrix; axis: vector.
-   8 mul, 26 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
+   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
    Error <= angle: 8 u, axis: 5 u of its largest component; searched, not proved. */
 static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *axis) {
@@ -15130,16 +15064,14 @@ static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   const double s_0 = (double)R->m12 + (double)R->m21;
   const double s_1 = (double)R->m02 + (double)R->m20;
   const double s_2 = (double)R->m01 + (double)R->m10;
-  const double less_0 = 1.0 - (double)R->m00;
-  const double less_1 = 1.0 - (double)R->m11;
-  const double less_2 = 1.0 - (double)R->m22;
-  const double more_0 = (double)R->m00 + 1.0;
-  const double more_1 = (double)R->m11 + 1.0;
-  const double more_2 = (double)R->m22 + 1.0;
-  const double d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0 - d_0b;
-  const double d_1a = 4.0 - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
-  const double d_2a = 4.0 - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
-  const double d_3a = 4.0 - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
+  const double first_0 = (double)R->m00 + 1.0;
+  const double first_1 = 1.0 - (double)R->m00;
+  const double others_0 = (double)R->m11 + (double)R->m22;
+  const double others_1 = (double)R->m11 - (double)R->m22;
+  const double d_0 = first_0 + others_0;
+  const double d_1 = first_0 - others_0;
+  const double d_2 = first_1 + others_1;
+  const double d_3 = first_1 - others_1;
   const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
   const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
   const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
@@ -15172,12 +15104,12 @@ static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
       v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_0);
-  const double divisor = n == 0.0 ? 1.0 : n;
-  const double unit_0 = upper_1 / divisor;
-  const double unit_1 = upper_2 / divisor;
-  const double unit_2 = upper_3 / divisor;
+  const double divisor = v_n == 0.0 ? 1.0 : v_n;
+  const double unit_0 = v_y_0 / divisor;
+  const double unit_1 = v_y_1 / divisor;
+  const double unit_2 = v_y_2 / divisor;
   const double angle = 2.0 * half;
-  const double axis_0 = n == 0.0 ? 1.0 : unit_0;
+  const double axis_0 = v_n == 0.0 ? 1.0 : unit_0;
   axis->x = (float)axis_0;
   axis->y = (float)unit_1;
   axis->z = (float)unit_2;
@@ -15522,10 +15454,10 @@ static inline void ksl_mat3x3_ldl_solve_accurate(const ksl_mat3x3_t *L, const ks
 }
 
 /* x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-     singular to rounding or indefinite (A - 40 u diag A is not positive definite), it is not
+     singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
      positive, and x not a number.
    A: rotation or other 3×3 matrix; b, x: vector.
-   89 mul, 327 add, 14 product error, 28 product rest, 28 div, 12 less, 5 equal, 39 select.
+   89 mul, 327 add, 14 product error, 28 product rest, 28 div, 11 less, 5 equal, 38 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
      barring over- and underflow. */
 static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_vec3_t *b,
@@ -15608,10 +15540,10 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       part2 = 0.0 < A->m22 ? part2a : A->m22, part2_lo = 0.0 < A->m22 ? part2a_lo : 0.0;
   const double smallest2 = smallest1 < part2 ? smallest1 : part2,
       smallest2_lo = smallest1 < part2 ? smallest1_lo : part2_lo;
-  const double less_0 = A->m00 * 0.9999999999999956;
-  const double less_1 = A->m11 * 0.9999999999999956;
-  const double less_2 = A->m22 * 0.9999999999999956;
-  const double less_0_lo = ksl_product_error(A->m00, 0.9999999999999956, less_0),
+  const double less_0 = A->m00 * 0.9999999999999944;
+  const double less_1 = A->m11 * 0.9999999999999944;
+  const double less_2 = A->m22 * 0.9999999999999944;
+  const double less_0_lo = ksl_product_error(A->m00, 0.9999999999999944, less_0),
       less_divisor0 = 0.0 < less_0 ? less_0 : 1.0,
       less_divisor0_lo = 0.0 < less_0 ? less_0_lo : 0.0;
   const double less_l0_0_of_less_divisor0 = less_divisor0 + less_divisor0_lo,
@@ -15632,7 +15564,7 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
   const double less_u1_0a = A->m10 * less_l0_0, less_u1_0a_cross2 = A->m10 * less_l0_0_lo,
       less_u1_0 = less_1 - less_u1_0a, less_u1_0_right = less_1 - less_u1_0,
       less_u1_0_left = less_u1_0 + less_u1_0_right,
-      less_u1_0_left_rest = ksl_product_rest(A->m11, 0.9999999999999956, less_1, less_u1_0_left),
+      less_u1_0_left_rest = ksl_product_rest(A->m11, 0.9999999999999944, less_1, less_u1_0_left),
       less_u1_0_right_rest = ksl_product_rest(A->m10, less_l0_0, less_u1_0a, less_u1_0_right),
       less_u1_0_lo1 = less_u1_0_left_rest - less_u1_0_right_rest,
       less_u1_0_lo = less_u1_0_lo1 - less_u1_0a_cross2;
@@ -15649,8 +15581,8 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       less_l1 = less_l1_of_less_u1_1 / less_l1_of_less_divisor1;
   const double less_u2a = A->m20 * less_l0_1, less_u2b = less_2 - less_u2a,
       less_u2c = less_l1_of_less_u1_1 * less_l1, less_u2 = less_u2b - less_u2c;
-  const double regular_b = 0.0 < smallest2 ? 1.0 : 0.0, regular_d = 0.0 < less_u2 ? regular_b : 0.0,
-      regular_e = 0.0 < less_u1_0 ? regular_d : 0.0, regular = 0.0 < less_0 ? regular_e : 0.0;
+  const double regular_b = 0.0 < less_u2 ? 1.0 : 0.0, regular_c = 0.0 < less_u1_0 ? regular_b : 0.0,
+      regular = 0.0 < less_0 ? regular_c : 0.0;
   const double least = smallest2 < 0.0 ? smallest2 : 0.0,
       least_lo = smallest2 < 0.0 ? smallest2_lo : 0.0;
   const double y1a = b->x * l0_0, y1a_cross2 = b->x * l0_0_lo, y1 = b->y - y1a,
@@ -16618,10 +16550,10 @@ static inline void ksl_mat6x6_ldl_solve_accurate(const ksl_mat6x6_t *L, const ks
 }
 
 /* x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-     singular to rounding or indefinite (A - 40 u diag A is not positive definite), it is not
+     singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
      positive, and x not a number.
    A: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in rad/s).
-   497 mul, 1648 add, 44 product error, 165 product rest, 91 div, 24 less, 8 equal, 78 select.
+   497 mul, 1648 add, 44 product error, 165 product rest, 91 div, 23 less, 8 equal, 77 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
      barring over- and underflow. */
 static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_coscrew_t *b,
@@ -17055,13 +16987,13 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       part5_lo = 0.0 < A->at[5][5] ? part5a_lo : 0.0;
   const double smallest5 = smallest4 < part5 ? smallest4 : part5,
       smallest5_lo = smallest4 < part5 ? smallest4_lo : part5_lo;
-  const double less_0 = A->at[0][0] * 0.9999999999999956;
-  const double less_1 = A->at[1][1] * 0.9999999999999956;
-  const double less_2 = A->at[2][2] * 0.9999999999999956;
-  const double less_3 = A->at[3][3] * 0.9999999999999956;
-  const double less_4 = A->at[4][4] * 0.9999999999999956;
-  const double less_5 = A->at[5][5] * 0.9999999999999956;
-  const double less_0_lo = ksl_product_error(A->at[0][0], 0.9999999999999956, less_0),
+  const double less_0 = A->at[0][0] * 0.9999999999999944;
+  const double less_1 = A->at[1][1] * 0.9999999999999944;
+  const double less_2 = A->at[2][2] * 0.9999999999999944;
+  const double less_3 = A->at[3][3] * 0.9999999999999944;
+  const double less_4 = A->at[4][4] * 0.9999999999999944;
+  const double less_5 = A->at[5][5] * 0.9999999999999944;
+  const double less_0_lo = ksl_product_error(A->at[0][0], 0.9999999999999944, less_0),
       less_divisor0 = 0.0 < less_0 ? less_0 : 1.0,
       less_divisor0_lo = 0.0 < less_0 ? less_0_lo : 0.0;
   const double less_l0_0_of_less_divisor0 = less_divisor0 + less_divisor0_lo,
@@ -17106,7 +17038,7 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
   const double less_u1_0a = A->at[0][1] * less_l0_0, less_u1_0a_cross2 = A->at[0][1] * less_l0_0_lo,
       less_u1_0 = less_1 - less_u1_0a, less_u1_0_right = less_1 - less_u1_0,
       less_u1_0_left = less_u1_0 + less_u1_0_right,
-      less_u1_0_left_rest = ksl_product_rest(A->at[1][1], 0.9999999999999956, less_1, less_u1_0_left),
+      less_u1_0_left_rest = ksl_product_rest(A->at[1][1], 0.9999999999999944, less_1, less_u1_0_left),
       less_u1_0_right_rest = ksl_product_rest(A->at[0][1], less_l0_0, less_u1_0a, less_u1_0_right),
       less_u1_0_lo1 = less_u1_0_left_rest - less_u1_0_right_rest,
       less_u1_0_lo = less_u1_0_lo1 - less_u1_0a_cross2;
@@ -17201,7 +17133,7 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
   const double less_u2_0a = A->at[0][2] * less_l0_1, less_u2_0a_cross2 = A->at[0][2] * less_l0_1_lo,
       less_u2_0b = less_2 - less_u2_0a, less_u2_0b_right = less_2 - less_u2_0b,
       less_u2_0b_left = less_u2_0b + less_u2_0b_right,
-      less_u2_0b_left_rest = ksl_product_rest(A->at[2][2], 0.9999999999999956, less_2, less_u2_0b_left),
+      less_u2_0b_left_rest = ksl_product_rest(A->at[2][2], 0.9999999999999944, less_2, less_u2_0b_left),
       less_u2_0b_right_rest = ksl_product_rest(A->at[0][2], less_l0_1, less_u2_0a, less_u2_0b_right),
       less_u2_0b_lo1 = less_u2_0b_left_rest - less_u2_0b_right_rest,
       less_u2_0b_lo = less_u2_0b_lo1 - less_u2_0a_cross2,
@@ -17314,7 +17246,7 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
   const double less_u3_0a = A->at[0][3] * less_l0_2, less_u3_0a_cross2 = A->at[0][3] * less_l0_2_lo,
       less_u3_0b = less_3 - less_u3_0a, less_u3_0b_right = less_3 - less_u3_0b,
       less_u3_0b_left = less_u3_0b + less_u3_0b_right,
-      less_u3_0b_left_rest = ksl_product_rest(A->at[3][3], 0.9999999999999956, less_3, less_u3_0b_left),
+      less_u3_0b_left_rest = ksl_product_rest(A->at[3][3], 0.9999999999999944, less_3, less_u3_0b_left),
       less_u3_0b_right_rest = ksl_product_rest(A->at[0][3], less_l0_2, less_u3_0a, less_u3_0b_right),
       less_u3_0b_lo1 = less_u3_0b_left_rest - less_u3_0b_right_rest,
       less_u3_0b_lo = less_u3_0b_lo1 - less_u3_0a_cross2,
@@ -17428,7 +17360,7 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
   const double less_u4_0a = A->at[0][4] * less_l0_3, less_u4_0a_cross2 = A->at[0][4] * less_l0_3_lo,
       less_u4_0b = less_4 - less_u4_0a, less_u4_0b_right = less_4 - less_u4_0b,
       less_u4_0b_left = less_u4_0b + less_u4_0b_right,
-      less_u4_0b_left_rest = ksl_product_rest(A->at[4][4], 0.9999999999999956, less_4, less_u4_0b_left),
+      less_u4_0b_left_rest = ksl_product_rest(A->at[4][4], 0.9999999999999944, less_4, less_u4_0b_left),
       less_u4_0b_right_rest = ksl_product_rest(A->at[0][4], less_l0_3, less_u4_0a, less_u4_0b_right),
       less_u4_0b_lo1 = less_u4_0b_left_rest - less_u4_0b_right_rest,
       less_u4_0b_lo = less_u4_0b_lo1 - less_u4_0a_cross2,
@@ -17513,10 +17445,9 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u5e = less_l2_2_of_less_u2_3 * less_l2_2, less_u5f = less_u5d - less_u5e,
       less_u5g = less_l3_1_of_less_u3_2 * less_l3_1, less_u5h = less_u5f - less_u5g,
       less_u5i = less_l4_of_less_u4_1 * less_l4, less_u5 = less_u5h - less_u5i;
-  const double regular_b = 0.0 < smallest5 ? 1.0 : 0.0, regular_d = 0.0 < less_u5 ? regular_b : 0.0,
-      regular_e = 0.0 < less_u4_0 ? regular_d : 0.0, regular_f = 0.0 < less_u3_0 ? regular_e : 0.0,
-      regular_g = 0.0 < less_u2_0 ? regular_f : 0.0, regular_h = 0.0 < less_u1_0 ? regular_g : 0.0,
-      regular = 0.0 < less_0 ? regular_h : 0.0;
+  const double regular_b = 0.0 < less_u5 ? 1.0 : 0.0, regular_c = 0.0 < less_u4_0 ? regular_b : 0.0,
+      regular_d = 0.0 < less_u3_0 ? regular_c : 0.0, regular_e = 0.0 < less_u2_0 ? regular_d : 0.0,
+      regular_f = 0.0 < less_u1_0 ? regular_e : 0.0, regular = 0.0 < less_0 ? regular_f : 0.0;
   const double least = smallest5 < 0.0 ? smallest5 : 0.0,
       least_lo = smallest5 < 0.0 ? smallest5_lo : 0.0;
   const double y1a = b->m0 * l0_0, y1a_cross2 = b->m0 * l0_0_lo, y1 = b->m1 - y1a,
@@ -18480,10 +18411,10 @@ static inline void ksl_mat3x3f_ldl_solve_accurate(const ksl_mat3x3f_t *L, const 
 }
 
 /* x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-     singular to rounding or indefinite (A - 40 u diag A is not positive definite), it is not
+     singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
      positive, and x not a number.
    A: rotation or other 3×3 matrix; b, x: vector.
-   32 mul, 32 add, 15 div, 12 less, 1 equal, 21 select.
+   32 mul, 32 add, 15 div, 11 less, 1 equal, 20 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
      barring over- and underflow. */
 static inline float ksl_mat3x3f_solve_accurate(const ksl_mat3x3f_t *A, const ksl_vec3f_t *b,
@@ -18506,9 +18437,9 @@ static inline float ksl_mat3x3f_solve_accurate(const ksl_mat3x3f_t *A, const ksl
   const double own2 = 0.0 < (double)A->m22 ? (double)A->m22 : 1.0;
   const double part2a = u2 / own2, part2 = 0.0 < (double)A->m22 ? part2a : (double)A->m22;
   const double smallest2 = smallest1 < part2 ? smallest1 : part2;
-  const double less_0 = (double)A->m00 * 0.999997615814209;
-  const double less_1 = (double)A->m11 * 0.999997615814209;
-  const double less_2 = (double)A->m22 * 0.999997615814209;
+  const double less_0 = (double)A->m00 * 0.9999970197677612;
+  const double less_1 = (double)A->m11 * 0.9999970197677612;
+  const double less_2 = (double)A->m22 * 0.9999970197677612;
   const double less_divisor0 = 0.0 < less_0 ? less_0 : 1.0;
   const double less_l0_0 = (double)A->m10 / less_divisor0;
   const double less_l0_1 = (double)A->m20 / less_divisor0;
@@ -18518,8 +18449,8 @@ static inline float ksl_mat3x3f_solve_accurate(const ksl_mat3x3f_t *A, const ksl
   const double less_l1 = less_u1_1 / less_divisor1;
   const double less_u2a = (double)A->m20 * less_l0_1, less_u2b = less_2 - less_u2a,
       less_u2c = less_u1_1 * less_l1, less_u2 = less_u2b - less_u2c;
-  const double regular_b = 0.0 < smallest2 ? 1.0 : 0.0, regular_d = 0.0 < less_u2 ? regular_b : 0.0,
-      regular_e = 0.0 < less_u1_0 ? regular_d : 0.0, regular = 0.0 < less_0 ? regular_e : 0.0;
+  const double regular_b = 0.0 < less_u2 ? 1.0 : 0.0, regular_c = 0.0 < less_u1_0 ? regular_b : 0.0,
+      regular = 0.0 < less_0 ? regular_c : 0.0;
   const double least = smallest2 < 0.0 ? smallest2 : 0.0;
   const double y1a = (double)b->x * l0_0, y1 = (double)b->y - y1a;
   const double y2a = (double)b->x * l0_1, y2b = (double)b->z - y2a, y2c = l1 * y1, y2 = y2b - y2c;
@@ -18721,10 +18652,10 @@ static inline void ksl_mat6x6f_ldl_solve_accurate(const ksl_mat6x6f_t *L, const 
 }
 
 /* x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-     singular to rounding or indefinite (A - 40 u diag A is not positive definite), it is not
+     singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
      positive, and x not a number.
    A: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in rad/s).
-   172 mul, 172 add, 48 div, 24 less, 1 equal, 42 select.
+   172 mul, 172 add, 48 div, 23 less, 1 equal, 41 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
      barring over- and underflow. */
 static inline float ksl_mat6x6f_solve_accurate(const ksl_mat6x6f_t *A, const ksl_coscrewf_t *b,
@@ -18799,12 +18730,12 @@ static inline float ksl_mat6x6f_solve_accurate(const ksl_mat6x6f_t *A, const ksl
   const double own5 = 0.0 < (double)A->at[5][5] ? (double)A->at[5][5] : 1.0;
   const double part5a = u5 / own5, part5 = 0.0 < (double)A->at[5][5] ? part5a : (double)A->at[5][5];
   const double smallest5 = smallest4 < part5 ? smallest4 : part5;
-  const double less_0 = (double)A->at[0][0] * 0.999997615814209;
-  const double less_1 = (double)A->at[1][1] * 0.999997615814209;
-  const double less_2 = (double)A->at[2][2] * 0.999997615814209;
-  const double less_3 = (double)A->at[3][3] * 0.999997615814209;
-  const double less_4 = (double)A->at[4][4] * 0.999997615814209;
-  const double less_5 = (double)A->at[5][5] * 0.999997615814209;
+  const double less_0 = (double)A->at[0][0] * 0.9999970197677612;
+  const double less_1 = (double)A->at[1][1] * 0.9999970197677612;
+  const double less_2 = (double)A->at[2][2] * 0.9999970197677612;
+  const double less_3 = (double)A->at[3][3] * 0.9999970197677612;
+  const double less_4 = (double)A->at[4][4] * 0.9999970197677612;
+  const double less_5 = (double)A->at[5][5] * 0.9999970197677612;
   const double less_divisor0 = 0.0 < less_0 ? less_0 : 1.0;
   const double less_l0_0 = (double)A->at[0][1] / less_divisor0;
   const double less_l0_1 = (double)A->at[0][2] / less_divisor0;
@@ -18870,10 +18801,9 @@ static inline float ksl_mat6x6f_solve_accurate(const ksl_mat6x6f_t *A, const ksl
       less_u5e = less_u2_3 * less_l2_2, less_u5f = less_u5d - less_u5e,
       less_u5g = less_u3_2 * less_l3_1, less_u5h = less_u5f - less_u5g,
       less_u5i = less_u4_1 * less_l4, less_u5 = less_u5h - less_u5i;
-  const double regular_b = 0.0 < smallest5 ? 1.0 : 0.0, regular_d = 0.0 < less_u5 ? regular_b : 0.0,
-      regular_e = 0.0 < less_u4_0 ? regular_d : 0.0, regular_f = 0.0 < less_u3_0 ? regular_e : 0.0,
-      regular_g = 0.0 < less_u2_0 ? regular_f : 0.0, regular_h = 0.0 < less_u1_0 ? regular_g : 0.0,
-      regular = 0.0 < less_0 ? regular_h : 0.0;
+  const double regular_b = 0.0 < less_u5 ? 1.0 : 0.0, regular_c = 0.0 < less_u4_0 ? regular_b : 0.0,
+      regular_d = 0.0 < less_u3_0 ? regular_c : 0.0, regular_e = 0.0 < less_u2_0 ? regular_d : 0.0,
+      regular_f = 0.0 < less_u1_0 ? regular_e : 0.0, regular = 0.0 < less_0 ? regular_f : 0.0;
   const double least = smallest5 < 0.0 ? smallest5 : 0.0;
   const double y1a = (double)b->m0 * l0_0, y1 = (double)b->m1 - y1a;
   const double y2a = (double)b->m0 * l0_1, y2b = (double)b->m2 - y2a, y2c = l1_0 * y1,

@@ -12,7 +12,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "bfb3d3ffe6826264")
+COMPILED: bool = is_compiled("coscrew._gufunc", "4323619e5ab15165")
 
 if COMPILED:
     from coscrew._gufunc import (

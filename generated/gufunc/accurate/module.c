@@ -73,7 +73,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "6db5f98e614949c9") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "b5ff1873e4d71680") < 0) {
     Py_DECREF(module);
     return NULL;
   }

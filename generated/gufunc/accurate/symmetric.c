@@ -558,11 +558,11 @@ const coscrew_gufunc TABLE(symmetric)[] = {
    2, 1, mat3x3_ldl_solve_loops},
   {"mat3x3_solve", "(3,3),(3)->(),(3)",
     "x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is\n"
-    "singular to rounding or indefinite (A - 40 u diag A is not positive definite), it is not\n"
+    "singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not\n"
     "positive, and x not a number.\n"
     "\n"
     "(3,3),(3)->(),(3).  A: rotation or other 3×3 matrix; b, x: vector; pivot: number.\n"
-    "89 mul, 327 add, 14 product error, 28 product rest, 28 div, 12 less, 5 equal, 39 select.\n"
+    "89 mul, 327 add, 14 product error, 28 product rest, 28 div, 11 less, 5 equal, 38 select.\n"
     "Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;\n"
     "barring over- and underflow.\n",
    2, 2, mat3x3_solve_loops},
@@ -586,12 +586,12 @@ const coscrew_gufunc TABLE(symmetric)[] = {
    2, 1, mat6x6_ldl_solve_loops},
   {"mat6x6_solve", "(6,6),(6)->(),(6)",
     "x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is\n"
-    "singular to rounding or indefinite (A - 40 u diag A is not positive definite), it is not\n"
+    "singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not\n"
     "positive, and x not a number.\n"
     "\n"
     "(6,6),(6)->(),(6).  A: 6×6 operator; b: coscrew (f in N; τ in N m); pivot: number; x: screw\n"
     "(v in m/s; ω in rad/s).\n"
-    "497 mul, 1648 add, 44 product error, 165 product rest, 91 div, 24 less, 8 equal, 78 select.\n"
+    "497 mul, 1648 add, 44 product error, 165 product rest, 91 div, 23 less, 8 equal, 77 select.\n"
     "Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;\n"
     "barring over- and underflow.\n",
    2, 2, mat6x6_solve_loops},

@@ -1203,13 +1203,13 @@ def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...)
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-    21 mul, 248 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
+    21 mul, 176 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
     select.  Error <= qo: 5 u of its largest component; searched, not proved.
     """
 
 def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
     """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
-    angle = 0; any multiple of a quaternion.
+    nothing turns; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.
     23 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
@@ -1230,15 +1230,16 @@ def SO3_log(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    40 mul, 261 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+    40 mul, 189 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
     less, 10 equal, 51 select.  Error <= vo: 8 u of its largest component; searched, not proved.
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
-    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
+    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing
+    turns.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    35 mul, 258 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+    35 mul, 204 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
     less, 11 equal, 54 select.  Error <= angle: 8 u, axis: 5 u of its largest component;
     searched, not proved.
     """
@@ -1279,11 +1280,11 @@ def mat3x3_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.floating] | Non
 
 def mat3x3_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
     """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-    singular to rounding or indefinite (A - 40 u diag A is not positive definite), it is not
+    singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
     positive, and x not a number.
 
     (3,3),(3)->(),(3).  A: rotation or other 3×3 matrix; b, x: vector; pivot: number.
-    89 mul, 327 add, 14 product error, 28 product rest, 28 div, 12 less, 5 equal, 39 select.
+    89 mul, 327 add, 14 product error, 28 product rest, 28 div, 11 less, 5 equal, 38 select.
     Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
     barring over- and underflow.
     """
@@ -1310,12 +1311,12 @@ def mat6x6_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.floating] | Non
 
 def mat6x6_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
     """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-    singular to rounding or indefinite (A - 40 u diag A is not positive definite), it is not
+    singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
     positive, and x not a number.
 
     (6,6),(6)->(),(6).  A: 6×6 operator; b: coscrew (f in N; τ in N m); pivot: number; x: screw
     (v in m/s; ω in rad/s).
-    497 mul, 1648 add, 44 product error, 165 product rest, 91 div, 24 less, 8 equal, 78 select.
+    497 mul, 1648 add, 44 product error, 165 product rest, 91 div, 23 less, 8 equal, 77 select.
     Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
     barring over- and underflow.
     """

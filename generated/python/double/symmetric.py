@@ -59,11 +59,11 @@ def mat3x3_ldl_solve(L, b):
 @kernel("(3,3),(3)->(),(3)")
 def mat3x3_solve(A, b):
     """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-    singular to rounding or indefinite (A - 40 u diag A is not positive definite), it is not
+    singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
     positive, and x not a number.
 
     (3,3),(3)->(),(3).  A: rotation or other 3×3 matrix; b, x: vector; pivot: number.
-    32 mul, 32 add, 15 div, 12 less, 1 equal, 21 select.  Backward error, of A: |b - A x|_i <= 4
+    32 mul, 32 add, 15 div, 11 less, 1 equal, 20 select.  Backward error, of A: |b - A x|_i <= 4
     u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved; barring over- and underflow.
     """
     A_00, A_01, A_02, A_10, A_11, A_12, A_20, A_21, A_22 = A
@@ -84,9 +84,9 @@ def mat3x3_solve(A, b):
     own2 = where(0 < A_22, A_22, 1)
     part2 = where(0 < A_22, u2 / own2, A_22)
     smallest2 = where(smallest1 < part2, smallest1, part2)
-    less_0 = A_00 * 0.9999999999999956
-    less_1 = A_11 * 0.9999999999999956
-    less_2 = A_22 * 0.9999999999999956
+    less_0 = A_00 * 0.9999999999999944
+    less_1 = A_11 * 0.9999999999999944
+    less_2 = A_22 * 0.9999999999999944
     less_divisor0 = where(0 < less_0, less_0, 1)
     less_l0_0 = A_10 / less_divisor0
     less_l0_1 = A_20 / less_divisor0
@@ -95,9 +95,8 @@ def mat3x3_solve(A, b):
     less_divisor1 = where(0 < less_u1_0, less_u1_0, 1)
     less_l1 = less_u1_1 / less_divisor1
     less_u2 = less_2 - A_20 * less_l0_1 - less_u1_1 * less_l1
-    regular_d = where(0 < less_u2, where(0 < smallest2, float64(1), float64(0)), 0)
-    regular_e = where(0 < less_u1_0, regular_d, 0)
-    regular = where(0 < less_0, regular_e, 0)
+    regular_c = where(0 < less_u1_0, where(0 < less_u2, float64(1), float64(0)), 0)
+    regular = where(0 < less_0, regular_c, 0)
     least = where(smallest2 < 0, smallest2, 0)
     y1 = b_1 - b_0 * l0_0
     y2 = b_2 - b_0 * l0_1 - l1 * y1
@@ -228,12 +227,12 @@ def mat6x6_ldl_solve(L, b):
 @kernel("(6,6),(6)->(),(6)")
 def mat6x6_solve(A, b):
     """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-    singular to rounding or indefinite (A - 40 u diag A is not positive definite), it is not
+    singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
     positive, and x not a number.
 
     (6,6),(6)->(),(6).  A: 6×6 operator; b: coscrew (f in N; τ in N m); pivot: number; x: screw
     (v in m/s; ω in rad/s).
-    172 mul, 172 add, 48 div, 24 less, 1 equal, 42 select.  Backward error, of A: |b - A x|_i <=
+    172 mul, 172 add, 48 div, 23 less, 1 equal, 41 select.  Backward error, of A: |b - A x|_i <=
     4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved; barring over- and underflow.
     """
     (A_00, A_01, A_02, A_03, A_04, A_05, A_10, A_11, A_12, A_13, A_14, A_15, A_20, A_21, A_22, A_23,
@@ -292,12 +291,12 @@ def mat6x6_solve(A, b):
     own5 = where(0 < A_55, A_55, 1)
     part5 = where(0 < A_55, u5 / own5, A_55)
     smallest5 = where(smallest4 < part5, smallest4, part5)
-    less_0 = A_00 * 0.9999999999999956
-    less_1 = A_11 * 0.9999999999999956
-    less_2 = A_22 * 0.9999999999999956
-    less_3 = A_33 * 0.9999999999999956
-    less_4 = A_44 * 0.9999999999999956
-    less_5 = A_55 * 0.9999999999999956
+    less_0 = A_00 * 0.9999999999999944
+    less_1 = A_11 * 0.9999999999999944
+    less_2 = A_22 * 0.9999999999999944
+    less_3 = A_33 * 0.9999999999999944
+    less_4 = A_44 * 0.9999999999999944
+    less_5 = A_55 * 0.9999999999999944
     less_divisor0 = where(0 < less_0, less_0, 1)
     less_l0_0 = A_10 / less_divisor0
     less_l0_1 = A_20 / less_divisor0
@@ -337,12 +336,11 @@ def mat6x6_solve(A, b):
     less_u5f = less_5 - A_50 * less_l0_4 - less_u1_4 * less_l1_3 - less_u2_3 * less_l2_2
     less_u5h = less_u5f - less_u3_2 * less_l3_1
     less_u5 = less_u5h - less_u4_1 * less_l4
-    regular_d = where(0 < less_u5, where(0 < smallest5, float64(1), float64(0)), 0)
-    regular_e = where(0 < less_u4_0, regular_d, 0)
-    regular_f = where(0 < less_u3_0, regular_e, 0)
-    regular_g = where(0 < less_u2_0, regular_f, 0)
-    regular_h = where(0 < less_u1_0, regular_g, 0)
-    regular = where(0 < less_0, regular_h, 0)
+    regular_c = where(0 < less_u4_0, where(0 < less_u5, float64(1), float64(0)), 0)
+    regular_d = where(0 < less_u3_0, regular_c, 0)
+    regular_e = where(0 < less_u2_0, regular_d, 0)
+    regular_f = where(0 < less_u1_0, regular_e, 0)
+    regular = where(0 < less_0, regular_f, 0)
     least = where(smallest5 < 0, smallest5, 0)
     y1 = b_1 - b_0 * l0_0
     y2 = b_2 - b_0 * l0_1 - l1_0 * y1

@@ -61,10 +61,10 @@ static inline void ksl_mat3x3_ldl_solve(const ksl_mat3x3_t *L, const ksl_vec3_t 
 }
 
 /* x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-     singular to rounding or indefinite (A - 40 u diag A is not positive definite), it is not
+     singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
      positive, and x not a number.
    A: rotation or other 3×3 matrix; b, x: vector.
-   32 mul, 32 add, 15 div, 12 less, 1 equal, 21 select.
+   32 mul, 32 add, 15 div, 11 less, 1 equal, 20 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
      barring over- and underflow. */
 static inline double ksl_mat3x3_solve(const ksl_mat3x3_t *A, const ksl_vec3_t *b, ksl_vec3_t *x) {
@@ -84,9 +84,9 @@ static inline double ksl_mat3x3_solve(const ksl_mat3x3_t *A, const ksl_vec3_t *b
   const double own2 = 0.0 < A->m22 ? A->m22 : 1.0;
   const double part2a = u2 / own2, part2 = 0.0 < A->m22 ? part2a : A->m22;
   const double smallest2 = smallest1 < part2 ? smallest1 : part2;
-  const double less_0 = A->m00 * 0.9999999999999956;
-  const double less_1 = A->m11 * 0.9999999999999956;
-  const double less_2 = A->m22 * 0.9999999999999956;
+  const double less_0 = A->m00 * 0.9999999999999944;
+  const double less_1 = A->m11 * 0.9999999999999944;
+  const double less_2 = A->m22 * 0.9999999999999944;
   const double less_divisor0 = 0.0 < less_0 ? less_0 : 1.0;
   const double less_l0_0 = A->m10 / less_divisor0;
   const double less_l0_1 = A->m20 / less_divisor0;
@@ -96,8 +96,8 @@ static inline double ksl_mat3x3_solve(const ksl_mat3x3_t *A, const ksl_vec3_t *b
   const double less_l1 = less_u1_1 / less_divisor1;
   const double less_u2a = A->m20 * less_l0_1, less_u2b = less_2 - less_u2a,
       less_u2c = less_u1_1 * less_l1, less_u2 = less_u2b - less_u2c;
-  const double regular_b = 0.0 < smallest2 ? 1.0 : 0.0, regular_d = 0.0 < less_u2 ? regular_b : 0.0,
-      regular_e = 0.0 < less_u1_0 ? regular_d : 0.0, regular = 0.0 < less_0 ? regular_e : 0.0;
+  const double regular_b = 0.0 < less_u2 ? 1.0 : 0.0, regular_c = 0.0 < less_u1_0 ? regular_b : 0.0,
+      regular = 0.0 < less_0 ? regular_c : 0.0;
   const double least = smallest2 < 0.0 ? smallest2 : 0.0;
   const double y1a = b->x * l0_0, y1 = b->y - y1a;
   const double y2a = b->x * l0_1, y2b = b->z - y2a, y2c = l1 * y1, y2 = y2b - y2c;
@@ -288,10 +288,10 @@ static inline void ksl_mat6x6_ldl_solve(const ksl_mat6x6_t *L, const ksl_coscrew
 }
 
 /* x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-     singular to rounding or indefinite (A - 40 u diag A is not positive definite), it is not
+     singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
      positive, and x not a number.
    A: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in rad/s).
-   172 mul, 172 add, 48 div, 24 less, 1 equal, 42 select.
+   172 mul, 172 add, 48 div, 23 less, 1 equal, 41 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
      barring over- and underflow. */
 static inline double ksl_mat6x6_solve(const ksl_mat6x6_t *A, const ksl_coscrew_t *b,
@@ -361,12 +361,12 @@ static inline double ksl_mat6x6_solve(const ksl_mat6x6_t *A, const ksl_coscrew_t
   const double own5 = 0.0 < A->at[5][5] ? A->at[5][5] : 1.0;
   const double part5a = u5 / own5, part5 = 0.0 < A->at[5][5] ? part5a : A->at[5][5];
   const double smallest5 = smallest4 < part5 ? smallest4 : part5;
-  const double less_0 = A->at[0][0] * 0.9999999999999956;
-  const double less_1 = A->at[1][1] * 0.9999999999999956;
-  const double less_2 = A->at[2][2] * 0.9999999999999956;
-  const double less_3 = A->at[3][3] * 0.9999999999999956;
-  const double less_4 = A->at[4][4] * 0.9999999999999956;
-  const double less_5 = A->at[5][5] * 0.9999999999999956;
+  const double less_0 = A->at[0][0] * 0.9999999999999944;
+  const double less_1 = A->at[1][1] * 0.9999999999999944;
+  const double less_2 = A->at[2][2] * 0.9999999999999944;
+  const double less_3 = A->at[3][3] * 0.9999999999999944;
+  const double less_4 = A->at[4][4] * 0.9999999999999944;
+  const double less_5 = A->at[5][5] * 0.9999999999999944;
   const double less_divisor0 = 0.0 < less_0 ? less_0 : 1.0;
   const double less_l0_0 = A->at[0][1] / less_divisor0;
   const double less_l0_1 = A->at[0][2] / less_divisor0;
@@ -422,10 +422,9 @@ static inline double ksl_mat6x6_solve(const ksl_mat6x6_t *A, const ksl_coscrew_t
       less_u5e = less_u2_3 * less_l2_2, less_u5f = less_u5d - less_u5e,
       less_u5g = less_u3_2 * less_l3_1, less_u5h = less_u5f - less_u5g,
       less_u5i = less_u4_1 * less_l4, less_u5 = less_u5h - less_u5i;
-  const double regular_b = 0.0 < smallest5 ? 1.0 : 0.0, regular_d = 0.0 < less_u5 ? regular_b : 0.0,
-      regular_e = 0.0 < less_u4_0 ? regular_d : 0.0, regular_f = 0.0 < less_u3_0 ? regular_e : 0.0,
-      regular_g = 0.0 < less_u2_0 ? regular_f : 0.0, regular_h = 0.0 < less_u1_0 ? regular_g : 0.0,
-      regular = 0.0 < less_0 ? regular_h : 0.0;
+  const double regular_b = 0.0 < less_u5 ? 1.0 : 0.0, regular_c = 0.0 < less_u4_0 ? regular_b : 0.0,
+      regular_d = 0.0 < less_u3_0 ? regular_c : 0.0, regular_e = 0.0 < less_u2_0 ? regular_d : 0.0,
+      regular_f = 0.0 < less_u1_0 ? regular_e : 0.0, regular = 0.0 < less_0 ? regular_f : 0.0;
   const double least = smallest5 < 0.0 ? smallest5 : 0.0;
   const double y1a = b->m0 * l0_0, y1 = b->m1 - y1a;
   const double y2a = b->m0 * l0_1, y2b = b->m2 - y2a, y2c = l1_0 * y1, y2 = y2b - y2c;
@@ -598,10 +597,10 @@ static inline void ksl_mat3x3f_ldl_solve(const ksl_mat3x3f_t *L, const ksl_vec3f
 }
 
 /* x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-     singular to rounding or indefinite (A - 40 u diag A is not positive definite), it is not
+     singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
      positive, and x not a number.
    A: rotation or other 3×3 matrix; b, x: vector.
-   32 mul, 32 add, 15 div, 12 less, 1 equal, 21 select.
+   32 mul, 32 add, 15 div, 11 less, 1 equal, 20 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
      barring over- and underflow. */
 static inline float ksl_mat3x3f_solve(const ksl_mat3x3f_t *A, const ksl_vec3f_t *b,
@@ -622,9 +621,9 @@ static inline float ksl_mat3x3f_solve(const ksl_mat3x3f_t *A, const ksl_vec3f_t 
   const float own2 = 0.0f < A->m22 ? A->m22 : 1.0f;
   const float part2a = u2 / own2, part2 = 0.0f < A->m22 ? part2a : A->m22;
   const float smallest2 = smallest1 < part2 ? smallest1 : part2;
-  const float less_0 = A->m00 * 0.9999976f;
-  const float less_1 = A->m11 * 0.9999976f;
-  const float less_2 = A->m22 * 0.9999976f;
+  const float less_0 = A->m00 * 0.999997f;
+  const float less_1 = A->m11 * 0.999997f;
+  const float less_2 = A->m22 * 0.999997f;
   const float less_divisor0 = 0.0f < less_0 ? less_0 : 1.0f;
   const float less_l0_0 = A->m10 / less_divisor0;
   const float less_l0_1 = A->m20 / less_divisor0;
@@ -634,9 +633,8 @@ static inline float ksl_mat3x3f_solve(const ksl_mat3x3f_t *A, const ksl_vec3f_t 
   const float less_l1 = less_u1_1 / less_divisor1;
   const float less_u2a = A->m20 * less_l0_1, less_u2b = less_2 - less_u2a,
       less_u2c = less_u1_1 * less_l1, less_u2 = less_u2b - less_u2c;
-  const float regular_b = 0.0f < smallest2 ? 1.0f : 0.0f,
-      regular_d = 0.0f < less_u2 ? regular_b : 0.0f,
-      regular_e = 0.0f < less_u1_0 ? regular_d : 0.0f, regular = 0.0f < less_0 ? regular_e : 0.0f;
+  const float regular_b = 0.0f < less_u2 ? 1.0f : 0.0f,
+      regular_c = 0.0f < less_u1_0 ? regular_b : 0.0f, regular = 0.0f < less_0 ? regular_c : 0.0f;
   const float least = smallest2 < 0.0f ? smallest2 : 0.0f;
   const float y1a = b->x * l0_0, y1 = b->y - y1a;
   const float y2a = b->x * l0_1, y2b = b->z - y2a, y2c = l1 * y1, y2 = y2b - y2c;
@@ -826,10 +824,10 @@ static inline void ksl_mat6x6f_ldl_solve(const ksl_mat6x6f_t *L, const ksl_coscr
 }
 
 /* x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-     singular to rounding or indefinite (A - 40 u diag A is not positive definite), it is not
+     singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
      positive, and x not a number.
    A: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in rad/s).
-   172 mul, 172 add, 48 div, 24 less, 1 equal, 42 select.
+   172 mul, 172 add, 48 div, 23 less, 1 equal, 41 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
      barring over- and underflow. */
 static inline float ksl_mat6x6f_solve(const ksl_mat6x6f_t *A, const ksl_coscrewf_t *b,
@@ -899,12 +897,12 @@ static inline float ksl_mat6x6f_solve(const ksl_mat6x6f_t *A, const ksl_coscrewf
   const float own5 = 0.0f < A->at[5][5] ? A->at[5][5] : 1.0f;
   const float part5a = u5 / own5, part5 = 0.0f < A->at[5][5] ? part5a : A->at[5][5];
   const float smallest5 = smallest4 < part5 ? smallest4 : part5;
-  const float less_0 = A->at[0][0] * 0.9999976f;
-  const float less_1 = A->at[1][1] * 0.9999976f;
-  const float less_2 = A->at[2][2] * 0.9999976f;
-  const float less_3 = A->at[3][3] * 0.9999976f;
-  const float less_4 = A->at[4][4] * 0.9999976f;
-  const float less_5 = A->at[5][5] * 0.9999976f;
+  const float less_0 = A->at[0][0] * 0.999997f;
+  const float less_1 = A->at[1][1] * 0.999997f;
+  const float less_2 = A->at[2][2] * 0.999997f;
+  const float less_3 = A->at[3][3] * 0.999997f;
+  const float less_4 = A->at[4][4] * 0.999997f;
+  const float less_5 = A->at[5][5] * 0.999997f;
   const float less_divisor0 = 0.0f < less_0 ? less_0 : 1.0f;
   const float less_l0_0 = A->at[0][1] / less_divisor0;
   const float less_l0_1 = A->at[0][2] / less_divisor0;
@@ -960,12 +958,11 @@ static inline float ksl_mat6x6f_solve(const ksl_mat6x6f_t *A, const ksl_coscrewf
       less_u5e = less_u2_3 * less_l2_2, less_u5f = less_u5d - less_u5e,
       less_u5g = less_u3_2 * less_l3_1, less_u5h = less_u5f - less_u5g,
       less_u5i = less_u4_1 * less_l4, less_u5 = less_u5h - less_u5i;
-  const float regular_b = 0.0f < smallest5 ? 1.0f : 0.0f,
-      regular_d = 0.0f < less_u5 ? regular_b : 0.0f,
-      regular_e = 0.0f < less_u4_0 ? regular_d : 0.0f,
-      regular_f = 0.0f < less_u3_0 ? regular_e : 0.0f,
-      regular_g = 0.0f < less_u2_0 ? regular_f : 0.0f,
-      regular_h = 0.0f < less_u1_0 ? regular_g : 0.0f, regular = 0.0f < less_0 ? regular_h : 0.0f;
+  const float regular_b = 0.0f < less_u5 ? 1.0f : 0.0f,
+      regular_c = 0.0f < less_u4_0 ? regular_b : 0.0f,
+      regular_d = 0.0f < less_u3_0 ? regular_c : 0.0f,
+      regular_e = 0.0f < less_u2_0 ? regular_d : 0.0f,
+      regular_f = 0.0f < less_u1_0 ? regular_e : 0.0f, regular = 0.0f < less_0 ? regular_f : 0.0f;
   const float least = smallest5 < 0.0f ? smallest5 : 0.0f;
   const float y1a = b->m0 * l0_0, y1 = b->m1 - y1a;
   const float y2a = b->m0 * l0_1, y2b = b->m2 - y2a, y2c = l1_0 * y1, y2 = y2b - y2c;

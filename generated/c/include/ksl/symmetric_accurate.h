@@ -167,10 +167,10 @@ static inline void ksl_mat3x3_ldl_solve_accurate(const ksl_mat3x3_t *L, const ks
 }
 
 /* x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-     singular to rounding or indefinite (A - 40 u diag A is not positive definite), it is not
+     singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
      positive, and x not a number.
    A: rotation or other 3×3 matrix; b, x: vector.
-   89 mul, 327 add, 14 product error, 28 product rest, 28 div, 12 less, 5 equal, 39 select.
+   89 mul, 327 add, 14 product error, 28 product rest, 28 div, 11 less, 5 equal, 38 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
      barring over- and underflow. */
 static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_vec3_t *b,
@@ -253,10 +253,10 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       part2 = 0.0 < A->m22 ? part2a : A->m22, part2_lo = 0.0 < A->m22 ? part2a_lo : 0.0;
   const double smallest2 = smallest1 < part2 ? smallest1 : part2,
       smallest2_lo = smallest1 < part2 ? smallest1_lo : part2_lo;
-  const double less_0 = A->m00 * 0.9999999999999956;
-  const double less_1 = A->m11 * 0.9999999999999956;
-  const double less_2 = A->m22 * 0.9999999999999956;
-  const double less_0_lo = ksl_product_error(A->m00, 0.9999999999999956, less_0),
+  const double less_0 = A->m00 * 0.9999999999999944;
+  const double less_1 = A->m11 * 0.9999999999999944;
+  const double less_2 = A->m22 * 0.9999999999999944;
+  const double less_0_lo = ksl_product_error(A->m00, 0.9999999999999944, less_0),
       less_divisor0 = 0.0 < less_0 ? less_0 : 1.0,
       less_divisor0_lo = 0.0 < less_0 ? less_0_lo : 0.0;
   const double less_l0_0_of_less_divisor0 = less_divisor0 + less_divisor0_lo,
@@ -277,7 +277,7 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
   const double less_u1_0a = A->m10 * less_l0_0, less_u1_0a_cross2 = A->m10 * less_l0_0_lo,
       less_u1_0 = less_1 - less_u1_0a, less_u1_0_right = less_1 - less_u1_0,
       less_u1_0_left = less_u1_0 + less_u1_0_right,
-      less_u1_0_left_rest = ksl_product_rest(A->m11, 0.9999999999999956, less_1, less_u1_0_left),
+      less_u1_0_left_rest = ksl_product_rest(A->m11, 0.9999999999999944, less_1, less_u1_0_left),
       less_u1_0_right_rest = ksl_product_rest(A->m10, less_l0_0, less_u1_0a, less_u1_0_right),
       less_u1_0_lo1 = less_u1_0_left_rest - less_u1_0_right_rest,
       less_u1_0_lo = less_u1_0_lo1 - less_u1_0a_cross2;
@@ -294,8 +294,8 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       less_l1 = less_l1_of_less_u1_1 / less_l1_of_less_divisor1;
   const double less_u2a = A->m20 * less_l0_1, less_u2b = less_2 - less_u2a,
       less_u2c = less_l1_of_less_u1_1 * less_l1, less_u2 = less_u2b - less_u2c;
-  const double regular_b = 0.0 < smallest2 ? 1.0 : 0.0, regular_d = 0.0 < less_u2 ? regular_b : 0.0,
-      regular_e = 0.0 < less_u1_0 ? regular_d : 0.0, regular = 0.0 < less_0 ? regular_e : 0.0;
+  const double regular_b = 0.0 < less_u2 ? 1.0 : 0.0, regular_c = 0.0 < less_u1_0 ? regular_b : 0.0,
+      regular = 0.0 < less_0 ? regular_c : 0.0;
   const double least = smallest2 < 0.0 ? smallest2 : 0.0,
       least_lo = smallest2 < 0.0 ? smallest2_lo : 0.0;
   const double y1a = b->x * l0_0, y1a_cross2 = b->x * l0_0_lo, y1 = b->y - y1a,
@@ -1263,10 +1263,10 @@ static inline void ksl_mat6x6_ldl_solve_accurate(const ksl_mat6x6_t *L, const ks
 }
 
 /* x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-     singular to rounding or indefinite (A - 40 u diag A is not positive definite), it is not
+     singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
      positive, and x not a number.
    A: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in rad/s).
-   497 mul, 1648 add, 44 product error, 165 product rest, 91 div, 24 less, 8 equal, 78 select.
+   497 mul, 1648 add, 44 product error, 165 product rest, 91 div, 23 less, 8 equal, 77 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
      barring over- and underflow. */
 static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_coscrew_t *b,
@@ -1700,13 +1700,13 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       part5_lo = 0.0 < A->at[5][5] ? part5a_lo : 0.0;
   const double smallest5 = smallest4 < part5 ? smallest4 : part5,
       smallest5_lo = smallest4 < part5 ? smallest4_lo : part5_lo;
-  const double less_0 = A->at[0][0] * 0.9999999999999956;
-  const double less_1 = A->at[1][1] * 0.9999999999999956;
-  const double less_2 = A->at[2][2] * 0.9999999999999956;
-  const double less_3 = A->at[3][3] * 0.9999999999999956;
-  const double less_4 = A->at[4][4] * 0.9999999999999956;
-  const double less_5 = A->at[5][5] * 0.9999999999999956;
-  const double less_0_lo = ksl_product_error(A->at[0][0], 0.9999999999999956, less_0),
+  const double less_0 = A->at[0][0] * 0.9999999999999944;
+  const double less_1 = A->at[1][1] * 0.9999999999999944;
+  const double less_2 = A->at[2][2] * 0.9999999999999944;
+  const double less_3 = A->at[3][3] * 0.9999999999999944;
+  const double less_4 = A->at[4][4] * 0.9999999999999944;
+  const double less_5 = A->at[5][5] * 0.9999999999999944;
+  const double less_0_lo = ksl_product_error(A->at[0][0], 0.9999999999999944, less_0),
       less_divisor0 = 0.0 < less_0 ? less_0 : 1.0,
       less_divisor0_lo = 0.0 < less_0 ? less_0_lo : 0.0;
   const double less_l0_0_of_less_divisor0 = less_divisor0 + less_divisor0_lo,
@@ -1751,7 +1751,7 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
   const double less_u1_0a = A->at[0][1] * less_l0_0, less_u1_0a_cross2 = A->at[0][1] * less_l0_0_lo,
       less_u1_0 = less_1 - less_u1_0a, less_u1_0_right = less_1 - less_u1_0,
       less_u1_0_left = less_u1_0 + less_u1_0_right,
-      less_u1_0_left_rest = ksl_product_rest(A->at[1][1], 0.9999999999999956, less_1, less_u1_0_left),
+      less_u1_0_left_rest = ksl_product_rest(A->at[1][1], 0.9999999999999944, less_1, less_u1_0_left),
       less_u1_0_right_rest = ksl_product_rest(A->at[0][1], less_l0_0, less_u1_0a, less_u1_0_right),
       less_u1_0_lo1 = less_u1_0_left_rest - less_u1_0_right_rest,
       less_u1_0_lo = less_u1_0_lo1 - less_u1_0a_cross2;
@@ -1846,7 +1846,7 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
   const double less_u2_0a = A->at[0][2] * less_l0_1, less_u2_0a_cross2 = A->at[0][2] * less_l0_1_lo,
       less_u2_0b = less_2 - less_u2_0a, less_u2_0b_right = less_2 - less_u2_0b,
       less_u2_0b_left = less_u2_0b + less_u2_0b_right,
-      less_u2_0b_left_rest = ksl_product_rest(A->at[2][2], 0.9999999999999956, less_2, less_u2_0b_left),
+      less_u2_0b_left_rest = ksl_product_rest(A->at[2][2], 0.9999999999999944, less_2, less_u2_0b_left),
       less_u2_0b_right_rest = ksl_product_rest(A->at[0][2], less_l0_1, less_u2_0a, less_u2_0b_right),
       less_u2_0b_lo1 = less_u2_0b_left_rest - less_u2_0b_right_rest,
       less_u2_0b_lo = less_u2_0b_lo1 - less_u2_0a_cross2,
@@ -1959,7 +1959,7 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
   const double less_u3_0a = A->at[0][3] * less_l0_2, less_u3_0a_cross2 = A->at[0][3] * less_l0_2_lo,
       less_u3_0b = less_3 - less_u3_0a, less_u3_0b_right = less_3 - less_u3_0b,
       less_u3_0b_left = less_u3_0b + less_u3_0b_right,
-      less_u3_0b_left_rest = ksl_product_rest(A->at[3][3], 0.9999999999999956, less_3, less_u3_0b_left),
+      less_u3_0b_left_rest = ksl_product_rest(A->at[3][3], 0.9999999999999944, less_3, less_u3_0b_left),
       less_u3_0b_right_rest = ksl_product_rest(A->at[0][3], less_l0_2, less_u3_0a, less_u3_0b_right),
       less_u3_0b_lo1 = less_u3_0b_left_rest - less_u3_0b_right_rest,
       less_u3_0b_lo = less_u3_0b_lo1 - less_u3_0a_cross2,
@@ -2073,7 +2073,7 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
   const double less_u4_0a = A->at[0][4] * less_l0_3, less_u4_0a_cross2 = A->at[0][4] * less_l0_3_lo,
       less_u4_0b = less_4 - less_u4_0a, less_u4_0b_right = less_4 - less_u4_0b,
       less_u4_0b_left = less_u4_0b + less_u4_0b_right,
-      less_u4_0b_left_rest = ksl_product_rest(A->at[4][4], 0.9999999999999956, less_4, less_u4_0b_left),
+      less_u4_0b_left_rest = ksl_product_rest(A->at[4][4], 0.9999999999999944, less_4, less_u4_0b_left),
       less_u4_0b_right_rest = ksl_product_rest(A->at[0][4], less_l0_3, less_u4_0a, less_u4_0b_right),
       less_u4_0b_lo1 = less_u4_0b_left_rest - less_u4_0b_right_rest,
       less_u4_0b_lo = less_u4_0b_lo1 - less_u4_0a_cross2,
@@ -2158,10 +2158,9 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u5e = less_l2_2_of_less_u2_3 * less_l2_2, less_u5f = less_u5d - less_u5e,
       less_u5g = less_l3_1_of_less_u3_2 * less_l3_1, less_u5h = less_u5f - less_u5g,
       less_u5i = less_l4_of_less_u4_1 * less_l4, less_u5 = less_u5h - less_u5i;
-  const double regular_b = 0.0 < smallest5 ? 1.0 : 0.0, regular_d = 0.0 < less_u5 ? regular_b : 0.0,
-      regular_e = 0.0 < less_u4_0 ? regular_d : 0.0, regular_f = 0.0 < less_u3_0 ? regular_e : 0.0,
-      regular_g = 0.0 < less_u2_0 ? regular_f : 0.0, regular_h = 0.0 < less_u1_0 ? regular_g : 0.0,
-      regular = 0.0 < less_0 ? regular_h : 0.0;
+  const double regular_b = 0.0 < less_u5 ? 1.0 : 0.0, regular_c = 0.0 < less_u4_0 ? regular_b : 0.0,
+      regular_d = 0.0 < less_u3_0 ? regular_c : 0.0, regular_e = 0.0 < less_u2_0 ? regular_d : 0.0,
+      regular_f = 0.0 < less_u1_0 ? regular_e : 0.0, regular = 0.0 < less_0 ? regular_f : 0.0;
   const double least = smallest5 < 0.0 ? smallest5 : 0.0,
       least_lo = smallest5 < 0.0 ? smallest5_lo : 0.0;
   const double y1a = b->m0 * l0_0, y1a_cross2 = b->m0 * l0_0_lo, y1 = b->m1 - y1a,
@@ -3125,10 +3124,10 @@ static inline void ksl_mat3x3f_ldl_solve_accurate(const ksl_mat3x3f_t *L, const 
 }
 
 /* x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-     singular to rounding or indefinite (A - 40 u diag A is not positive definite), it is not
+     singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
      positive, and x not a number.
    A: rotation or other 3×3 matrix; b, x: vector.
-   32 mul, 32 add, 15 div, 12 less, 1 equal, 21 select.
+   32 mul, 32 add, 15 div, 11 less, 1 equal, 20 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
      barring over- and underflow. */
 static inline float ksl_mat3x3f_solve_accurate(const ksl_mat3x3f_t *A, const ksl_vec3f_t *b,
@@ -3151,9 +3150,9 @@ static inline float ksl_mat3x3f_solve_accurate(const ksl_mat3x3f_t *A, const ksl
   const double own2 = 0.0 < (double)A->m22 ? (double)A->m22 : 1.0;
   const double part2a = u2 / own2, part2 = 0.0 < (double)A->m22 ? part2a : (double)A->m22;
   const double smallest2 = smallest1 < part2 ? smallest1 : part2;
-  const double less_0 = (double)A->m00 * 0.999997615814209;
-  const double less_1 = (double)A->m11 * 0.999997615814209;
-  const double less_2 = (double)A->m22 * 0.999997615814209;
+  const double less_0 = (double)A->m00 * 0.9999970197677612;
+  const double less_1 = (double)A->m11 * 0.9999970197677612;
+  const double less_2 = (double)A->m22 * 0.9999970197677612;
   const double less_divisor0 = 0.0 < less_0 ? less_0 : 1.0;
   const double less_l0_0 = (double)A->m10 / less_divisor0;
   const double less_l0_1 = (double)A->m20 / less_divisor0;
@@ -3163,8 +3162,8 @@ static inline float ksl_mat3x3f_solve_accurate(const ksl_mat3x3f_t *A, const ksl
   const double less_l1 = less_u1_1 / less_divisor1;
   const double less_u2a = (double)A->m20 * less_l0_1, less_u2b = less_2 - less_u2a,
       less_u2c = less_u1_1 * less_l1, less_u2 = less_u2b - less_u2c;
-  const double regular_b = 0.0 < smallest2 ? 1.0 : 0.0, regular_d = 0.0 < less_u2 ? regular_b : 0.0,
-      regular_e = 0.0 < less_u1_0 ? regular_d : 0.0, regular = 0.0 < less_0 ? regular_e : 0.0;
+  const double regular_b = 0.0 < less_u2 ? 1.0 : 0.0, regular_c = 0.0 < less_u1_0 ? regular_b : 0.0,
+      regular = 0.0 < less_0 ? regular_c : 0.0;
   const double least = smallest2 < 0.0 ? smallest2 : 0.0;
   const double y1a = (double)b->x * l0_0, y1 = (double)b->y - y1a;
   const double y2a = (double)b->x * l0_1, y2b = (double)b->z - y2a, y2c = l1 * y1, y2 = y2b - y2c;
@@ -3366,10 +3365,10 @@ static inline void ksl_mat6x6f_ldl_solve_accurate(const ksl_mat6x6f_t *L, const 
 }
 
 /* x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-     singular to rounding or indefinite (A - 40 u diag A is not positive definite), it is not
+     singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
      positive, and x not a number.
    A: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in rad/s).
-   172 mul, 172 add, 48 div, 24 less, 1 equal, 42 select.
+   172 mul, 172 add, 48 div, 23 less, 1 equal, 41 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
      barring over- and underflow. */
 static inline float ksl_mat6x6f_solve_accurate(const ksl_mat6x6f_t *A, const ksl_coscrewf_t *b,
@@ -3444,12 +3443,12 @@ static inline float ksl_mat6x6f_solve_accurate(const ksl_mat6x6f_t *A, const ksl
   const double own5 = 0.0 < (double)A->at[5][5] ? (double)A->at[5][5] : 1.0;
   const double part5a = u5 / own5, part5 = 0.0 < (double)A->at[5][5] ? part5a : (double)A->at[5][5];
   const double smallest5 = smallest4 < part5 ? smallest4 : part5;
-  const double less_0 = (double)A->at[0][0] * 0.999997615814209;
-  const double less_1 = (double)A->at[1][1] * 0.999997615814209;
-  const double less_2 = (double)A->at[2][2] * 0.999997615814209;
-  const double less_3 = (double)A->at[3][3] * 0.999997615814209;
-  const double less_4 = (double)A->at[4][4] * 0.999997615814209;
-  const double less_5 = (double)A->at[5][5] * 0.999997615814209;
+  const double less_0 = (double)A->at[0][0] * 0.9999970197677612;
+  const double less_1 = (double)A->at[1][1] * 0.9999970197677612;
+  const double less_2 = (double)A->at[2][2] * 0.9999970197677612;
+  const double less_3 = (double)A->at[3][3] * 0.9999970197677612;
+  const double less_4 = (double)A->at[4][4] * 0.9999970197677612;
+  const double less_5 = (double)A->at[5][5] * 0.9999970197677612;
   const double less_divisor0 = 0.0 < less_0 ? less_0 : 1.0;
   const double less_l0_0 = (double)A->at[0][1] / less_divisor0;
   const double less_l0_1 = (double)A->at[0][2] / less_divisor0;
@@ -3515,10 +3514,9 @@ static inline float ksl_mat6x6f_solve_accurate(const ksl_mat6x6f_t *A, const ksl
       less_u5e = less_u2_3 * less_l2_2, less_u5f = less_u5d - less_u5e,
       less_u5g = less_u3_2 * less_l3_1, less_u5h = less_u5f - less_u5g,
       less_u5i = less_u4_1 * less_l4, less_u5 = less_u5h - less_u5i;
-  const double regular_b = 0.0 < smallest5 ? 1.0 : 0.0, regular_d = 0.0 < less_u5 ? regular_b : 0.0,
-      regular_e = 0.0 < less_u4_0 ? regular_d : 0.0, regular_f = 0.0 < less_u3_0 ? regular_e : 0.0,
-      regular_g = 0.0 < less_u2_0 ? regular_f : 0.0, regular_h = 0.0 < less_u1_0 ? regular_g : 0.0,
-      regular = 0.0 < less_0 ? regular_h : 0.0;
+  const double regular_b = 0.0 < less_u5 ? 1.0 : 0.0, regular_c = 0.0 < less_u4_0 ? regular_b : 0.0,
+      regular_d = 0.0 < less_u3_0 ? regular_c : 0.0, regular_e = 0.0 < less_u2_0 ? regular_d : 0.0,
+      regular_f = 0.0 < less_u1_0 ? regular_e : 0.0, regular = 0.0 < less_0 ? regular_f : 0.0;
   const double least = smallest5 < 0.0 ? smallest5 : 0.0;
   const double y1a = (double)b->m0 * l0_0, y1 = (double)b->m1 - y1a;
   const double y2a = (double)b->m0 * l0_1, y2b = (double)b->m2 - y2a, y2c = l1_0 * y1,

@@ -173,11 +173,11 @@ def mat3x3_ldl_solve(L, b):
 @kernel("(3,3),(3)->(),(3)")
 def mat3x3_solve(A, b):
     """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-    singular to rounding or indefinite (A - 40 u diag A is not positive definite), it is not
+    singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
     positive, and x not a number.
 
     (3,3),(3)->(),(3).  A: rotation or other 3×3 matrix; b, x: vector; pivot: number.
-    89 mul, 327 add, 14 product error, 28 product rest, 28 div, 12 less, 5 equal, 39 select.
+    89 mul, 327 add, 14 product error, 28 product rest, 28 div, 11 less, 5 equal, 38 select.
     Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
     barring over- and underflow.
     """
@@ -259,11 +259,11 @@ def mat3x3_solve(A, b):
     part2_lo = where(0 < A_22, part2a_lo, 0)
     smallest2 = where(smallest1 < part2, smallest1, part2)
     smallest2_lo = where(smallest1 < part2, smallest1_lo, part2_lo)
-    less_0 = A_00 * 0.9999999999999956
-    less_1 = A_11 * 0.9999999999999956
-    less_2 = A_22 * 0.9999999999999956
+    less_0 = A_00 * 0.9999999999999944
+    less_1 = A_11 * 0.9999999999999944
+    less_2 = A_22 * 0.9999999999999944
     less_divisor0 = where(0 < less_0, less_0, 1)
-    less_divisor0_lo = where(0 < less_0, product_error(A_00, 0.9999999999999956, less_0), 0)
+    less_divisor0_lo = where(0 < less_0, product_error(A_00, 0.9999999999999944, less_0), 0)
     less_l0_0_of_less_divisor0 = less_divisor0 + less_divisor0_lo
     less_l0_0_of_less_divisor0_right = less_l0_0_of_less_divisor0 - less_divisor0
     less_l0_0_of_less_divisor0_left = less_l0_0_of_less_divisor0 - less_l0_0_of_less_divisor0_right
@@ -282,7 +282,7 @@ def mat3x3_solve(A, b):
     less_u1_0 = less_1 - less_u1_0a
     less_u1_0_right = less_1 - less_u1_0
     less_u1_0_left = less_u1_0 + less_u1_0_right
-    less_u1_0_left_rest = product_rest(A_11, 0.9999999999999956, less_1, less_u1_0_left)
+    less_u1_0_left_rest = product_rest(A_11, 0.9999999999999944, less_1, less_u1_0_left)
     less_u1_0_lo1 = less_u1_0_left_rest - product_rest(A_10, less_l0_0, less_u1_0a, less_u1_0_right)
     less_u1_0_lo = less_u1_0_lo1 - A_10 * less_l0_0_lo
     less_u1_1a = A_20 * less_l0_0
@@ -297,9 +297,8 @@ def mat3x3_solve(A, b):
     less_l1_of_less_divisor1 = less_divisor1 + less_divisor1_lo
     less_l1 = less_l1_of_less_u1_1 / less_l1_of_less_divisor1
     less_u2 = less_2 - A_20 * less_l0_1 - less_l1_of_less_u1_1 * less_l1
-    regular_d = where(0 < less_u2, where(0 < smallest2, float64(1), float64(0)), 0)
-    regular_e = where(0 < less_u1_0, regular_d, 0)
-    regular = where(0 < less_0, regular_e, 0)
+    regular_c = where(0 < less_u1_0, where(0 < less_u2, float64(1), float64(0)), 0)
+    regular = where(0 < less_0, regular_c, 0)
     least = where(smallest2 < 0, smallest2, 0)
     y1a = b_0 * l0_0
     y1 = b_1 - y1a
@@ -1188,12 +1187,12 @@ def mat6x6_ldl_solve(L, b):
 @kernel("(6,6),(6)->(),(6)")
 def mat6x6_solve(A, b):
     """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-    singular to rounding or indefinite (A - 40 u diag A is not positive definite), it is not
+    singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
     positive, and x not a number.
 
     (6,6),(6)->(),(6).  A: 6×6 operator; b: coscrew (f in N; τ in N m); pivot: number; x: screw
     (v in m/s; ω in rad/s).
-    497 mul, 1648 add, 44 product error, 165 product rest, 91 div, 24 less, 8 equal, 78 select.
+    497 mul, 1648 add, 44 product error, 165 product rest, 91 div, 23 less, 8 equal, 77 select.
     Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
     barring over- and underflow.
     """
@@ -1601,14 +1600,14 @@ def mat6x6_solve(A, b):
     part5_lo = where(0 < A_55, part5a_lo, 0)
     smallest5 = where(smallest4 < part5, smallest4, part5)
     smallest5_lo = where(smallest4 < part5, smallest4_lo, part5_lo)
-    less_0 = A_00 * 0.9999999999999956
-    less_1 = A_11 * 0.9999999999999956
-    less_2 = A_22 * 0.9999999999999956
-    less_3 = A_33 * 0.9999999999999956
-    less_4 = A_44 * 0.9999999999999956
-    less_5 = A_55 * 0.9999999999999956
+    less_0 = A_00 * 0.9999999999999944
+    less_1 = A_11 * 0.9999999999999944
+    less_2 = A_22 * 0.9999999999999944
+    less_3 = A_33 * 0.9999999999999944
+    less_4 = A_44 * 0.9999999999999944
+    less_5 = A_55 * 0.9999999999999944
     less_divisor0 = where(0 < less_0, less_0, 1)
-    less_divisor0_lo = where(0 < less_0, product_error(A_00, 0.9999999999999956, less_0), 0)
+    less_divisor0_lo = where(0 < less_0, product_error(A_00, 0.9999999999999944, less_0), 0)
     less_l0_0_of_less_divisor0 = less_divisor0 + less_divisor0_lo
     less_l0_0_of_less_divisor0_right = less_l0_0_of_less_divisor0 - less_divisor0
     less_l0_0_of_less_divisor0_left = less_l0_0_of_less_divisor0 - less_l0_0_of_less_divisor0_right
@@ -1644,7 +1643,7 @@ def mat6x6_solve(A, b):
     less_u1_0 = less_1 - less_u1_0a
     less_u1_0_right = less_1 - less_u1_0
     less_u1_0_left = less_u1_0 + less_u1_0_right
-    less_u1_0_left_rest = product_rest(A_11, 0.9999999999999956, less_1, less_u1_0_left)
+    less_u1_0_left_rest = product_rest(A_11, 0.9999999999999944, less_1, less_u1_0_left)
     less_u1_0_lo1 = less_u1_0_left_rest - product_rest(A_10, less_l0_0, less_u1_0a, less_u1_0_right)
     less_u1_0_lo = less_u1_0_lo1 - A_10 * less_l0_0_lo
     less_u1_1a = A_20 * less_l0_0
@@ -1729,7 +1728,7 @@ def mat6x6_solve(A, b):
     less_u2_0b = less_2 - less_u2_0a
     less_u2_0b_right = less_2 - less_u2_0b
     less_u2_0b_left = less_u2_0b + less_u2_0b_right
-    less_u2_0b_left_rest = product_rest(A_22, 0.9999999999999956, less_2, less_u2_0b_left)
+    less_u2_0b_left_rest = product_rest(A_22, 0.9999999999999944, less_2, less_u2_0b_left)
     less_u2_0b_right_rest = product_rest(A_20, less_l0_1, less_u2_0a, less_u2_0b_right)
     less_u2_0b_lo1 = less_u2_0b_left_rest - less_u2_0b_right_rest
     less_u2_0b_lo = less_u2_0b_lo1 - A_20 * less_l0_1_lo
@@ -1828,7 +1827,7 @@ def mat6x6_solve(A, b):
     less_u3_0b = less_3 - less_u3_0a
     less_u3_0b_right = less_3 - less_u3_0b
     less_u3_0b_left = less_u3_0b + less_u3_0b_right
-    less_u3_0b_left_rest = product_rest(A_33, 0.9999999999999956, less_3, less_u3_0b_left)
+    less_u3_0b_left_rest = product_rest(A_33, 0.9999999999999944, less_3, less_u3_0b_left)
     less_u3_0b_right_rest = product_rest(A_30, less_l0_2, less_u3_0a, less_u3_0b_right)
     less_u3_0b_lo1 = less_u3_0b_left_rest - less_u3_0b_right_rest
     less_u3_0b_lo = less_u3_0b_lo1 - A_30 * less_l0_2_lo
@@ -1925,7 +1924,7 @@ def mat6x6_solve(A, b):
     less_u4_0b = less_4 - less_u4_0a
     less_u4_0b_right = less_4 - less_u4_0b
     less_u4_0b_left = less_u4_0b + less_u4_0b_right
-    less_u4_0b_left_rest = product_rest(A_44, 0.9999999999999956, less_4, less_u4_0b_left)
+    less_u4_0b_left_rest = product_rest(A_44, 0.9999999999999944, less_4, less_u4_0b_left)
     less_u4_0b_right_rest = product_rest(A_40, less_l0_3, less_u4_0a, less_u4_0b_right)
     less_u4_0b_lo1 = less_u4_0b_left_rest - less_u4_0b_right_rest
     less_u4_0b_lo = less_u4_0b_lo1 - A_40 * less_l0_3_lo
@@ -1993,12 +1992,11 @@ def mat6x6_solve(A, b):
     less_u5f = less_u5d - less_l2_2_of_less_u2_3 * less_l2_2
     less_u5h = less_u5f - less_l3_1_of_less_u3_2 * less_l3_1
     less_u5 = less_u5h - less_l4_of_less_u4_1 * less_l4
-    regular_d = where(0 < less_u5, where(0 < smallest5, float64(1), float64(0)), 0)
-    regular_e = where(0 < less_u4_0, regular_d, 0)
-    regular_f = where(0 < less_u3_0, regular_e, 0)
-    regular_g = where(0 < less_u2_0, regular_f, 0)
-    regular_h = where(0 < less_u1_0, regular_g, 0)
-    regular = where(0 < less_0, regular_h, 0)
+    regular_c = where(0 < less_u4_0, where(0 < less_u5, float64(1), float64(0)), 0)
+    regular_d = where(0 < less_u3_0, regular_c, 0)
+    regular_e = where(0 < less_u2_0, regular_d, 0)
+    regular_f = where(0 < less_u1_0, regular_e, 0)
+    regular = where(0 < less_0, regular_f, 0)
     least = where(smallest5 < 0, smallest5, 0)
     y1a = b_0 * l0_0
     y1 = b_1 - y1a
