@@ -96,7 +96,7 @@ _ROTATIONS = (
         _exp, _bound_exp, (("R", 5),)),
     _op("SO3_log", "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as "
         "much as R", (_R,), (_vo,), _log_of,
-        lambda let, R: _log(let, R)[0], (("vo", 8),)),
+        lambda let, R: _log(let, R)[0], (("vo", 5),)),
     *(_op(f"SO3_{side}Jacobian", f"R = J_{side[0]}(v) = I {'+-'[sign < 0]} (1 - cos θ)/θ^2 v~ + "
           "(θ - sin θ)/θ^3 v~^2, θ = |v|", (_v,), (_R,), partial(_jacobian, sign),
           partial(_bound_jacobian, sign), (("R", 5),))
@@ -215,10 +215,10 @@ _DISPLACEMENTS = (
         _screw_of, _bound_screw_of, (("lin", 14), ("ang", 8))),
     *(_op(f"SE3_{side}Jacobian", f"M = J_{side[0]}(s) = Σ ({'-' * (sign < 0)}[ad](s))^k / (k+1)!",
           (_s,), (_M,), partial(_motion_jacobian, sign), partial(_bound_motion_jacobian, sign),
-          (("M", 12),)) for side, sign in (("left", 1), ("right", -1))),
+          (("M", 14),)) for side, sign in (("left", 1), ("right", -1))),
     *(_op(f"SE3_{side}JacobianInverse", f"M = J_{side[0]}(s)^-1; singular where |ω| is a multiple "
           "of 2π but 0", (_s,), (_M,), partial(_motion_jacobian_inverse, sign),
-          partial(_bound_motion_jacobian_inverse, sign), (("M", 6),))
+          partial(_bound_motion_jacobian_inverse, sign), (("M", 9),))
       for side, sign in (("left", 1), ("right", -1))),
     _op("SE3_interpolated", "Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 "
         "at k = 1", (_D1, _D2, _k), (_Do,), _interpolated, _bound_interpolated,

@@ -11069,7 +11069,7 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
-   Error <= vo: 8 u of its largest component; searched, not proved. */
+   Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double p_0 = R->m21 - R->m12;
   const double p_1 = R->m02 - R->m20;
@@ -12013,7 +12013,7 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 6 less, 14 select.
-   Error <= M: 12 u of its largest component; searched, not proved. */
+   Error <= M: 14 u of its largest component; searched, not proved. */
 static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double shifted_0 = s->m3 + 1610612736.0;
   const double shifted_1 = s->m4 + 1610612736.0;
@@ -12224,7 +12224,7 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 6 less, 14 select.
-   Error <= M: 12 u of its largest component; searched, not proved. */
+   Error <= M: 14 u of its largest component; searched, not proved. */
 static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double shifted_0 = s->m3 + 1610612736.0;
   const double shifted_1 = s->m4 + 1610612736.0;
@@ -12435,7 +12435,7 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.
-   Error <= M: 6 u of its largest component; searched, not proved. */
+   Error <= M: 9 u of its largest component; searched, not proved. */
 static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double shifted_0 = s->m3 + 1610612736.0;
   const double shifted_1 = s->m4 + 1610612736.0;
@@ -12622,7 +12622,7 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.
-   Error <= M: 6 u of its largest component; searched, not proved. */
+   Error <= M: 9 u of its largest component; searched, not proved. */
 static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double shifted_0 = s->m3 + 1610612736.0;
   const double shifted_1 = s->m4 + 1610612736.0;
@@ -13227,7 +13227,7 @@ static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
-   Error <= vo: 8 u of its largest component; searched, not proved. */
+   Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const float p_0 = R->m21 - R->m12;
   const float p_1 = R->m02 - R->m20;
@@ -14147,7 +14147,7 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 6 less, 14 select.
-   Error <= M: 12 u of its largest component; searched, not proved. */
+   Error <= M: 14 u of its largest component; searched, not proved. */
 static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float shifted_0 = s->m3 + 49152.0f;
   const float shifted_1 = s->m4 + 49152.0f;
@@ -14347,7 +14347,7 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 6 less, 14 select.
-   Error <= M: 12 u of its largest component; searched, not proved. */
+   Error <= M: 14 u of its largest component; searched, not proved. */
 static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float shifted_0 = s->m3 + 49152.0f;
   const float shifted_1 = s->m4 + 49152.0f;
@@ -14547,7 +14547,7 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.
-   Error <= M: 6 u of its largest component; searched, not proved. */
+   Error <= M: 9 u of its largest component; searched, not proved. */
 static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float shifted_0 = s->m3 + 49152.0f;
   const float shifted_1 = s->m4 + 49152.0f;
@@ -14732,7 +14732,7 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.
-   Error <= M: 6 u of its largest component; searched, not proved. */
+   Error <= M: 9 u of its largest component; searched, not proved. */
 static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float shifted_0 = s->m3 + 49152.0f;
   const float shifted_1 = s->m4 + 49152.0f;

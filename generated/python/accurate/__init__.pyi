@@ -1231,7 +1231,7 @@ def SO3_log(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
     40 mul, 189 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
-    less, 10 equal, 51 select.  Error <= vo: 8 u of its largest component; searched, not proved.
+    less, 10 equal, 51 select.  Error <= vo: 5 u of its largest component; searched, not proved.
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:

@@ -125,7 +125,7 @@ def SO3_log(R):
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
     11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.  Error <=
-    vo: 8 u of its largest component; searched, not proved.
+    vo: 5 u of its largest component; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -1103,7 +1103,7 @@ def SE3_leftJacobian(s):
     """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 6 less, 14 select.  Error <= M: 12 u
+    120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 6 less, 14 select.  Error <= M: 14 u
     of its largest component; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
@@ -1316,7 +1316,7 @@ def SE3_rightJacobian(s):
     """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 6 less, 14 select.  Error <= M: 12 u
+    120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 6 less, 14 select.  Error <= M: 14 u
     of its largest component; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
@@ -1529,7 +1529,7 @@ def SE3_leftJacobianInverse(s):
     """M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.  Error <= M: 6 u of
+    92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.  Error <= M: 9 u of
     its largest component; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
@@ -1697,7 +1697,7 @@ def SE3_rightJacobianInverse(s):
     """M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.  Error <= M: 6 u of
+    92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.  Error <= M: 9 u of
     its largest component; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s

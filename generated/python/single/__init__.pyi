@@ -1580,7 +1580,7 @@ def SO3_log(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.f
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
     11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.  Error <=
-    vo: 8 u of its largest component; searched, not proved.
+    vo: 5 u of its largest component; searched, not proved.
     """
 
 def SO3_leftJacobian(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1670,7 +1670,7 @@ def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDA
     """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 6 less, 14 select.  Error <= M: 12 u
+    120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 6 less, 14 select.  Error <= M: 14 u
     of its largest component; searched, not proved.
     """
 
@@ -1678,7 +1678,7 @@ def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> ND
     """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 6 less, 14 select.  Error <= M: 12 u
+    120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 6 less, 14 select.  Error <= M: 14 u
     of its largest component; searched, not proved.
     """
 
@@ -1686,7 +1686,7 @@ def SE3_leftJacobianInverse(s: ArrayLike, out: NDArray[np.float32] | None = ...)
     """M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.  Error <= M: 6 u of
+    92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.  Error <= M: 9 u of
     its largest component; searched, not proved.
     """
 
@@ -1694,7 +1694,7 @@ def SE3_rightJacobianInverse(s: ArrayLike, out: NDArray[np.float32] | None = ...
     """M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.  Error <= M: 6 u of
+    92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.  Error <= M: 9 u of
     its largest component; searched, not proved.
     """
 

@@ -1250,7 +1250,7 @@ def SO3_log(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.f
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
     11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.  Error <=
-    vo: 8 u of its largest component; searched, not proved.
+    vo: 5 u of its largest component; searched, not proved.
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
