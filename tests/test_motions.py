@@ -245,3 +245,25 @@ def test_leading_axes_broadcast():
     found = coscrew.quaternion_slerp(q1, q2, k)
     assert found.shape == (7, 5, 3, 4)
     assert (found[2, 3, 1] == coscrew.quaternion_slerp(q1[3, 0], q2[1], k[2, 0, 0])).all()
+
+
+@each_precision
+@pytest.mark.parametrize("implementation", [gufunc, twin], ids=["gufunc", "twin"])
+def test_an_axis_is_as_accurate_however_small_the_turn(implementation, precision: Precision):
+    """Down to vector parts of subnormal numbers, the direction is theirs to 3 u."""
+    info, u = np.finfo(precision.numpy_type), unit(precision)
+    least = int(np.log2(info.smallest_subnormal))
+    numbers = np.random.default_rng(8)
+    v = np.vstack([numbers.integers(-9, 10, (60, 3)) * np.exp2(least + k) for k in (0, 5, 20, 60)])
+    v = v[v.any(axis=1)]
+    q = np.hstack([np.ones((len(v), 1)), v]).astype(precision.numpy_type)
+    R = np.zeros((len(v), 3, 3), precision.numpy_type)
+    R[:] = np.eye(3)
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        R[:, k, j], R[:, j, k] = q[:, 1 + i], -q[:, 1 + i]
+    for name, given in (("axis_angle_from_quaternion", q), ("axis_angle_from_mat3x3", R)):
+        angle, axis = implementation(TABLE[name], precision, (given,))
+        for x, found in zip(v.tolist(), axis.astype(float).tolist(), strict=True):
+            length = mp.norm(mp.matrix(x))
+            assert max(abs(c / length - f) for c, f in zip(x, found, strict=True)) <= 3 * u
+        assert (angle > 0).all()

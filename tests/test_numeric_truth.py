@@ -125,7 +125,11 @@ def rows(operation: Operation, precision: Precision) -> list[Row]:
     if operation.family == "symmetric":
         A, *others = inputs_of(operation, precision, 220)
         A, *others = (x[:20] for x in (A, *others))  # the ordinary ones
-        groups = [(A, *others), (A @ A.swapaxes(1, 2), *others)]
+        definite = A @ A.swapaxes(1, 2)
+        spoiled = definite.copy()  # each in one pivot, the first that is not positive
+        places = np.arange(len(A)) % A.shape[1]
+        spoiled[np.arange(len(A)), places, places] = -1
+        groups = [(A, *others), (definite, *others), (spoiled, *others)]
     sizes = np.cumsum([a.quantity.size for a in operation.inputs])
     units = np.vstack([np.zeros(sizes[-1]), np.eye(sizes[-1])])
     groups += [np.split(size * units, sizes[:-1], axis=1) for size in (1, 2.0**-70)]

@@ -4,6 +4,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -66,3 +67,16 @@ def test_links_lead_somewhere():
     prose = re.sub(r"```.*?```", "", README, flags=re.DOTALL)
     for target in re.findall(r"(?<!\\)\[[^\[\]]*\]\(([^)#]+)\)", prose):
         assert (ROOT / target).exists(), target
+
+
+def test_every_extra_named_exists():
+    """In the README, in messages, in the Makefile and among the extras themselves."""
+    project = (ROOT / "pyproject.toml").read_text()
+    extras = tomllib.loads(project)["project"]["optional-dependencies"]
+    texts = [README, project, (ROOT / "Makefile").read_text(),
+             *(path.read_text() for folder in ("codegen", "templates", "tests/benchmarks")
+               for path in sorted((ROOT / folder).rglob("*")) if path.suffix in (".py", ".jinja"))]
+    named = re.findall(r"""["'](?:\.|coscrew)\[(\w[\w,-]*)\]""", "\n".join(texts))
+    assert {"codegen", "report", "test", "peers"} <= {x for names in named for x in names.split(",")}
+    for names in named:
+        assert set(names.split(",")) <= set(extras), names

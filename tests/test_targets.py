@@ -12,10 +12,11 @@ import pytest
 
 import coscrew
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
-from tests.motions import DIGITS, SE3_exp, exponential_series, skew
+from tests.motions import DIGITS, SE3_exp, ad, exponential_series, skew
 
 TARGETS = {"SO3_exp": 5, "SO3_log": 4, "SE3_exp": 6, "SE3_log": 6, "SO3_leftJacobian": 3,
-           "SO3_leftJacobianInverse": 4}  # SE3: of the translation, the linear part
+           "SO3_leftJacobianInverse": 4, "SE3_leftJacobian": 5, "SE3_leftJacobianInverse": 4}
+# SE3_exp, SE3_log: of the translation, the linear part.
 ANGLES = 50  # of each of the three kinds
 
 
@@ -43,6 +44,11 @@ def truths(precision: Precision) -> list[tuple[mp.matrix, mp.matrix]]:
                 for s in screws(precision).astype(float).tolist()]
 
 
+def motion_jacobian(s: np.ndarray) -> mp.matrix:
+    """Σ (ad s)^k / (k+1)!."""
+    return exponential_series(ad(mp.matrix(s)), 1)
+
+
 @pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 @pytest.mark.parametrize("name", TARGETS)
 def test_swept_errors_are_within_the_targets(name: str, precision: Precision):
@@ -50,8 +56,7 @@ def test_swept_errors_are_within_the_targets(name: str, precision: Precision):
     s = screws(precision)
     D = np.array([[[float(x) for x in row] for row in T.tolist()] for T, _ in truths(precision)])
     D = D.astype(real)
-    given = {"SO3_exp": s[:, 3:], "SO3_log": D[..., :3], "SE3_exp": s, "SE3_log": D}.get(
-        name, s[:, 3:])
+    given = {"SO3_log": D[..., :3], "SE3_log": D}.get(name, s if name[:3] == "SE3" else s[:, 3:])
     found = np.asarray(getattr(coscrew, name)(np.ascontiguousarray(given)), float)
     with mp.workdps(DIGITS):
         for row, x, (T, J), start in zip(range(len(s)), found, truths(precision),
@@ -60,7 +65,9 @@ def test_swept_errors_are_within_the_targets(name: str, precision: Precision):
                 "SO3_exp": lambda: (T[0:3, 0:3], x), "SO3_log": lambda: (start[3:], x),
                 "SE3_exp": lambda: (T[0:3, 3], x[:, 3]), "SE3_log": lambda: (start[:3], x[:3]),
                 "SO3_leftJacobian": lambda: (J, x),
-                "SO3_leftJacobianInverse": lambda: (J**-1, x)}[name]()
+                "SO3_leftJacobianInverse": lambda: (J**-1, x),
+                "SE3_leftJacobian": lambda: (motion_jacobian(start), x),
+                "SE3_leftJacobianInverse": lambda: (motion_jacobian(start)**-1, x)}[name]()
             pairs = list(zip(np.ravel(x).tolist(), list(truth), strict=True))
             error = max(abs(mp.mpf(a) - b) for a, b in pairs) / max(abs(b) for _, b in pairs)
             assert error <= TARGETS[name] * u, (float(error / u), [c.hex() for c in s[row].tolist()])

@@ -96,7 +96,7 @@ _ROTATIONS = (
         _exp, _bound_exp, (("R", 5),)),
     _op("SO3_log", "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as "
         "much as R", (_R,), (_vo,), _log_of,
-        lambda let, R: _log(let, R)[0], (("vo", 8),)),
+        lambda let, R: _log(let, R)[0], (("vo", 5),)),
     *(_op(f"SO3_{side}Jacobian", f"R = J_{side[0]}(v) = I {'+-'[sign < 0]} (1 - cos θ)/θ^2 v~ + "
           "(θ - sin θ)/θ^3 v~^2, θ = |v|", (_v,), (_R,), partial(_jacobian, sign),
           partial(_bound_jacobian, sign), (("R", 5),))
@@ -147,15 +147,15 @@ def _bound_screw_of(let: Let, D: sp.Matrix) -> sp.Matrix:
     return stack(across * t + let("across_axis", along - turned), w)
 
 
-def _coupling(let: Let, s: sp.Matrix, orders: tuple[sp.Expr, ...]) -> sp.Matrix:
-    """The block of J_l(s) that couples v to ω: with d = v·ω,
-    g2 v~ + d (2 g4 - g3) ω~ + g3 (v ω^T + ω v^T - 2 d I) - d (g4 - 3 g5) ω~^2."""
+def _rate(let: Let, s: sp.Matrix, alpha: sp.Expr, alpha_rate: sp.Expr, beta: sp.Expr,
+          beta_rate: sp.Expr) -> sp.Matrix:
+    """The rate of I + α ω~ + β ω~² where v is that of ω, and with d = v·ω those of α and β are these
+    times d: α v~ + α' d ω~ + β (v ω^T + ω v^T - 2 d I) + β' d ω~².  Since ad(s) is ω~ + ε v~ with
+    ε² = 0, it is what couples v to ω in any power series of ad(s)."""
     v, w = lin(s), ang(s)
-    g2, g3, g4, g5 = orders
     d = let("vw", v.dot(w))
-    turn = let("turn", let("turn_rate", 2 * g4 - g3) * d)
-    bend = let("bend", let("bend_rate", g4 - 3 * g5) * d)
-    q, y, z = let("q", g2 * v + turn * w), let("g3_v", g3 * v), let("bend_w", bend * w)
+    turn, bend = let("turn", alpha_rate * d), let("bend", -beta_rate * d)
+    q, y, z = let("q", alpha * v + turn * w), let("beta_v", beta * v), let("bend_w", bend * w)
     xy, xz, yz = let("symmetric", sp.Matrix([y[i] * w[j] + y[j] * w[i] - z[i] * w[j]
                                              for i, j in ((0, 1), (0, 2), (1, 2))]))
     x, y, z = let("diagonal", sp.Matrix([z[i] * w[i] + z[j] * w[j] - 2 * (y[i] * w[i] + y[j] * w[j])
@@ -164,32 +164,36 @@ def _coupling(let: Let, s: sp.Matrix, orders: tuple[sp.Expr, ...]) -> sp.Matrix:
 
 
 def _motion_jacobian(sign: int, s: sp.Matrix) -> sp.Matrix:
-    w = ang(s)
-    J = _jacobian(sign, w)
-    return blocks(J, _coupling(unnamed, sign * s, _orders(w)), O3, J)
+    J = _jacobian(sign, ang(s))
+    return blocks(J, _coupling(sign * s), O3, J)
+
+
+def _coupling(s: sp.Matrix) -> sp.Matrix:
+    """Of J_l(s): the rate of J_l(ω)."""
+    g2, g3, g4, g5 = (g(k, ang(s).dot(ang(s))) for k in (2, 3, 4, 5))
+    return _rate(unnamed, s, g2, 2 * g4 - g3, g3, 3 * g5 - g4)
 
 
 def _bound_motion_jacobian(sign: int, let: Let, s: sp.Matrix) -> sp.Matrix:
-    g1, *orders = Angle.of(let, ang(s)).g(1, 2, 3, 4, 5)
-    J = let("J", rodrigues(let, ang(s), sign * orders[0], orders[1], g1))
-    return blocks(J, _coupling(let, sign * s, orders), O3, J)
+    angle = Angle.of(let, ang(s))
+    g1, g2, g3 = angle.g(1, 2, 3)
+    rate2, rate3 = angle.g_rates(g1, g2, g3)
+    J = let("J", rodrigues(let, ang(s), sign * g2, g3, g1))
+    return blocks(J, _rate(prefixed(let, "rate"), sign * s, g2, rate2, g3, rate3), O3, J)
 
 
 def _motion_jacobian_inverse(sign: int, s: sp.Matrix) -> sp.Matrix:
-    w = ang(s)
-    J = _jacobian_inverse(sign, w)
-    return blocks(J, -J * _coupling(unnamed, sign * s, _orders(w)) * J, O3, J)
+    J = _jacobian_inverse(sign, ang(s))
+    return blocks(J, -J * _coupling(sign * s) * J, O3, J)
 
 
 def _bound_motion_jacobian_inverse(sign: int, let: Let, s: sp.Matrix) -> sp.Matrix:
-    angle = Angle.of(let, ang(s))
-    J = let("J", rodrigues(let, ang(s), -sign * sp.Rational(1, 2), *angle.b()))
-    Q = let("Q", _coupling(let, sign * s, angle.g(2, 3, 4, 5)))
-    return blocks(J, -J * let("QJ", Q * J), O3, J)
-
-
-def _orders(w: sp.Matrix) -> tuple[sp.Expr, ...]:
-    return tuple(g(k, w.dot(w)) for k in (2, 3, 4, 5))
+    """The rate of J^-1 instead of -J^-1 Q J^-1: no products of blocks."""
+    angle, half = Angle.of(let, ang(s)), sp.Rational(1, 2)
+    b_, across = angle.b()
+    J = let("J", rodrigues(let, ang(s), -sign * half, b_, across))
+    rate = _rate(prefixed(let, "rate"), sign * s, -half, sp.Integer(0), b_, angle.b_rate())
+    return blocks(J, rate, O3, J)
 
 
 def _interpolated(D1: sp.Matrix, D2: sp.Matrix, k: sp.Expr) -> sp.Matrix:
@@ -211,10 +215,10 @@ _DISPLACEMENTS = (
         _screw_of, _bound_screw_of, (("lin", 14), ("ang", 8))),
     *(_op(f"SE3_{side}Jacobian", f"M = J_{side[0]}(s) = Σ ({'-' * (sign < 0)}[ad](s))^k / (k+1)!",
           (_s,), (_M,), partial(_motion_jacobian, sign), partial(_bound_motion_jacobian, sign),
-          (("M", 20),)) for side, sign in (("left", 1), ("right", -1))),
+          (("M", 14),)) for side, sign in (("left", 1), ("right", -1))),
     *(_op(f"SE3_{side}JacobianInverse", f"M = J_{side[0]}(s)^-1; singular where |ω| is a multiple "
           "of 2π but 0", (_s,), (_M,), partial(_motion_jacobian_inverse, sign),
-          partial(_bound_motion_jacobian_inverse, sign), (("M", 22),))
+          partial(_bound_motion_jacobian_inverse, sign), (("M", 9),))
       for side, sign in (("left", 1), ("right", -1))),
     _op("SE3_interpolated", "Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 "
         "at k = 1", (_D1, _D2, _k), (_Do,), _interpolated, _bound_interpolated,

@@ -27,8 +27,9 @@ _vo, _Ro, _Mo = Argument("vo", VEC3), Argument("Ro", MAT3X3), Argument("Mo", MAT
 _UPPER = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 
 
-def _op(name, statement, inputs, outputs, formula, derivation=None):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation)
+def _op(name, statement, inputs, outputs, formula, derivation=None, rounding=""):
+    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation,
+                     rounding=rounding)
 
 
 def _first(B: sp.Matrix) -> sp.Matrix:
@@ -130,7 +131,8 @@ OPERATIONS = (
         "the symmetric matrix the upper triangle): h = m com, I = Ic - m com~ com~",
         (_m, _com, _Ic), (_Bo,), lambda *x: _from_com(unnamed, *x), _from_com),
     _op("inertia_com", "vo = h / m, the centre of mass in m", (_B,), (_vo,),
-        lambda B: _first(B) / B[0]),
+        lambda B: _first(B) / B[0],
+        rounding="Error <= u |result|, barring over- and underflow."),
     _op("inertia_about_com", "Ro = I + h~ h~ / m, the second moments about the centre of mass",
         (_B,), (_Ro,), lambda B: _second(B) + skew(_first(B))**2 / B[0], _about_com),
     _op("inertia_matrix", "Mo = [[m 1, -h~], [h~, I]]", (_B,), (_Mo,), _operator),

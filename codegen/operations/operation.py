@@ -18,8 +18,8 @@ SMALL, LARGE, ENLARGING, REDUCING = sp.symbols("small large enlarging reducing",
 # x + GRID - GRID is x rounded so that squares of such numbers below 8, and their sums, are exact.
 GRID = sp.Symbol("grid", positive=True)
 
-# A smallest pivot, as a part of its diagonal entry, that rounding alone may have left: 8 u.
-PIVOT_THRESHOLD = sp.Symbol("pivot_threshold", positive=True)
+# 1 - 50 u: A whose diagonal entries, times this, leave it positive definite is regular to rounding.
+REGULAR = sp.Symbol("regular", positive=True)
 
 PER_PRECISION: dict[sp.Symbol, tuple[sp.Rational, sp.Rational]] = {
     NORM_THRESHOLD: (sp.Rational(1, 10**9), sp.Rational(1, 10**6)),
@@ -27,7 +27,7 @@ PER_PRECISION: dict[sp.Symbol, tuple[sp.Rational, sp.Rational]] = {
     LARGE: (sp.Integer(2**511), sp.Integer(2**62)),
     ENLARGING: (sp.Integer(2**600), sp.Integer(2**100)),
     REDUCING: (sp.Rational(1, 2**513), sp.Rational(1, 2**65)),
-    PIVOT_THRESHOLD: (sp.Rational(1, 2**50), sp.Rational(1, 2**21)),
+    REGULAR: (1 - sp.Rational(50, 2**53), 1 - sp.Rational(50, 2**24)),
     GRID: (sp.Integer(3 * 2**29), sp.Integer(3 * 2**14)),
 }
 """The constants that differ between double and single precision."""
@@ -66,6 +66,7 @@ class Operation:
     normwise: tuple[tuple[str, int], ...] = ()  # (part or output, k): the error of each component
     # is at most k u of that part's largest component, in it or an input of its kind; found by
     # search, not proved
+    rounding: str = ""  # what else bounds the errors, in words
 
     @property
     def signature(self) -> str:
@@ -75,9 +76,10 @@ class Operation:
 
     @property
     def tested_bounds(self) -> str:
-        """`normwise` in words; empty where there is none."""
+        """`normwise` in words, or what else there is; empty where there is nothing."""
         parts = ", ".join(f"{name}: {k} u" for name, k in self.normwise)
-        return f"Error <= {parts} of its largest component; searched, not proved." if parts else ""
+        return f"Error <= {parts} of its largest component; searched, not proved." if parts else \
+            self.rounding
 
     def truth(self) -> tuple[sp.Expr, ...]:
         """`formula` on the inputs' symbols: every component of every output, row by row."""

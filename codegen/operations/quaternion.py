@@ -8,9 +8,9 @@ import sympy as sp
 
 from coscrew_codegen.operations import special
 from coscrew_codegen.operations.linear import linear_space
-from coscrew_codegen.operations.norm import (Let, divided, l2, nonzero, prefixed, safe_norm,
-                                             safe_normalized, unnamed)
-from coscrew_codegen.operations.operation import Operation
+from coscrew_codegen.operations.norm import (Let, divided, inverse_power, l2, nonzero, power_of_two,
+                                             prefixed, safe_norm, safe_normalized, unnamed)
+from coscrew_codegen.operations.operation import Operation, scaled
 from coscrew_codegen.operations.rotation import (conjugate, half_angle, quaternion_of,
                                                  quaternion_product, rodrigues, rotation_vector,
                                                  upper, versor)
@@ -25,7 +25,7 @@ _angle, _norm, _k = (Argument(name, SCALAR) for name in ("angle", "norm", "k"))
 _R = Argument("R", MAT3X3)
 
 UNIT_AXIS = "axis of length 1"
-ANGLE = "0 <= angle <= π; the axis is (1, 0, 0) where angle = 0"
+ANGLE = "0 <= angle <= π; the axis is (1, 0, 0) where nothing turns"
 
 
 def _op(name, statement, inputs, outputs, formula, derivation=None, normwise=()):
@@ -96,10 +96,15 @@ def _of_axis_angle(let: Let, axis: sp.Matrix, angle: sp.Expr) -> sp.Matrix:
 
 
 def axis_angle(let: Let, q: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
-    """2 atan2(|v|, w), v / |v| of any multiple of a quaternion."""
+    """2 atan2(|v|, w), v / |v| of any multiple of a quaternion.  What is divided is v and |v| times a
+    power of two: a subnormal |v| has too few digits for a direction."""
     q = upper(let, q)
-    half, n, divisor = half_angle(let, q)
-    x, y, z = let("unit", divided(q[1:, :], divisor))
+    of_v = prefixed(let, "v")
+    s = power_of_two(of_v, "s", tuple(q[1:, :]))
+    v = of_v("y", q[1:, :].applyfunc(lambda component: scaled(component, s)))
+    n = of_v("n", l2(v))
+    half = let("half", sp.atan2(let("n", scaled(n, inverse_power(of_v, "r", s))), q[0]))
+    x, y, z = let("unit", divided(v, let("divisor", nonzero(n))))
     return 2 * half, sp.Matrix([sp.Piecewise((1, sp.Eq(n, 0)), (x, True)), y, z])
 
 

@@ -41,10 +41,10 @@ def quaternion_of(let: Let, R: sp.Matrix) -> sp.Matrix:
     a, b, c = R[0, 0], R[1, 1], R[2, 2]
     p = let("p", sp.Matrix([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]))
     s = let("s", sp.Matrix([R[2, 1] + R[1, 2], R[0, 2] + R[2, 0], R[1, 0] + R[0, 1]]))
-    e, f = let("less", sp.Matrix([1 - a, 1 - b, 1 - c])), let("more", sp.Matrix([1 + a, 1 + b, 1 + c]))
-    # 1 + a + b + c, 1 + a - b - c, …: the one that is about 4 is rounded once.
-    w, x, y, z = let("d", sp.Matrix([4 - (e[0] + e[1] + e[2]), 4 - (e[0] + f[1] + f[2]),
-                                     4 - (f[0] + e[1] + f[2]), 4 - (f[0] + f[1] + e[2])]))
+    first, less = let("first", sp.Matrix([1 + a, 1 - a])), let("others", sp.Matrix([b + c, b - c]))
+    # 1 + a + b + c, 1 + a - b - c, …: in pairs, so that the one that is 1 or more is off by 3 u of 1.
+    w, x, y, z = let("d", sp.Matrix([first[0] + less[0], first[0] - less[0],
+                                     first[1] + less[1], first[1] - less[1]]))
 
     def choice(name, test, first, second):
         return let(name, sp.Matrix([sp.Piecewise((one, test), (other, True))

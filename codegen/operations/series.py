@@ -4,7 +4,7 @@
 
 g(1) = sin θ / θ, g(2) = (1 - cos θ) / θ², g(3) = (θ - sin θ) / θ³; g(k + 2) = (1/k! - g(k)) / θ².
 Up to θ = 1 (g(1), g(2)) or 2 they are their series, beyond it closed forms in sin θ and cos θ, which
-are called only there.
+are called only there.  Where v is the rate of ω, that of g(k, ω·ω) is 2 g'(k) v·ω, and so for b.
 """
 
 from dataclasses import dataclass
@@ -16,6 +16,7 @@ from coscrew_codegen.operations.operation import GRID
 
 _NEAR = sp.Integer(1)  # θ² where the series of g(1), g(2) end, which the closed forms lose no digit of
 _MIDDLE = sp.Integer(4)  # θ² where the others end
+_LATE = sp.Integer(9)  # θ² where those of 2 g'(2), 2 g'(3) end, whose closed forms cancel most of it
 _TAYLOR_TERMS, _BERNOULLI_TERMS = 13, 17  # what is left out is below u / 4 there, in double
 
 
@@ -81,6 +82,25 @@ class Angle:
         return b, let("b_across", beyond(x, half, 1 - x * b))
 
 
+    def g_rates(self, g1: sp.Expr, g2: sp.Expr, g3: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        """2 g'(2) = (g(1) - 2 g(2)) / θ² and 2 g'(3) = (g(2) - 3 g(3)) / θ²."""
+        let, x = self.let, self.square
+        late = let("late_x", sp.Piecewise((sp.Integer(1), x < _LATE), (x, True)))
+        closed = (let("closed_rate2", let("rate2_rest", g1 - 2 * g2) / late),
+                  let("closed_rate3", let("rate3_rest", g2 - 3 * g3) / late))
+        series = (_taylor_rate(k, x) for k in (2, 3))
+        return tuple(let(f"rate{k}", sp.Piecewise((near, x < _LATE), (far_off, True)))
+                     for k, near, far_off in zip((2, 3), series, closed, strict=True))
+
+    def b_rate(self) -> sp.Expr:
+        """2 b' = ((1 + cot² θ/2) / 4 - (2 - θ/2 cot θ/2) / θ²) / θ²."""
+        let, x, cotangent = self.let, self.square, self.cotangent
+        divisor = let("b_rate_divisor", beyond(x, x, _MIDDLE))
+        across = let("b_rate_across", (2 - let("b_rate_half", self.angle * cotangent / 2)) / divisor)
+        rest = let("b_rate_rest", let("b_rate_square", (1 + cotangent**2) / 4) - across)
+        return let("b_rate", beyond(x, let("closed_b_rate", rest / divisor), _bernoulli_rate(x)))
+
+
 def _half_cotangent(let: Let, sine: sp.Expr, cosine: sp.Expr) -> sp.Expr:
     """cot θ/2 = sin θ / (1 - cos θ) = (1 + cos θ) / sin θ, whichever adds numbers of one sign."""
     obtuse = cosine < 0
@@ -102,6 +122,17 @@ def beyond(x: sp.Expr, value: sp.Expr, near: sp.Expr) -> sp.Piecewise:
 def taylor(k: int, x: sp.Expr) -> sp.Expr:
     """g(k, x) where the series serve."""
     return horner([sp.Rational((-1)**j, sp.factorial(2 * j + k)) for j in range(_TAYLOR_TERMS)], x)
+
+
+def _taylor_rate(k: int, x: sp.Expr) -> sp.Expr:
+    """2 g'(k, x) where the series serve."""
+    return horner([2 * (j + 1) * sp.Rational((-1)**(j + 1), sp.factorial(2 * j + 2 + k))
+                   for j in range(_TAYLOR_TERMS)], x)
+
+
+def _bernoulli_rate(x: sp.Expr) -> sp.Expr:
+    return horner([2 * (j - 1) * abs(sp.bernoulli(2 * j)) / sp.factorial(2 * j)
+                   for j in range(2, _BERNOULLI_TERMS + 3)], x)
 
 
 def _bernoulli(x: sp.Expr) -> sp.Expr:

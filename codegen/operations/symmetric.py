@@ -9,7 +9,7 @@ from functools import partial
 import sympy as sp
 
 from coscrew_codegen.operations.norm import Let, prefixed, unnamed
-from coscrew_codegen.operations.operation import PIVOT_THRESHOLD, Operation
+from coscrew_codegen.operations.operation import REGULAR, Operation
 from coscrew_codegen.operations.special import factor, smallest_pivot, solution, vector
 from coscrew_codegen.quantity import (COSCREW, MAT3X3, MAT6X6, SCALAR, SCREW, VEC3, Argument,
                                       Quantity)
@@ -63,17 +63,33 @@ def substituted(let: Let, L: sp.Matrix, D: list[sp.Expr], b: sp.Matrix) -> sp.Ma
     return sp.Matrix(x)
 
 
+def _is_regular(let: Let, A: sp.Matrix) -> sp.Basic:
+    """Whether A - 50 u diag A has positive pivots.  Rounding changes a factored matrix by less than
+    (min(i, j) + 2) u sqrt(a_ii a_jj) in row i, column j, counted from 0, so, its diagonal scaled to
+    1, by less than 25 u in all directions together: with positive pivots A has no eigenvalue below
+    25 u, so that its own are positive, too; without them it has one below 75 u.  A threshold of A's
+    own smallest pivot would have to be above what rounding makes of a zero there: a thousand u, for
+    some 6×6 matrices."""
+    less = let("less", sp.Matrix([REGULAR * A[i, i] for i in range(A.rows)]))
+    diminished = sp.Matrix(*A.shape, lambda i, j: less[i] if i == j else A[i, j])
+    _, D = factored(prefixed(let, "less"), diminished)
+    return sp.And(*(0 < d for d in D))
+
+
 def _solve(let: Let, A: sp.Matrix, b: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
     """x and one step of refinement: x + A^-1 (b - A x)."""
     n = A.rows
     L, D = factored(let, A)
-    pivot = let("pivot_part", bound_smallest_pivot(let, A, D))
+    part = let("pivot_part", bound_smallest_pivot(let, A, D))
+    regular = sp.Eq(let("regular", sp.Piecewise((1, _is_regular(let, A)), (0, True))), 1)
+    least = let("least", sp.Piecewise((part, part < 0), (0, True)))
     safe = [let(f"safe{i}", sp.Piecewise((d, 0 < d), (1, True))) for i, d in enumerate(D)]
     x = substituted(let, L, safe, b)
     residual = let("residual", sp.Matrix([
         b[i] - sum(A[max(i, j), min(i, j)] * x[j] for j in range(n)) for i in range(n)]))
     step = substituted(prefixed(let, "refined"), L, safe, residual)
-    found, regular = let("found", x + step), PIVOT_THRESHOLD < pivot
+    found = let("found", x + step)
+    pivot = sp.Piecewise((part, regular), (least, True))
     return pivot, found.applyfunc(lambda c: sp.Piecewise((c, regular), (sp.nan, True)))
 
 
@@ -107,14 +123,26 @@ def _operations(matrix: Quantity, right: Quantity, left: Quantity) -> tuple[Oper
         op(name=f"{matrix.name}_ldl", statement="L, D with L D L^T = A: unit lower triangular L, D on "
            "its diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not "
            "positive definite, and L means nothing", inputs=(A,), outputs=(pivot, L), formula=ldl,
-           derivation=bound_ldl),
+           derivation=bound_ldl, rounding=f"|L D L^T - A|_ij <= {FACTOR[n]} u sqrt(a_ii a_jj) where the "
+           "pivot is positive, barring over- and underflow."),
         op(name=f"{matrix.name}_ldl_solve", statement=f"x = A^-1 b, L of {matrix.name}_ldl with a "
            "positive pivot", inputs=(L, b), outputs=(x,), formula=partial(by_factor, unnamed),
-           derivation=by_factor),
+           derivation=by_factor, rounding=_backward("of A = L D L^T")),
         op(name=f"{matrix.name}_solve", statement="x = A^-1 b with one step of refinement; returns the "
-           f"smallest pivot d_i / a_ii: where it is not above 8 u, A is singular or indefinite, and x "
-           "not a number", inputs=(A, b), outputs=(pivot, x), formula=solved, derivation=_solve),
+           "smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A "
+           "is not positive definite), it is not positive, and x not a number", inputs=(A, b),
+           outputs=(pivot, x), formula=solved, derivation=_solve, rounding=_backward("of A")),
     )
+
+
+# In u: by the number of rows, what a factor is off at most, counted along its roundings; and what
+# residuals of solutions were at most, and half as much again.
+FACTOR, BACKWARD = {3: 4, 6: 7}, 4
+
+
+def _backward(matrix: str) -> str:
+    return (f"Backward error, {matrix}: |b - A x|_i <= {BACKWARD} u Σ_j sqrt(a_ii a_jj) |x_j|; "
+            "measured, not proved; barring over- and underflow.")
 
 
 OPERATIONS = (*_operations(MAT3X3, VEC3, VEC3), *_operations(MAT6X6, COSCREW, SCREW))

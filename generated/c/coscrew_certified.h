@@ -21,8 +21,14 @@
 #include <math.h>
 #include <string.h>
 
-#if (defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)) && !defined(KSL_ALLOW_FAST_MATH)
+#if !defined(KSL_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
 #error "-ffast-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__RECIPROCAL_MATH__)
+#error "-freciprocal-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
+#error "-ffinite-math-only breaks what is promised of NaN; define KSL_ALLOW_FAST_MATH to accept that"
+#endif
 #endif
 
 #if defined(__GNUC__)

@@ -1392,8 +1392,8 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.\n"
-    "11 mul, 26 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.  Error <=\n"
-    "vo: 8 u of its largest component; searched, not proved.\n",
+    "11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.  Error <=\n"
+    "vo: 5 u of its largest component; searched, not proved.\n",
    1, 1, SO3_log_loops},
   {"SO3_leftJacobian", "(3)->(3,3)",
     "R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.\n"
@@ -1433,10 +1433,11 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "searched, not proved.\n",
    2, 1, mat3x3_from_axis_angle_loops},
   {"axis_angle_from_mat3x3", "(3,3)->(),(3)",
-    "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.\n"
+    "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing\n"
+    "turns.\n"
     "\n"
     "(3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.\n"
-    "8 mul, 26 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.  Error <=\n"
+    "8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.  Error <=\n"
     "angle: 8 u, axis: 5 u of its largest component; searched, not proved.\n",
    1, 2, axis_angle_from_mat3x3_loops},
   {"mat3x3_orthonormalize", "(3,3)->(3,3)",
@@ -1464,42 +1465,42 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
-    "50 mul, 55 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select.  Error <=\n"
+    "50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select.  Error <=\n"
     "lin: 14 u, ang: 8 u of its largest component; searched, not proved.\n",
    1, 1, SE3_log_loops},
   {"SE3_leftJacobian", "(6)->(6,6)",
     "M = J_l(s) = Σ ([ad](s))^k / (k+1)!.\n"
     "\n"
     "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
-    "120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 5 less, 13 select.  Error <= M: 20 u of its\n"
-    "largest component; searched, not proved.\n",
+    "120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 6 less, 14 select.  Error <= M: 14 u\n"
+    "of its largest component; searched, not proved.\n",
    1, 1, SE3_leftJacobian_loops},
   {"SE3_rightJacobian", "(6)->(6,6)",
     "M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.\n"
     "\n"
     "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
-    "120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 5 less, 13 select.  Error <= M: 20 u\n"
+    "120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 6 less, 14 select.  Error <= M: 14 u\n"
     "of its largest component; searched, not proved.\n",
    1, 1, SE3_rightJacobian_loops},
   {"SE3_leftJacobianInverse", "(6)->(6,6)",
     "M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.\n"
     "\n"
     "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
-    "181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 6 less, 16 select.  Error <= M: 22 u\n"
-    "of its largest component; searched, not proved.\n",
+    "92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.  Error <= M: 9 u of\n"
+    "its largest component; searched, not proved.\n",
    1, 1, SE3_leftJacobianInverse_loops},
   {"SE3_rightJacobianInverse", "(6)->(6,6)",
     "M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.\n"
     "\n"
     "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
-    "181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 6 less, 16 select.  Error <= M: 22 u\n"
-    "of its largest component; searched, not proved.\n",
+    "92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.  Error <= M: 9 u of\n"
+    "its largest component; searched, not proved.\n",
    1, 1, SE3_rightJacobianInverse_loops},
   {"SE3_interpolated", "(3,4),(3,4),()->(3,4)",
     "Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.\n"
     "\n"
     "(3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.\n"
-    "207 mul, 200 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 17 less, 1 equal, 39\n"
+    "207 mul, 190 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 17 less, 1 equal, 39\n"
     "select.  Error <= R: 12 u, t: 20 u of its largest component; searched, not proved.\n",
    3, 1, SE3_interpolated_loops},
   {NULL, NULL, NULL, 0, 0, NULL},

@@ -1129,7 +1129,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "\n"
     "(10)->(3).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,\n"
     "xy, xz, yz in kg m^2); vo: vector.\n"
-    "3 div.\n",
+    "3 div.  Error <= u |result|, barring over- and underflow.\n",
    1, 1, inertia_com_loops},
   {"inertia_about_com", "(10)->(3,3)",
     "Ro = I + h~ h~ / m, the second moments about the centre of mass.\n"

@@ -1614,7 +1614,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.\n"
     "\n"
     "(3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.\n"
-    "4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 5 u of its largest\n"
+    "4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 5 u of its largest\n"
     "component; searched, not proved.\n",
    1, 1, quaternion_from_mat3x3_loops},
   {"quaternion_from_axis_angle", "(3),()->(4)",
@@ -1625,7 +1625,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
    2, 1, quaternion_from_axis_angle_loops},
   {"axis_angle_from_quaternion", "(4)->(),(3)",
     "angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where\n"
-    "angle = 0; any multiple of a quaternion.\n"
+    "nothing turns; any multiple of a quaternion.\n"
     "\n"
     "(4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.\n"
     "8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.  Error <=\n"

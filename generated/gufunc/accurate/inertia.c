@@ -960,7 +960,8 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "\n"
     "(10)->(3).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,\n"
     "xy, xz, yz in kg m^2); vo: vector.\n"
-    "3 mul, 9 add, 3 product error, 6 div, 3 equal, 3 select.\n",
+    "3 mul, 9 add, 3 product error, 6 div, 3 equal, 3 select.  Error <= u |result|, barring over-\n"
+    "and underflow.\n",
    1, 1, inertia_com_loops},
   {"inertia_about_com", "(10)->(3,3)",
     "Ro = I + h~ h~ / m, the second moments about the centre of mass.\n"

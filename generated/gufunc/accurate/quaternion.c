@@ -1122,12 +1122,12 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.\n"
     "\n"
     "(3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.\n"
-    "21 mul, 248 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37\n"
+    "21 mul, 176 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37\n"
     "select.  Error <= qo: 5 u of its largest component; searched, not proved.\n",
    1, 1, quaternion_from_mat3x3_loops},
   {"axis_angle_from_quaternion", "(4)->(),(3)",
     "angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where\n"
-    "angle = 0; any multiple of a quaternion.\n"
+    "nothing turns; any multiple of a quaternion.\n"
     "\n"
     "(4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.\n"
     "23 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8\n"

@@ -122,7 +122,7 @@ def inertia_com(B):
 
     (10)->(3).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
     xy, xz, yz in kg m^2); vo: vector.
-    3 div.
+    3 div.  Error <= u |result|, barring over- and underflow.
     """
     B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
     vo_0 = B_1 / B_0

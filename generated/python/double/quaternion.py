@@ -320,7 +320,7 @@ def quaternion_from_mat3x3(R):
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-    4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 5 u of its largest
+    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 5 u of its largest
     component; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
@@ -330,16 +330,14 @@ def quaternion_from_mat3x3(R):
     s_0 = R_12 + R_21
     s_1 = R_02 + R_20
     s_2 = R_01 + R_10
-    less_0 = 1 - R_00
-    less_1 = 1 - R_11
-    less_2 = 1 - R_22
-    more_0 = R_00 + 1
-    more_1 = R_11 + 1
-    more_2 = R_22 + 1
-    d_0 = 4 - (less_0 + less_1 + less_2)
-    d_1 = 4 - less_0 - (more_1 + more_2)
-    d_2 = 4 - less_1 - (more_0 + more_2)
-    d_3 = 4 - less_2 - (more_0 + more_1)
+    first_0 = R_00 + 1
+    first_1 = 1 - R_00
+    others_0 = R_11 + R_22
+    others_1 = R_11 - R_22
+    d_0 = first_0 + others_0
+    d_1 = first_0 - others_0
+    d_2 = first_1 + others_1
+    d_3 = first_1 - others_1
     low_0 = where(R_11 < R_00, p_0, p_1)
     low_1 = where(R_11 < R_00, d_1, s_2)
     low_2 = where(R_11 < R_00, s_2, d_2)
@@ -384,7 +382,7 @@ def quaternion_from_axis_angle(axis, angle):
 @kernel("(4)->(),(3)")
 def axis_angle_from_quaternion(q):
     """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
-    angle = 0; any multiple of a quaternion.
+    nothing turns; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.
     8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.  Error <=
@@ -410,12 +408,12 @@ def axis_angle_from_quaternion(q):
     v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
     n = v_n * v_r
     half = arctan2(n, upper_0)
-    divisor = where(n == 0, 1, n)
-    unit_0 = upper_1 / divisor
-    unit_1 = upper_2 / divisor
-    unit_2 = upper_3 / divisor
+    divisor = where(v_n == 0, 1, v_n)
+    unit_0 = v_y_0 / divisor
+    unit_1 = v_y_1 / divisor
+    unit_2 = v_y_2 / divisor
     angle = 2 * half
-    axis_0 = where(n == 0, 1, unit_0)
+    axis_0 = where(v_n == 0, 1, unit_0)
     return (angle, axis_0, unit_1, unit_2)
 
 

@@ -1522,7 +1522,7 @@ def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) 
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-    4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 5 u of its largest
+    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 5 u of its largest
     component; searched, not proved.
     """
 
@@ -1535,7 +1535,7 @@ def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[n
 
 def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
-    angle = 0; any multiple of a quaternion.
+    nothing turns; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.
     8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.  Error <=
@@ -1579,8 +1579,8 @@ def SO3_log(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.f
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    11 mul, 26 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.  Error <=
-    vo: 8 u of its largest component; searched, not proved.
+    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.  Error <=
+    vo: 5 u of its largest component; searched, not proved.
     """
 
 def SO3_leftJacobian(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1626,10 +1626,11 @@ def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.fl
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
+    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing
+    turns.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    8 mul, 26 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.  Error <=
+    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.  Error <=
     angle: 8 u, axis: 5 u of its largest component; searched, not proved.
     """
 
@@ -1661,7 +1662,7 @@ def SE3_log(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.f
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    50 mul, 55 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select.  Error <=
+    50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select.  Error <=
     lin: 14 u, ang: 8 u of its largest component; searched, not proved.
     """
 
@@ -1669,15 +1670,15 @@ def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDA
     """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 5 less, 13 select.  Error <= M: 20 u of its
-    largest component; searched, not proved.
+    120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 6 less, 14 select.  Error <= M: 14 u
+    of its largest component; searched, not proved.
     """
 
 def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 5 less, 13 select.  Error <= M: 20 u
+    120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 6 less, 14 select.  Error <= M: 14 u
     of its largest component; searched, not proved.
     """
 
@@ -1685,23 +1686,23 @@ def SE3_leftJacobianInverse(s: ArrayLike, out: NDArray[np.float32] | None = ...)
     """M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 6 less, 16 select.  Error <= M: 22 u
-    of its largest component; searched, not proved.
+    92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.  Error <= M: 9 u of
+    its largest component; searched, not proved.
     """
 
 def SE3_rightJacobianInverse(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 6 less, 16 select.  Error <= M: 22 u
-    of its largest component; searched, not proved.
+    92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.  Error <= M: 9 u of
+    its largest component; searched, not proved.
     """
 
 def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    207 mul, 200 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 17 less, 1 equal, 39
+    207 mul, 190 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 17 less, 1 equal, 39
     select.  Error <= R: 12 u, t: 20 u of its largest component; searched, not proved.
     """
 
@@ -1710,22 +1711,26 @@ def mat3x3_ldl(A: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.f
     pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
 
     (3,3)->(),(3,3).  A, L: rotation or other 3×3 matrix; pivot: number.
-    4 mul, 4 add, 6 div, 6 less, 9 select.
+    4 mul, 4 add, 6 div, 6 less, 9 select.  |L D L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the
+    pivot is positive, barring over- and underflow.
     """
 
 def mat3x3_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """x = A^-1 b, L of mat3x3_ldl with a positive pivot.
 
     (3,3),(3)->(3).  L: rotation or other 3×3 matrix; b, x: vector.
-    6 mul, 6 add, 3 div.
+    6 mul, 6 add, 3 div.  Backward error, of A = L D L^T: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj)
+    |x_j|; measured, not proved; barring over- and underflow.
     """
 
 def mat3x3_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where it is
-    not above 8 u, A is singular or indefinite, and x not a number.
+    """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
+    singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
+    positive, and x not a number.
 
     (3,3),(3)->(),(3).  A: rotation or other 3×3 matrix; b, x: vector; pivot: number.
-    25 mul, 28 add, 12 div, 8 less, 13 select.
+    32 mul, 32 add, 15 div, 11 less, 1 equal, 20 select.  Backward error, of A: |b - A x|_i <= 4
+    u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved; barring over- and underflow.
     """
 
 def mat6x6_ldl(A: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -1733,7 +1738,8 @@ def mat6x6_ldl(A: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.f
     pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
 
     (6,6)->(),(6,6).  A, L: 6×6 operator; pivot: number.
-    35 mul, 35 add, 21 div, 15 less, 21 select.
+    35 mul, 35 add, 21 div, 15 less, 21 select.  |L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where
+    the pivot is positive, barring over- and underflow.
     """
 
 def mat6x6_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1741,16 +1747,19 @@ def mat6x6_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.float32] | None
 
     (6,6),(6)->(6).  L: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in
     rad/s).
-    30 mul, 30 add, 6 div.
+    30 mul, 30 add, 6 div.  Backward error, of A = L D L^T: |b - A x|_i <= 4 u Σ_j sqrt(a_ii
+    a_jj) |x_j|; measured, not proved; barring over- and underflow.
     """
 
 def mat6x6_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where it is
-    not above 8 u, A is singular or indefinite, and x not a number.
+    """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
+    singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
+    positive, and x not a number.
 
     (6,6),(6)->(),(6).  A: 6×6 operator; b: coscrew (f in N; τ in N m); pivot: number; x: screw
     (v in m/s; ω in rad/s).
-    131 mul, 137 add, 33 div, 17 less, 28 select.
+    172 mul, 172 add, 48 div, 23 less, 1 equal, 41 select.  Backward error, of A: |b - A x|_i <=
+    4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved; barring over- and underflow.
     """
 
 def inertia_copy(Bi: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1800,7 +1809,7 @@ def inertia_com(B: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[
 
     (10)->(3).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
     xy, xz, yz in kg m^2); vo: vector.
-    3 div.
+    3 div.  Error <= u |result|, barring over- and underflow.
     """
 
 def inertia_about_com(B: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:

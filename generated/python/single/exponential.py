@@ -120,8 +120,8 @@ def SO3_log(R):
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    11 mul, 26 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.  Error <=
-    vo: 8 u of its largest component; searched, not proved.
+    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.  Error <=
+    vo: 5 u of its largest component; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -130,16 +130,14 @@ def SO3_log(R):
     s_0 = R_12 + R_21
     s_1 = R_02 + R_20
     s_2 = R_01 + R_10
-    less_0 = 1 - R_00
-    less_1 = 1 - R_11
-    less_2 = 1 - R_22
-    more_0 = R_00 + 1
-    more_1 = R_11 + 1
-    more_2 = R_22 + 1
-    d_0 = 4 - (less_0 + less_1 + less_2)
-    d_1 = 4 - less_0 - (more_1 + more_2)
-    d_2 = 4 - less_1 - (more_0 + more_2)
-    d_3 = 4 - less_2 - (more_0 + more_1)
+    first_0 = R_00 + 1
+    first_1 = 1 - R_00
+    others_0 = R_11 + R_22
+    others_1 = R_11 - R_22
+    d_0 = first_0 + others_0
+    d_1 = first_0 - others_0
+    d_2 = first_1 + others_1
+    d_3 = first_1 - others_1
     low_0 = where(R_11 < R_00, p_0, p_1)
     low_1 = where(R_11 < R_00, d_1, s_2)
     low_2 = where(R_11 < R_00, s_2, d_2)
@@ -678,10 +676,11 @@ def mat3x3_from_axis_angle(axis, angle):
 
 @kernel("(3,3)->(),(3)")
 def axis_angle_from_mat3x3(R):
-    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
+    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing
+    turns.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    8 mul, 26 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.  Error <=
+    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.  Error <=
     angle: 8 u, axis: 5 u of its largest component; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
@@ -691,16 +690,14 @@ def axis_angle_from_mat3x3(R):
     s_0 = R_12 + R_21
     s_1 = R_02 + R_20
     s_2 = R_01 + R_10
-    less_0 = 1 - R_00
-    less_1 = 1 - R_11
-    less_2 = 1 - R_22
-    more_0 = R_00 + 1
-    more_1 = R_11 + 1
-    more_2 = R_22 + 1
-    d_0 = 4 - (less_0 + less_1 + less_2)
-    d_1 = 4 - less_0 - (more_1 + more_2)
-    d_2 = 4 - less_1 - (more_0 + more_2)
-    d_3 = 4 - less_2 - (more_0 + more_1)
+    first_0 = R_00 + 1
+    first_1 = 1 - R_00
+    others_0 = R_11 + R_22
+    others_1 = R_11 - R_22
+    d_0 = first_0 + others_0
+    d_1 = first_0 - others_0
+    d_2 = first_1 + others_1
+    d_3 = first_1 - others_1
     low_0 = where(R_11 < R_00, p_0, p_1)
     low_1 = where(R_11 < R_00, d_1, s_2)
     low_2 = where(R_11 < R_00, s_2, d_2)
@@ -731,12 +728,12 @@ def axis_angle_from_mat3x3(R):
     v_r = where(1 < v_s, 7.888609e-31, where(v_s < 1, float32(3.689349e+19), float32(1)))
     n = v_n * v_r
     half = arctan2(n, upper_0)
-    divisor = where(n == 0, 1, n)
-    unit_0 = upper_1 / divisor
-    unit_1 = upper_2 / divisor
-    unit_2 = upper_3 / divisor
+    divisor = where(v_n == 0, 1, v_n)
+    unit_0 = v_y_0 / divisor
+    unit_1 = v_y_1 / divisor
+    unit_2 = v_y_2 / divisor
     angle = 2 * half
-    axis_0 = where(n == 0, 1, unit_0)
+    axis_0 = where(v_n == 0, 1, unit_0)
     return (angle, axis_0, unit_1, unit_2)
 
 
@@ -961,7 +958,7 @@ def SE3_log(D):
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    50 mul, 55 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select.  Error <=
+    50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select.  Error <=
     lin: 14 u, ang: 8 u of its largest component; searched, not proved.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
@@ -971,16 +968,14 @@ def SE3_log(D):
     s_0 = D_12 + D_21
     s_1 = D_02 + D_20
     s_2 = D_01 + D_10
-    less_0 = 1 - D_00
-    less_1 = 1 - D_11
-    less_2 = 1 - D_22
-    more_0 = D_00 + 1
-    more_1 = D_11 + 1
-    more_2 = D_22 + 1
-    d_0 = 4 - (less_0 + less_1 + less_2)
-    d_1 = 4 - less_0 - (more_1 + more_2)
-    d_2 = 4 - less_1 - (more_0 + more_2)
-    d_3 = 4 - less_2 - (more_0 + more_1)
+    first_0 = D_00 + 1
+    first_1 = 1 - D_00
+    others_0 = D_11 + D_22
+    others_1 = D_11 - D_22
+    d_0 = first_0 + others_0
+    d_1 = first_0 - others_0
+    d_2 = first_1 + others_1
+    d_3 = first_1 - others_1
     low_0 = where(D_11 < D_00, p_0, p_1)
     low_1 = where(D_11 < D_00, d_1, s_2)
     low_2 = where(D_11 < D_00, s_2, d_2)
@@ -1077,8 +1072,8 @@ def SE3_leftJacobian(s):
     """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 5 less, 13 select.  Error <= M: 20 u of its
-    largest component; searched, not proved.
+    120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 6 less, 14 select.  Error <= M: 14 u
+    of its largest component; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     shifted_0 = s_3 + 49152
@@ -1116,10 +1111,6 @@ def SE3_leftJacobian(s):
     closed2 = versine / far_x
     rest3 = 1 - closed1
     closed3 = rest3 / middle_x
-    rest4 = 0.5 - closed2
-    closed4 = rest4 / middle_x
-    rest5 = 0.16666667 - closed3
-    closed5 = rest5 / middle_x
     g1g = x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
     g1h = g1g + 2.8114574e-15
     g1i = x * g1h
@@ -1177,44 +1168,49 @@ def SE3_leftJacobian(s):
     g3w = x * g3v
     g3x = g3w + 0.16666667
     g3 = where(x < 4, g3x, closed3)
-    g4g = x * (x * (x * (3.279889e-30 * x - 2.4795963e-27) + 1.6117376e-24) - 8.896791e-22)
-    g4h = g4g + 4.1103176e-19
-    g4i = x * g4h
-    g4j = g4i - 1.5619207e-16
-    g4k = x * g4j
-    g4l = g4k + 4.7794773e-14
-    g4m = x * g4l
-    g4n = g4m - 1.1470745e-11
-    g4o = x * g4n
-    g4p = g4o + 2.0876756e-09
-    g4q = x * g4p
-    g4r = g4q - 2.755732e-07
-    g4s = x * g4r
-    g4t = g4s + 2.4801588e-05
-    g4u = x * g4t
-    g4v = g4u - 0.0013888889
-    g4w = x * g4v
-    g4x = g4w + 0.041666668
-    g4 = where(x < 4, g4x, closed4)
-    g5g = x * (x * (x * (1.1309962e-31 * x - 9.18369e-29) + 6.4469503e-26) - 3.8681703e-23)
-    g5h = g5g + 1.9572942e-20
-    g5i = x * g5h
-    g5j = g5i - 8.220635e-18
-    g5k = x * g5j
-    g5l = g5k + 2.8114574e-15
-    g5m = x * g5l
-    g5n = g5m - 7.6471636e-13
-    g5o = x * g5n
-    g5p = g5o + 1.6059044e-10
-    g5q = x * g5p
-    g5r = g5q - 2.5052108e-08
-    g5s = x * g5r
-    g5t = g5s + 2.7557319e-06
-    g5u = x * g5t
-    g5v = g5u - 0.0001984127
-    g5w = x * g5v
-    g5x = g5w + 0.008333334
-    g5 = where(x < 4, g5x, closed5)
+    late_x = where(x < 9, 1, x)
+    rate2_rest = g1 - 2 * g2
+    closed_rate2 = rate2_rest / late_x
+    rate3_rest = g2 - 3 * g3
+    closed_rate3 = rate3_rest / late_x
+    rate2g = x * (x * (x * (5.951031e-26 - 8.527712e-29 * x) - 3.5458228e-23) + 1.7793582e-20)
+    rate2h = rate2g - 7.398571e-18
+    rate2i = x * rate2h
+    rate2j = rate2i + 2.499073e-15
+    rate2k = x * rate2j
+    rate2l = rate2k - 6.691268e-13
+    rate2m = x * rate2l
+    rate2n = rate2m + 1.3764895e-10
+    rate2o = x * rate2n
+    rate2p = rate2o - 2.0876756e-08
+    rate2q = x * rate2p
+    rate2r = rate2q + 2.2045856e-06
+    rate2s = x * rate2r
+    rate2t = rate2s - 0.00014880953
+    rate2u = x * rate2t
+    rate2v = rate2u + 0.0055555557
+    rate2w = x * rate2v
+    rate2x = rate2w - 0.083333336
+    rate2 = where(x < 9, rate2x, closed_rate2)
+    rate3g = x * (x * (x * (2.2040857e-27 - 2.9405903e-30 * x) - 1.418329e-24) + 7.7363405e-22)
+    rate3h = rate3g - 3.5231295e-19
+    rate3i = x * rate3h
+    rate3j = rate3i + 1.3153016e-16
+    rate3k = x * rate3j
+    rate3l = rate3k - 3.93604e-14
+    rate3m = x * rate3l
+    rate3n = rate3m + 9.176596e-12
+    rate3o = x * rate3n
+    rate3p = rate3o - 1.6059044e-09
+    rate3q = x * rate3p
+    rate3r = rate3q + 2.0041686e-07
+    rate3s = x * rate3r
+    rate3t = rate3s - 1.6534392e-05
+    rate3u = x * rate3t
+    rate3v = rate3u + 0.0007936508
+    rate3w = x * rate3v
+    rate3x = rate3w - 0.016666668
+    rate3 = where(x < 9, rate3x, closed_rate3)
     beta_v_0 = s_3 * g3
     beta_v_1 = s_4 * g3
     beta_v_2 = s_5 * g3
@@ -1239,41 +1235,39 @@ def SE3_leftJacobian(s):
     J_5 = m_5 - alpha_v_0
     J_6 = m_4 - alpha_v_1
     J_7 = m_5 + alpha_v_0
-    vw = s_0 * s_3 + s_1 * s_4 + s_2 * s_5
-    turn_rate = 2 * g4 - g3
-    turn = vw * turn_rate
-    bend_rate = g4 - 3 * g5
-    bend = vw * bend_rate
-    q_0 = s_0 * g2 + s_3 * turn
-    q_1 = s_1 * g2 + s_4 * turn
-    q_2 = s_2 * g2 + s_5 * turn
-    g3_v_0 = s_0 * g3
-    g3_v_1 = s_1 * g3
-    g3_v_2 = s_2 * g3
-    bend_w_0 = s_3 * bend
-    bend_w_1 = s_4 * bend
-    bend_w_2 = s_5 * bend
-    symmetric_0 = s_3 * g3_v_1 + s_4 * g3_v_0 - s_4 * bend_w_0
-    symmetric_1 = s_3 * g3_v_2 + s_5 * g3_v_0 - s_5 * bend_w_0
-    symmetric_2 = s_4 * g3_v_2 + s_5 * g3_v_1 - s_5 * bend_w_1
-    diagonal_0a = s_4 * bend_w_1
-    diagonal_0b = s_5 * bend_w_2
-    diagonal_0e = 2 * s_4 * g3_v_1
-    diagonal_0g = 2 * s_5 * g3_v_2
-    diagonal_0 = diagonal_0a + diagonal_0b - (diagonal_0e + diagonal_0g)
-    diagonal_1a = s_3 * bend_w_0
-    diagonal_1d = 2 * s_3 * g3_v_0
-    diagonal_1 = diagonal_1a + diagonal_0b - (diagonal_1d + diagonal_0g)
-    diagonal_2 = diagonal_1a + diagonal_0a - (diagonal_1d + diagonal_0e)
-    M_04 = symmetric_0 - q_2
-    M_05 = q_1 + symmetric_1
-    M_13 = q_2 + symmetric_0
-    M_15 = symmetric_2 - q_0
-    M_23 = symmetric_1 - q_1
-    M_24 = q_0 + symmetric_2
-    return (diagonal0, J_1, J_2, diagonal_0, M_04, M_05, J_3, diagonal1, J_5, M_13, diagonal_1,
-        M_15, J_6, J_7, diagonal2, M_23, M_24, diagonal_2, 0, 0, 0, diagonal0, J_1, J_2, 0, 0, 0,
-        J_3, diagonal1, J_5, 0, 0, 0, J_6, J_7, diagonal2)
+    rate_vw = s_0 * s_3 + s_1 * s_4 + s_2 * s_5
+    rate_turn = rate2 * rate_vw
+    rate_bend = -(rate3 * rate_vw)
+    rate_q_0 = s_0 * g2 + s_3 * rate_turn
+    rate_q_1 = s_1 * g2 + s_4 * rate_turn
+    rate_q_2 = s_2 * g2 + s_5 * rate_turn
+    rate_beta_v_0 = s_0 * g3
+    rate_beta_v_1 = s_1 * g3
+    rate_beta_v_2 = s_2 * g3
+    rate_bend_w_0 = s_3 * rate_bend
+    rate_bend_w_1 = s_4 * rate_bend
+    rate_bend_w_2 = s_5 * rate_bend
+    rate_symmetric_0 = s_3 * rate_beta_v_1 + s_4 * rate_beta_v_0 - s_4 * rate_bend_w_0
+    rate_symmetric_1 = s_3 * rate_beta_v_2 + s_5 * rate_beta_v_0 - s_5 * rate_bend_w_0
+    rate_symmetric_2 = s_4 * rate_beta_v_2 + s_5 * rate_beta_v_1 - s_5 * rate_bend_w_1
+    rate_diagonal_0a = s_4 * rate_bend_w_1
+    rate_diagonal_0b = s_5 * rate_bend_w_2
+    rate_diagonal_0e = 2 * s_4 * rate_beta_v_1
+    rate_diagonal_0g = 2 * s_5 * rate_beta_v_2
+    rate_diagonal_0 = rate_diagonal_0a + rate_diagonal_0b - (rate_diagonal_0e + rate_diagonal_0g)
+    rate_diagonal_1a = s_3 * rate_bend_w_0
+    rate_diagonal_1d = 2 * s_3 * rate_beta_v_0
+    rate_diagonal_1 = rate_diagonal_1a + rate_diagonal_0b - (rate_diagonal_1d + rate_diagonal_0g)
+    rate_diagonal_2 = rate_diagonal_1a + rate_diagonal_0a - (rate_diagonal_1d + rate_diagonal_0e)
+    M_04 = rate_symmetric_0 - rate_q_2
+    M_05 = rate_q_1 + rate_symmetric_1
+    M_13 = rate_q_2 + rate_symmetric_0
+    M_15 = rate_symmetric_2 - rate_q_0
+    M_23 = rate_symmetric_1 - rate_q_1
+    M_24 = rate_q_0 + rate_symmetric_2
+    return (diagonal0, J_1, J_2, rate_diagonal_0, M_04, M_05, J_3, diagonal1, J_5, M_13,
+        rate_diagonal_1, M_15, J_6, J_7, diagonal2, M_23, M_24, rate_diagonal_2, 0, 0, 0, diagonal0,
+        J_1, J_2, 0, 0, 0, J_3, diagonal1, J_5, 0, 0, 0, J_6, J_7, diagonal2)
 
 
 @kernel("(6)->(6,6)")
@@ -1281,7 +1275,7 @@ def SE3_rightJacobian(s):
     """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    120 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 5 less, 13 select.  Error <= M: 20 u
+    120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 6 less, 14 select.  Error <= M: 14 u
     of its largest component; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
@@ -1320,10 +1314,6 @@ def SE3_rightJacobian(s):
     closed2 = versine / far_x
     rest3 = 1 - closed1
     closed3 = rest3 / middle_x
-    rest4 = 0.5 - closed2
-    closed4 = rest4 / middle_x
-    rest5 = 0.16666667 - closed3
-    closed5 = rest5 / middle_x
     g1g = x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
     g1h = g1g + 2.8114574e-15
     g1i = x * g1h
@@ -1381,44 +1371,49 @@ def SE3_rightJacobian(s):
     g3w = x * g3v
     g3x = g3w + 0.16666667
     g3 = where(x < 4, g3x, closed3)
-    g4g = x * (x * (x * (3.279889e-30 * x - 2.4795963e-27) + 1.6117376e-24) - 8.896791e-22)
-    g4h = g4g + 4.1103176e-19
-    g4i = x * g4h
-    g4j = g4i - 1.5619207e-16
-    g4k = x * g4j
-    g4l = g4k + 4.7794773e-14
-    g4m = x * g4l
-    g4n = g4m - 1.1470745e-11
-    g4o = x * g4n
-    g4p = g4o + 2.0876756e-09
-    g4q = x * g4p
-    g4r = g4q - 2.755732e-07
-    g4s = x * g4r
-    g4t = g4s + 2.4801588e-05
-    g4u = x * g4t
-    g4v = g4u - 0.0013888889
-    g4w = x * g4v
-    g4x = g4w + 0.041666668
-    g4 = where(x < 4, g4x, closed4)
-    g5g = x * (x * (x * (1.1309962e-31 * x - 9.18369e-29) + 6.4469503e-26) - 3.8681703e-23)
-    g5h = g5g + 1.9572942e-20
-    g5i = x * g5h
-    g5j = g5i - 8.220635e-18
-    g5k = x * g5j
-    g5l = g5k + 2.8114574e-15
-    g5m = x * g5l
-    g5n = g5m - 7.6471636e-13
-    g5o = x * g5n
-    g5p = g5o + 1.6059044e-10
-    g5q = x * g5p
-    g5r = g5q - 2.5052108e-08
-    g5s = x * g5r
-    g5t = g5s + 2.7557319e-06
-    g5u = x * g5t
-    g5v = g5u - 0.0001984127
-    g5w = x * g5v
-    g5x = g5w + 0.008333334
-    g5 = where(x < 4, g5x, closed5)
+    late_x = where(x < 9, 1, x)
+    rate2_rest = g1 - 2 * g2
+    closed_rate2 = rate2_rest / late_x
+    rate3_rest = g2 - 3 * g3
+    closed_rate3 = rate3_rest / late_x
+    rate2g = x * (x * (x * (5.951031e-26 - 8.527712e-29 * x) - 3.5458228e-23) + 1.7793582e-20)
+    rate2h = rate2g - 7.398571e-18
+    rate2i = x * rate2h
+    rate2j = rate2i + 2.499073e-15
+    rate2k = x * rate2j
+    rate2l = rate2k - 6.691268e-13
+    rate2m = x * rate2l
+    rate2n = rate2m + 1.3764895e-10
+    rate2o = x * rate2n
+    rate2p = rate2o - 2.0876756e-08
+    rate2q = x * rate2p
+    rate2r = rate2q + 2.2045856e-06
+    rate2s = x * rate2r
+    rate2t = rate2s - 0.00014880953
+    rate2u = x * rate2t
+    rate2v = rate2u + 0.0055555557
+    rate2w = x * rate2v
+    rate2x = rate2w - 0.083333336
+    rate2 = where(x < 9, rate2x, closed_rate2)
+    rate3g = x * (x * (x * (2.2040857e-27 - 2.9405903e-30 * x) - 1.418329e-24) + 7.7363405e-22)
+    rate3h = rate3g - 3.5231295e-19
+    rate3i = x * rate3h
+    rate3j = rate3i + 1.3153016e-16
+    rate3k = x * rate3j
+    rate3l = rate3k - 3.93604e-14
+    rate3m = x * rate3l
+    rate3n = rate3m + 9.176596e-12
+    rate3o = x * rate3n
+    rate3p = rate3o - 1.6059044e-09
+    rate3q = x * rate3p
+    rate3r = rate3q + 2.0041686e-07
+    rate3s = x * rate3r
+    rate3t = rate3s - 1.6534392e-05
+    rate3u = x * rate3t
+    rate3v = rate3u + 0.0007936508
+    rate3w = x * rate3v
+    rate3x = rate3w - 0.016666668
+    rate3 = where(x < 9, rate3x, closed_rate3)
     beta_v_0 = s_3 * g3
     beta_v_1 = s_4 * g3
     beta_v_2 = s_5 * g3
@@ -1443,41 +1438,39 @@ def SE3_rightJacobian(s):
     J_5 = m_5 - alpha_v_0
     J_6 = m_4 - alpha_v_1
     J_7 = m_5 + alpha_v_0
-    vw = s_0 * s_3 + s_1 * s_4 + s_2 * s_5
-    turn_rate = 2 * g4 - g3
-    turn = vw * turn_rate
-    bend_rate = g4 - 3 * g5
-    bend = vw * bend_rate
-    q_0 = -(s_0 * g2 + s_3 * turn)
-    q_1 = -(s_1 * g2 + s_4 * turn)
-    q_2 = -(s_2 * g2 + s_5 * turn)
-    g3_v_0 = -(s_0 * g3)
-    g3_v_1 = -(s_1 * g3)
-    g3_v_2 = -(s_2 * g3)
-    bend_w_0 = -(s_3 * bend)
-    bend_w_1 = -(s_4 * bend)
-    bend_w_2 = -(s_5 * bend)
-    symmetric_0 = s_4 * bend_w_0 - (s_3 * g3_v_1 + s_4 * g3_v_0)
-    symmetric_1 = s_5 * bend_w_0 - (s_3 * g3_v_2 + s_5 * g3_v_0)
-    symmetric_2 = s_5 * bend_w_1 - (s_4 * g3_v_2 + s_5 * g3_v_1)
-    diagonal_0b = 2 * s_4 * g3_v_1
-    diagonal_0d = 2 * s_5 * g3_v_2
-    diagonal_0f = s_4 * bend_w_1
-    diagonal_0g = s_5 * bend_w_2
-    diagonal_0 = diagonal_0b + diagonal_0d - (diagonal_0f + diagonal_0g)
-    diagonal_1b = 2 * s_3 * g3_v_0
-    diagonal_1d = s_3 * bend_w_0
-    diagonal_1 = diagonal_1b + diagonal_0d - (diagonal_1d + diagonal_0g)
-    diagonal_2 = diagonal_1b + diagonal_0b - (diagonal_1d + diagonal_0f)
-    M_04 = symmetric_0 - q_2
-    M_05 = q_1 + symmetric_1
-    M_13 = q_2 + symmetric_0
-    M_15 = symmetric_2 - q_0
-    M_23 = symmetric_1 - q_1
-    M_24 = q_0 + symmetric_2
-    return (diagonal0, J_1, J_2, diagonal_0, M_04, M_05, J_3, diagonal1, J_5, M_13, diagonal_1,
-        M_15, J_6, J_7, diagonal2, M_23, M_24, diagonal_2, 0, 0, 0, diagonal0, J_1, J_2, 0, 0, 0,
-        J_3, diagonal1, J_5, 0, 0, 0, J_6, J_7, diagonal2)
+    rate_vw = s_0 * s_3 + s_1 * s_4 + s_2 * s_5
+    rate_turn = rate2 * rate_vw
+    rate_bend = -(rate3 * rate_vw)
+    rate_q_0 = -(s_0 * g2 + s_3 * rate_turn)
+    rate_q_1 = -(s_1 * g2 + s_4 * rate_turn)
+    rate_q_2 = -(s_2 * g2 + s_5 * rate_turn)
+    rate_beta_v_0 = -(s_0 * g3)
+    rate_beta_v_1 = -(s_1 * g3)
+    rate_beta_v_2 = -(s_2 * g3)
+    rate_bend_w_0 = -(s_3 * rate_bend)
+    rate_bend_w_1 = -(s_4 * rate_bend)
+    rate_bend_w_2 = -(s_5 * rate_bend)
+    rate_symmetric_0 = s_4 * rate_bend_w_0 - (s_3 * rate_beta_v_1 + s_4 * rate_beta_v_0)
+    rate_symmetric_1 = s_5 * rate_bend_w_0 - (s_3 * rate_beta_v_2 + s_5 * rate_beta_v_0)
+    rate_symmetric_2 = s_5 * rate_bend_w_1 - (s_4 * rate_beta_v_2 + s_5 * rate_beta_v_1)
+    rate_diagonal_0b = 2 * s_4 * rate_beta_v_1
+    rate_diagonal_0d = 2 * s_5 * rate_beta_v_2
+    rate_diagonal_0f = s_4 * rate_bend_w_1
+    rate_diagonal_0g = s_5 * rate_bend_w_2
+    rate_diagonal_0 = rate_diagonal_0b + rate_diagonal_0d - (rate_diagonal_0f + rate_diagonal_0g)
+    rate_diagonal_1b = 2 * s_3 * rate_beta_v_0
+    rate_diagonal_1d = s_3 * rate_bend_w_0
+    rate_diagonal_1 = rate_diagonal_1b + rate_diagonal_0d - (rate_diagonal_1d + rate_diagonal_0g)
+    rate_diagonal_2 = rate_diagonal_1b + rate_diagonal_0b - (rate_diagonal_1d + rate_diagonal_0f)
+    M_04 = rate_symmetric_0 - rate_q_2
+    M_05 = rate_q_1 + rate_symmetric_1
+    M_13 = rate_q_2 + rate_symmetric_0
+    M_15 = rate_symmetric_2 - rate_q_0
+    M_23 = rate_symmetric_1 - rate_q_1
+    M_24 = rate_q_0 + rate_symmetric_2
+    return (diagonal0, J_1, J_2, rate_diagonal_0, M_04, M_05, J_3, diagonal1, J_5, M_13,
+        rate_diagonal_1, M_15, J_6, J_7, diagonal2, M_23, M_24, rate_diagonal_2, 0, 0, 0, diagonal0,
+        J_1, J_2, 0, 0, 0, J_3, diagonal1, J_5, 0, 0, 0, J_6, J_7, diagonal2)
 
 
 @kernel("(6)->(6,6)")
@@ -1485,8 +1478,8 @@ def SE3_leftJacobianInverse(s):
     """M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 12 neg, 6 less, 16 select.  Error <= M: 22 u
-    of its largest component; searched, not proved.
+    92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.  Error <= M: 9 u of
+    its largest component; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     shifted_0 = s_3 + 49152
@@ -1518,8 +1511,7 @@ def SE3_leftJacobianInverse(s):
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     above = where(cosine < 0, sine, cosine + 1)
-    below_a = 1 - cosine
-    below = where(cosine < 0, below_a, sine)
+    below = where(cosine < 0, 1 - cosine, sine)
     cotangent = above / below
     half_cotangent = 0.5 * theta * cotangent
     b_rest = 1 - half_cotangent
@@ -1577,144 +1569,71 @@ def SE3_leftJacobianInverse(s):
     J_5 = m_5 - alpha_v_0
     J_6 = m_4 - alpha_v_1
     J_7 = m_5 + alpha_v_0
-    far_x = where(x < 1, 1, x)
-    closed1 = sine / theta
-    closed2 = below_a / far_x
-    rest3 = 1 - closed1
-    closed3 = rest3 / b_divisor
-    rest4 = 0.5 - closed2
-    closed4 = rest4 / b_divisor
-    rest5 = 0.16666667 - closed3
-    closed5 = rest5 / b_divisor
-    g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
-    g2h = g2g + 1.5619207e-16
-    g2i = x * g2h
-    g2j = g2i - 4.7794773e-14
-    g2k = x * g2j
-    g2l = g2k + 1.1470745e-11
-    g2m = x * g2l
-    g2n = g2m - 2.0876756e-09
-    g2o = x * g2n
-    g2p = g2o + 2.755732e-07
-    g2q = x * g2p
-    g2r = g2q - 2.4801588e-05
-    g2s = x * g2r
-    g2t = g2s + 0.0013888889
-    g2u = x * g2t
-    g2v = g2u - 0.041666668
-    g2w = x * g2v
-    g2x = g2w + 0.5
-    g2 = where(x < 1, g2x, closed2)
-    g3g = x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
-    g3h = g3g + 8.220635e-18
-    g3i = x * g3h
-    g3j = g3i - 2.8114574e-15
-    g3k = x * g3j
-    g3l = g3k + 7.6471636e-13
-    g3m = x * g3l
-    g3n = g3m - 1.6059044e-10
-    g3o = x * g3n
-    g3p = g3o + 2.5052108e-08
-    g3q = x * g3p
-    g3r = g3q - 2.7557319e-06
-    g3s = x * g3r
-    g3t = g3s + 0.0001984127
-    g3u = x * g3t
-    g3v = g3u - 0.008333334
-    g3w = x * g3v
-    g3x = g3w + 0.16666667
-    g3 = where(x < 4, g3x, closed3)
-    g4g = x * (x * (x * (3.279889e-30 * x - 2.4795963e-27) + 1.6117376e-24) - 8.896791e-22)
-    g4h = g4g + 4.1103176e-19
-    g4i = x * g4h
-    g4j = g4i - 1.5619207e-16
-    g4k = x * g4j
-    g4l = g4k + 4.7794773e-14
-    g4m = x * g4l
-    g4n = g4m - 1.1470745e-11
-    g4o = x * g4n
-    g4p = g4o + 2.0876756e-09
-    g4q = x * g4p
-    g4r = g4q - 2.755732e-07
-    g4s = x * g4r
-    g4t = g4s + 2.4801588e-05
-    g4u = x * g4t
-    g4v = g4u - 0.0013888889
-    g4w = x * g4v
-    g4x = g4w + 0.041666668
-    g4 = where(x < 4, g4x, closed4)
-    g5g = x * (x * (x * (1.1309962e-31 * x - 9.18369e-29) + 6.4469503e-26) - 3.8681703e-23)
-    g5h = g5g + 1.9572942e-20
-    g5i = x * g5h
-    g5j = g5i - 8.220635e-18
-    g5k = x * g5j
-    g5l = g5k + 2.8114574e-15
-    g5m = x * g5l
-    g5n = g5m - 7.6471636e-13
-    g5o = x * g5n
-    g5p = g5o + 1.6059044e-10
-    g5q = x * g5p
-    g5r = g5q - 2.5052108e-08
-    g5s = x * g5r
-    g5t = g5s + 2.7557319e-06
-    g5u = x * g5t
-    g5v = g5u - 0.0001984127
-    g5w = x * g5v
-    g5x = g5w + 0.008333334
-    g5 = where(x < 4, g5x, closed5)
-    vw = s_0 * s_3 + s_1 * s_4 + s_2 * s_5
-    turn_rate = 2 * g4 - g3
-    turn = vw * turn_rate
-    bend_rate = g4 - 3 * g5
-    bend = vw * bend_rate
-    q_0 = s_0 * g2 + s_3 * turn
-    q_1 = s_1 * g2 + s_4 * turn
-    q_2 = s_2 * g2 + s_5 * turn
-    g3_v_0 = s_0 * g3
-    g3_v_1 = s_1 * g3
-    g3_v_2 = s_2 * g3
-    bend_w_0 = s_3 * bend
-    bend_w_1 = s_4 * bend
-    bend_w_2 = s_5 * bend
-    symmetric_0 = s_3 * g3_v_1 + s_4 * g3_v_0 - s_4 * bend_w_0
-    symmetric_1 = s_3 * g3_v_2 + s_5 * g3_v_0 - s_5 * bend_w_0
-    symmetric_2 = s_4 * g3_v_2 + s_5 * g3_v_1 - s_5 * bend_w_1
-    diagonal_0a = s_4 * bend_w_1
-    diagonal_0b = s_5 * bend_w_2
-    diagonal_0e = 2 * s_4 * g3_v_1
-    diagonal_0g = 2 * s_5 * g3_v_2
-    diagonal_0 = diagonal_0a + diagonal_0b - (diagonal_0e + diagonal_0g)
-    diagonal_1a = s_3 * bend_w_0
-    diagonal_1d = 2 * s_3 * g3_v_0
-    diagonal_1 = diagonal_1a + diagonal_0b - (diagonal_1d + diagonal_0g)
-    diagonal_2 = diagonal_1a + diagonal_0a - (diagonal_1d + diagonal_0e)
-    Q_1 = symmetric_0 - q_2
-    Q_2 = q_1 + symmetric_1
-    Q_3 = q_2 + symmetric_0
-    Q_5 = symmetric_2 - q_0
-    Q_6 = symmetric_1 - q_1
-    Q_7 = q_0 + symmetric_2
-    QJ_0 = diagonal0 * diagonal_0 + (J_3 * Q_1 + J_6 * Q_2)
-    QJ_1 = diagonal1 * Q_1 + J_1 * diagonal_0 + J_7 * Q_2
-    QJ_2 = diagonal2 * Q_2 + J_2 * diagonal_0 + J_5 * Q_1
-    QJ_3 = diagonal0 * Q_3 + J_3 * diagonal_1 + J_6 * Q_5
-    QJ_4 = diagonal1 * diagonal_1 + (J_1 * Q_3 + J_7 * Q_5)
-    QJ_5 = diagonal2 * Q_5 + J_2 * Q_3 + J_5 * diagonal_1
-    QJ_6 = diagonal0 * Q_6 + J_3 * Q_7 + J_6 * diagonal_2
-    QJ_7 = diagonal1 * Q_7 + J_1 * Q_6 + J_7 * diagonal_2
-    QJ_8 = diagonal2 * diagonal_2 + (J_2 * Q_6 + J_5 * Q_7)
-    M_03 = -(diagonal0 * QJ_0 + (J_1 * QJ_3 + J_2 * QJ_6))
-    M_04 = -(diagonal0 * QJ_1 + (J_1 * QJ_4 + J_2 * QJ_7))
-    M_05 = -(diagonal0 * QJ_2 + (J_1 * QJ_5 + J_2 * QJ_8))
-    M_13 = -(diagonal1 * QJ_3 + (J_3 * QJ_0 + J_5 * QJ_6))
-    M_14 = -(diagonal1 * QJ_4 + (J_3 * QJ_1 + J_5 * QJ_7))
-    M_15 = -(diagonal1 * QJ_5 + (J_3 * QJ_2 + J_5 * QJ_8))
-    M_23 = -(diagonal2 * QJ_6 + (J_6 * QJ_0 + J_7 * QJ_3))
-    M_24 = -(diagonal2 * QJ_7 + (J_6 * QJ_1 + J_7 * QJ_4))
-    M_25 = -(diagonal2 * QJ_8 + (J_6 * QJ_2 + J_7 * QJ_5))
-    return (diagonal0, J_1, J_2, M_03, M_04, M_05, J_3, diagonal1, J_5, M_13, M_14, M_15, J_6, J_7,
-        diagonal2, M_23, M_24, M_25, 0, 0, 0, diagonal0, J_1, J_2, 0, 0, 0, J_3, diagonal1, J_5, 0,
-        0, 0, J_6, J_7, diagonal2)
+    b_rate_across = (2 - half_cotangent) / b_divisor
+    b_rate_square = 0.25 + 0.25 * (cotangent * cotangent)
+    b_rate_rest = b_rate_square - b_rate_across
+    closed_b_rate = b_rate_rest / b_divisor
+    b_rate_g = x * (x * (x * (3.3612244e-29 * x + 1.2532382e-27) + 4.656552e-26) + 1.7234372e-24)
+    b_rate_h = b_rate_g + 6.350267e-23
+    b_rate_i = x * b_rate_h
+    b_rate_j = b_rate_i + 2.3279144e-21
+    b_rate_k = x * b_rate_j
+    b_rate_l = b_rate_k + 8.483297e-20
+    b_rate_m = x * b_rate_l
+    b_rate_n = b_rate_m + 3.0699822e-18
+    b_rate_o = x * b_rate_n
+    b_rate_p = b_rate_o + 1.10180054e-16
+    b_rate_q = x * b_rate_p
+    b_rate_r = b_rate_q + 3.9147635e-15
+    b_rate_s = x * b_rate_r
+    b_rate_t = b_rate_s + 1.37377e-13
+    b_rate_u = x * b_rate_t
+    b_rate_v = b_rate_u + 4.7455525e-12
+    b_rate_w = x * b_rate_v
+    b_rate_x = b_rate_w + 1.6059044e-10
+    b_rate_y = x * b_rate_x
+    b_rate_z = b_rate_y + 5.28419e-09
+    b_rate_aa = x * b_rate_z
+    b_rate_ab = b_rate_aa + 1.6701405e-07
+    b_rate_ac = x * b_rate_ab
+    b_rate_ad = b_rate_ac + 4.9603173e-06
+    b_rate_ae = x * b_rate_ad
+    b_rate_af = b_rate_ae + 0.00013227513
+    b_rate_ag = x * b_rate_af
+    b_rate_ah = b_rate_ag + 0.0027777778
+    b_rate = where(x < 4, b_rate_ah, closed_b_rate)
+    rate_vw = s_0 * s_3 + s_1 * s_4 + s_2 * s_5
+    rate_bend = -(b_rate * rate_vw)
+    rate_q_0 = -(0.5 * s_0)
+    rate_q_1 = -(0.5 * s_1)
+    rate_q_2 = -(0.5 * s_2)
+    rate_beta_v_0 = s_0 * b
+    rate_beta_v_1 = s_1 * b
+    rate_beta_v_2 = s_2 * b
+    rate_bend_w_0 = s_3 * rate_bend
+    rate_bend_w_1 = s_4 * rate_bend
+    rate_bend_w_2 = s_5 * rate_bend
+    rate_symmetric_0 = s_3 * rate_beta_v_1 + s_4 * rate_beta_v_0 - s_4 * rate_bend_w_0
+    rate_symmetric_1 = s_3 * rate_beta_v_2 + s_5 * rate_beta_v_0 - s_5 * rate_bend_w_0
+    rate_symmetric_2 = s_4 * rate_beta_v_2 + s_5 * rate_beta_v_1 - s_5 * rate_bend_w_1
+    rate_diagonal_0a = s_4 * rate_bend_w_1
+    rate_diagonal_0b = s_5 * rate_bend_w_2
+    rate_diagonal_0e = 2 * s_4 * rate_beta_v_1
+    rate_diagonal_0g = 2 * s_5 * rate_beta_v_2
+    rate_diagonal_0 = rate_diagonal_0a + rate_diagonal_0b - (rate_diagonal_0e + rate_diagonal_0g)
+    rate_diagonal_1a = s_3 * rate_bend_w_0
+    rate_diagonal_1d = 2 * s_3 * rate_beta_v_0
+    rate_diagonal_1 = rate_diagonal_1a + rate_diagonal_0b - (rate_diagonal_1d + rate_diagonal_0g)
+    rate_diagonal_2 = rate_diagonal_1a + rate_diagonal_0a - (rate_diagonal_1d + rate_diagonal_0e)
+    M_04 = rate_symmetric_0 - rate_q_2
+    M_05 = rate_q_1 + rate_symmetric_1
+    M_13 = rate_q_2 + rate_symmetric_0
+    M_15 = rate_symmetric_2 - rate_q_0
+    M_23 = rate_symmetric_1 - rate_q_1
+    M_24 = rate_q_0 + rate_symmetric_2
+    return (diagonal0, J_1, J_2, rate_diagonal_0, M_04, M_05, J_3, diagonal1, J_5, M_13,
+        rate_diagonal_1, M_15, J_6, J_7, diagonal2, M_23, M_24, rate_diagonal_2, 0, 0, 0, diagonal0,
+        J_1, J_2, 0, 0, 0, J_3, diagonal1, J_5, 0, 0, 0, J_6, J_7, diagonal2)
 
 
 @kernel("(6)->(6,6)")
@@ -1722,8 +1641,8 @@ def SE3_rightJacobianInverse(s):
     """M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    181 mul, 176 add, 8 div, 1 sqrt, 1 sin, 1 cos, 18 neg, 6 less, 16 select.  Error <= M: 22 u
-    of its largest component; searched, not proved.
+    92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.  Error <= M: 9 u of
+    its largest component; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     shifted_0 = s_3 + 49152
@@ -1755,8 +1674,7 @@ def SE3_rightJacobianInverse(s):
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     above = where(cosine < 0, sine, cosine + 1)
-    below_a = 1 - cosine
-    below = where(cosine < 0, below_a, sine)
+    below = where(cosine < 0, 1 - cosine, sine)
     cotangent = above / below
     half_cotangent = 0.5 * theta * cotangent
     b_rest = 1 - half_cotangent
@@ -1814,144 +1732,71 @@ def SE3_rightJacobianInverse(s):
     J_5 = m_5 - alpha_v_0
     J_6 = m_4 - alpha_v_1
     J_7 = m_5 + alpha_v_0
-    far_x = where(x < 1, 1, x)
-    closed1 = sine / theta
-    closed2 = below_a / far_x
-    rest3 = 1 - closed1
-    closed3 = rest3 / b_divisor
-    rest4 = 0.5 - closed2
-    closed4 = rest4 / b_divisor
-    rest5 = 0.16666667 - closed3
-    closed5 = rest5 / b_divisor
-    g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
-    g2h = g2g + 1.5619207e-16
-    g2i = x * g2h
-    g2j = g2i - 4.7794773e-14
-    g2k = x * g2j
-    g2l = g2k + 1.1470745e-11
-    g2m = x * g2l
-    g2n = g2m - 2.0876756e-09
-    g2o = x * g2n
-    g2p = g2o + 2.755732e-07
-    g2q = x * g2p
-    g2r = g2q - 2.4801588e-05
-    g2s = x * g2r
-    g2t = g2s + 0.0013888889
-    g2u = x * g2t
-    g2v = g2u - 0.041666668
-    g2w = x * g2v
-    g2x = g2w + 0.5
-    g2 = where(x < 1, g2x, closed2)
-    g3g = x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
-    g3h = g3g + 8.220635e-18
-    g3i = x * g3h
-    g3j = g3i - 2.8114574e-15
-    g3k = x * g3j
-    g3l = g3k + 7.6471636e-13
-    g3m = x * g3l
-    g3n = g3m - 1.6059044e-10
-    g3o = x * g3n
-    g3p = g3o + 2.5052108e-08
-    g3q = x * g3p
-    g3r = g3q - 2.7557319e-06
-    g3s = x * g3r
-    g3t = g3s + 0.0001984127
-    g3u = x * g3t
-    g3v = g3u - 0.008333334
-    g3w = x * g3v
-    g3x = g3w + 0.16666667
-    g3 = where(x < 4, g3x, closed3)
-    g4g = x * (x * (x * (3.279889e-30 * x - 2.4795963e-27) + 1.6117376e-24) - 8.896791e-22)
-    g4h = g4g + 4.1103176e-19
-    g4i = x * g4h
-    g4j = g4i - 1.5619207e-16
-    g4k = x * g4j
-    g4l = g4k + 4.7794773e-14
-    g4m = x * g4l
-    g4n = g4m - 1.1470745e-11
-    g4o = x * g4n
-    g4p = g4o + 2.0876756e-09
-    g4q = x * g4p
-    g4r = g4q - 2.755732e-07
-    g4s = x * g4r
-    g4t = g4s + 2.4801588e-05
-    g4u = x * g4t
-    g4v = g4u - 0.0013888889
-    g4w = x * g4v
-    g4x = g4w + 0.041666668
-    g4 = where(x < 4, g4x, closed4)
-    g5g = x * (x * (x * (1.1309962e-31 * x - 9.18369e-29) + 6.4469503e-26) - 3.8681703e-23)
-    g5h = g5g + 1.9572942e-20
-    g5i = x * g5h
-    g5j = g5i - 8.220635e-18
-    g5k = x * g5j
-    g5l = g5k + 2.8114574e-15
-    g5m = x * g5l
-    g5n = g5m - 7.6471636e-13
-    g5o = x * g5n
-    g5p = g5o + 1.6059044e-10
-    g5q = x * g5p
-    g5r = g5q - 2.5052108e-08
-    g5s = x * g5r
-    g5t = g5s + 2.7557319e-06
-    g5u = x * g5t
-    g5v = g5u - 0.0001984127
-    g5w = x * g5v
-    g5x = g5w + 0.008333334
-    g5 = where(x < 4, g5x, closed5)
-    vw = s_0 * s_3 + s_1 * s_4 + s_2 * s_5
-    turn_rate = 2 * g4 - g3
-    turn = vw * turn_rate
-    bend_rate = g4 - 3 * g5
-    bend = vw * bend_rate
-    q_0 = -(s_0 * g2 + s_3 * turn)
-    q_1 = -(s_1 * g2 + s_4 * turn)
-    q_2 = -(s_2 * g2 + s_5 * turn)
-    g3_v_0 = -(s_0 * g3)
-    g3_v_1 = -(s_1 * g3)
-    g3_v_2 = -(s_2 * g3)
-    bend_w_0 = -(s_3 * bend)
-    bend_w_1 = -(s_4 * bend)
-    bend_w_2 = -(s_5 * bend)
-    symmetric_0 = s_4 * bend_w_0 - (s_3 * g3_v_1 + s_4 * g3_v_0)
-    symmetric_1 = s_5 * bend_w_0 - (s_3 * g3_v_2 + s_5 * g3_v_0)
-    symmetric_2 = s_5 * bend_w_1 - (s_4 * g3_v_2 + s_5 * g3_v_1)
-    diagonal_0b = 2 * s_4 * g3_v_1
-    diagonal_0d = 2 * s_5 * g3_v_2
-    diagonal_0f = s_4 * bend_w_1
-    diagonal_0g = s_5 * bend_w_2
-    diagonal_0 = diagonal_0b + diagonal_0d - (diagonal_0f + diagonal_0g)
-    diagonal_1b = 2 * s_3 * g3_v_0
-    diagonal_1d = s_3 * bend_w_0
-    diagonal_1 = diagonal_1b + diagonal_0d - (diagonal_1d + diagonal_0g)
-    diagonal_2 = diagonal_1b + diagonal_0b - (diagonal_1d + diagonal_0f)
-    Q_1 = symmetric_0 - q_2
-    Q_2 = q_1 + symmetric_1
-    Q_3 = q_2 + symmetric_0
-    Q_5 = symmetric_2 - q_0
-    Q_6 = symmetric_1 - q_1
-    Q_7 = q_0 + symmetric_2
-    QJ_0 = diagonal0 * diagonal_0 + (J_3 * Q_1 + J_6 * Q_2)
-    QJ_1 = diagonal1 * Q_1 + J_1 * diagonal_0 + J_7 * Q_2
-    QJ_2 = diagonal2 * Q_2 + J_2 * diagonal_0 + J_5 * Q_1
-    QJ_3 = diagonal0 * Q_3 + J_3 * diagonal_1 + J_6 * Q_5
-    QJ_4 = diagonal1 * diagonal_1 + (J_1 * Q_3 + J_7 * Q_5)
-    QJ_5 = diagonal2 * Q_5 + J_2 * Q_3 + J_5 * diagonal_1
-    QJ_6 = diagonal0 * Q_6 + J_3 * Q_7 + J_6 * diagonal_2
-    QJ_7 = diagonal1 * Q_7 + J_1 * Q_6 + J_7 * diagonal_2
-    QJ_8 = diagonal2 * diagonal_2 + (J_2 * Q_6 + J_5 * Q_7)
-    M_03 = -(diagonal0 * QJ_0 + (J_1 * QJ_3 + J_2 * QJ_6))
-    M_04 = -(diagonal0 * QJ_1 + (J_1 * QJ_4 + J_2 * QJ_7))
-    M_05 = -(diagonal0 * QJ_2 + (J_1 * QJ_5 + J_2 * QJ_8))
-    M_13 = -(diagonal1 * QJ_3 + (J_3 * QJ_0 + J_5 * QJ_6))
-    M_14 = -(diagonal1 * QJ_4 + (J_3 * QJ_1 + J_5 * QJ_7))
-    M_15 = -(diagonal1 * QJ_5 + (J_3 * QJ_2 + J_5 * QJ_8))
-    M_23 = -(diagonal2 * QJ_6 + (J_6 * QJ_0 + J_7 * QJ_3))
-    M_24 = -(diagonal2 * QJ_7 + (J_6 * QJ_1 + J_7 * QJ_4))
-    M_25 = -(diagonal2 * QJ_8 + (J_6 * QJ_2 + J_7 * QJ_5))
-    return (diagonal0, J_1, J_2, M_03, M_04, M_05, J_3, diagonal1, J_5, M_13, M_14, M_15, J_6, J_7,
-        diagonal2, M_23, M_24, M_25, 0, 0, 0, diagonal0, J_1, J_2, 0, 0, 0, J_3, diagonal1, J_5, 0,
-        0, 0, J_6, J_7, diagonal2)
+    b_rate_across = (2 - half_cotangent) / b_divisor
+    b_rate_square = 0.25 + 0.25 * (cotangent * cotangent)
+    b_rate_rest = b_rate_square - b_rate_across
+    closed_b_rate = b_rate_rest / b_divisor
+    b_rate_g = x * (x * (x * (3.3612244e-29 * x + 1.2532382e-27) + 4.656552e-26) + 1.7234372e-24)
+    b_rate_h = b_rate_g + 6.350267e-23
+    b_rate_i = x * b_rate_h
+    b_rate_j = b_rate_i + 2.3279144e-21
+    b_rate_k = x * b_rate_j
+    b_rate_l = b_rate_k + 8.483297e-20
+    b_rate_m = x * b_rate_l
+    b_rate_n = b_rate_m + 3.0699822e-18
+    b_rate_o = x * b_rate_n
+    b_rate_p = b_rate_o + 1.10180054e-16
+    b_rate_q = x * b_rate_p
+    b_rate_r = b_rate_q + 3.9147635e-15
+    b_rate_s = x * b_rate_r
+    b_rate_t = b_rate_s + 1.37377e-13
+    b_rate_u = x * b_rate_t
+    b_rate_v = b_rate_u + 4.7455525e-12
+    b_rate_w = x * b_rate_v
+    b_rate_x = b_rate_w + 1.6059044e-10
+    b_rate_y = x * b_rate_x
+    b_rate_z = b_rate_y + 5.28419e-09
+    b_rate_aa = x * b_rate_z
+    b_rate_ab = b_rate_aa + 1.6701405e-07
+    b_rate_ac = x * b_rate_ab
+    b_rate_ad = b_rate_ac + 4.9603173e-06
+    b_rate_ae = x * b_rate_ad
+    b_rate_af = b_rate_ae + 0.00013227513
+    b_rate_ag = x * b_rate_af
+    b_rate_ah = b_rate_ag + 0.0027777778
+    b_rate = where(x < 4, b_rate_ah, closed_b_rate)
+    rate_vw = s_0 * s_3 + s_1 * s_4 + s_2 * s_5
+    rate_bend = -(b_rate * rate_vw)
+    rate_q_0 = 0.5 * s_0
+    rate_q_1 = 0.5 * s_1
+    rate_q_2 = 0.5 * s_2
+    rate_beta_v_0 = -(s_0 * b)
+    rate_beta_v_1 = -(s_1 * b)
+    rate_beta_v_2 = -(s_2 * b)
+    rate_bend_w_0 = -(s_3 * rate_bend)
+    rate_bend_w_1 = -(s_4 * rate_bend)
+    rate_bend_w_2 = -(s_5 * rate_bend)
+    rate_symmetric_0 = s_4 * rate_bend_w_0 - (s_3 * rate_beta_v_1 + s_4 * rate_beta_v_0)
+    rate_symmetric_1 = s_5 * rate_bend_w_0 - (s_3 * rate_beta_v_2 + s_5 * rate_beta_v_0)
+    rate_symmetric_2 = s_5 * rate_bend_w_1 - (s_4 * rate_beta_v_2 + s_5 * rate_beta_v_1)
+    rate_diagonal_0b = 2 * s_4 * rate_beta_v_1
+    rate_diagonal_0d = 2 * s_5 * rate_beta_v_2
+    rate_diagonal_0f = s_4 * rate_bend_w_1
+    rate_diagonal_0g = s_5 * rate_bend_w_2
+    rate_diagonal_0 = rate_diagonal_0b + rate_diagonal_0d - (rate_diagonal_0f + rate_diagonal_0g)
+    rate_diagonal_1b = 2 * s_3 * rate_beta_v_0
+    rate_diagonal_1d = s_3 * rate_bend_w_0
+    rate_diagonal_1 = rate_diagonal_1b + rate_diagonal_0d - (rate_diagonal_1d + rate_diagonal_0g)
+    rate_diagonal_2 = rate_diagonal_1b + rate_diagonal_0b - (rate_diagonal_1d + rate_diagonal_0f)
+    M_04 = rate_symmetric_0 - rate_q_2
+    M_05 = rate_q_1 + rate_symmetric_1
+    M_13 = rate_q_2 + rate_symmetric_0
+    M_15 = rate_symmetric_2 - rate_q_0
+    M_23 = rate_symmetric_1 - rate_q_1
+    M_24 = rate_q_0 + rate_symmetric_2
+    return (diagonal0, J_1, J_2, rate_diagonal_0, M_04, M_05, J_3, diagonal1, J_5, M_13,
+        rate_diagonal_1, M_15, J_6, J_7, diagonal2, M_23, M_24, rate_diagonal_2, 0, 0, 0, diagonal0,
+        J_1, J_2, 0, 0, 0, J_3, diagonal1, J_5, 0, 0, 0, J_6, J_7, diagonal2)
 
 
 @kernel("(3,4),(3,4),()->(3,4)")
@@ -1959,7 +1804,7 @@ def SE3_interpolated(D1, D2, k):
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    207 mul, 200 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 17 less, 1 equal, 39
+    207 mul, 190 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 17 less, 1 equal, 39
     select.  Error <= R: 12 u, t: 20 u of its largest component; searched, not proved.
     """
     D1_00, D1_01, D1_02, D1_03, D1_10, D1_11, D1_12, D1_13, D1_20, D1_21, D1_22, D1_23 = D1
@@ -1985,16 +1830,14 @@ def SE3_interpolated(D1, D2, k):
     log_s_0 = between_6 + between_9
     log_s_1 = between_2 + between_8
     log_s_2 = between_1 + between_4
-    log_less_0 = 1 - between_0
-    log_less_1 = 1 - between_5
-    log_less_2 = 1 - between_10
-    log_more_0 = between_0 + 1
-    log_more_1 = between_5 + 1
-    log_more_2 = between_10 + 1
-    log_d_0 = 4 - (log_less_0 + log_less_1 + log_less_2)
-    log_d_1 = 4 - log_less_0 - (log_more_1 + log_more_2)
-    log_d_2 = 4 - log_less_1 - (log_more_0 + log_more_2)
-    log_d_3 = 4 - log_less_2 - (log_more_0 + log_more_1)
+    log_first_0 = between_0 + 1
+    log_first_1 = 1 - between_0
+    log_others_0 = between_5 + between_10
+    log_others_1 = between_5 - between_10
+    log_d_0 = log_first_0 + log_others_0
+    log_d_1 = log_first_0 - log_others_0
+    log_d_2 = log_first_1 + log_others_1
+    log_d_3 = log_first_1 - log_others_1
     log_low_0 = where(between_5 < between_0, log_p_0, log_p_1)
     log_low_1 = where(between_5 < between_0, log_d_1, log_s_2)
     log_low_2 = where(between_5 < between_0, log_s_2, log_d_2)

@@ -8,9 +8,9 @@
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   40 mul, 261 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+   40 mul, 189 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
      less, 10 equal, 51 select.
-   Error <= vo: 8 u of its largest component; searched, not proved. */
+   Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
       p_0_left_rest = R->m21 - p_0_left, p_0_right_rest = R->m12 - p_0_right,
@@ -30,64 +30,37 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double s_2 = R->m01 + R->m10, s_2_right = s_2 - R->m01, s_2_left = s_2 - s_2_right,
       s_2_left_rest = R->m01 - s_2_left, s_2_right_rest = R->m10 - s_2_right,
       s_2_lo = s_2_left_rest + s_2_right_rest;
-  const double less_0 = 1.0 - R->m00, less_0_right = 1.0 - less_0,
-      less_0_left = less_0 + less_0_right, less_0_left_rest = 1.0 - less_0_left,
-      less_0_right_rest = R->m00 - less_0_right, less_0_lo = less_0_left_rest - less_0_right_rest;
-  const double less_1 = 1.0 - R->m11, less_1_right = 1.0 - less_1,
-      less_1_left = less_1 + less_1_right, less_1_left_rest = 1.0 - less_1_left,
-      less_1_right_rest = R->m11 - less_1_right, less_1_lo = less_1_left_rest - less_1_right_rest;
-  const double less_2 = 1.0 - R->m22, less_2_right = 1.0 - less_2,
-      less_2_left = less_2 + less_2_right, less_2_left_rest = 1.0 - less_2_left,
-      less_2_right_rest = R->m22 - less_2_right, less_2_lo = less_2_left_rest - less_2_right_rest;
-  const double more_0 = R->m00 + 1.0, more_0_right = more_0 - R->m00,
-      more_0_left = more_0 - more_0_right, more_0_left_rest = R->m00 - more_0_left,
-      more_0_right_rest = 1.0 - more_0_right, more_0_lo = more_0_left_rest + more_0_right_rest;
-  const double more_1 = R->m11 + 1.0, more_1_right = more_1 - R->m11,
-      more_1_left = more_1 - more_1_right, more_1_left_rest = R->m11 - more_1_left,
-      more_1_right_rest = 1.0 - more_1_right, more_1_lo = more_1_left_rest + more_1_right_rest;
-  const double more_2 = R->m22 + 1.0, more_2_right = more_2 - R->m22,
-      more_2_left = more_2 - more_2_right, more_2_left_rest = R->m22 - more_2_left,
-      more_2_right_rest = 1.0 - more_2_right, more_2_lo = more_2_left_rest + more_2_right_rest;
-  const double d_0a = less_0 + less_1, d_0a_right = d_0a - less_0, d_0a_left = d_0a - d_0a_right,
-      d_0a_left_rest = less_0 - d_0a_left, d_0a_right_rest = less_1 - d_0a_right,
-      d_0a_lo1 = d_0a_left_rest + d_0a_right_rest, d_0a_lo2 = d_0a_lo1 + less_1_lo,
-      d_0a_lo = d_0a_lo2 + less_0_lo, d_0b = d_0a + less_2, d_0b_right = d_0b - d_0a,
-      d_0b_left = d_0b - d_0b_right, d_0b_left_rest = d_0a - d_0b_left,
-      d_0b_right_rest = less_2 - d_0b_right, d_0b_lo1 = d_0b_left_rest + d_0b_right_rest,
-      d_0b_lo2 = d_0b_lo1 + less_2_lo, d_0b_lo = d_0b_lo2 + d_0a_lo, d_0 = 4.0 - d_0b,
-      d_0_right = 4.0 - d_0, d_0_left = d_0 + d_0_right, d_0_left_rest = 4.0 - d_0_left,
-      d_0_right_rest = d_0b - d_0_right, d_0_lo1 = d_0_left_rest - d_0_right_rest,
-      d_0_lo = d_0_lo1 - d_0b_lo;
-  const double d_1a = 4.0 - less_0, d_1a_right = 4.0 - d_1a, d_1a_left = d_1a + d_1a_right,
-      d_1a_left_rest = 4.0 - d_1a_left, d_1a_right_rest = less_0 - d_1a_right,
-      d_1a_lo1 = d_1a_left_rest - d_1a_right_rest, d_1a_lo = d_1a_lo1 - less_0_lo,
-      d_1b = more_1 + more_2, d_1b_right = d_1b - more_1, d_1b_left = d_1b - d_1b_right,
-      d_1b_left_rest = more_1 - d_1b_left, d_1b_right_rest = more_2 - d_1b_right,
-      d_1b_lo1 = d_1b_left_rest + d_1b_right_rest, d_1b_lo2 = d_1b_lo1 + more_2_lo,
-      d_1b_lo = d_1b_lo2 + more_1_lo, d_1 = d_1a - d_1b, d_1_right = d_1a - d_1,
-      d_1_left = d_1 + d_1_right, d_1_left_rest = d_1a - d_1_left,
-      d_1_right_rest = d_1b - d_1_right, d_1_lo1 = d_1_left_rest - d_1_right_rest,
-      d_1_lo2 = d_1_lo1 - d_1b_lo, d_1_lo = d_1_lo2 + d_1a_lo;
-  const double d_2a = 4.0 - less_1, d_2a_right = 4.0 - d_2a, d_2a_left = d_2a + d_2a_right,
-      d_2a_left_rest = 4.0 - d_2a_left, d_2a_right_rest = less_1 - d_2a_right,
-      d_2a_lo1 = d_2a_left_rest - d_2a_right_rest, d_2a_lo = d_2a_lo1 - less_1_lo,
-      d_2b = more_0 + more_2, d_2b_right = d_2b - more_0, d_2b_left = d_2b - d_2b_right,
-      d_2b_left_rest = more_0 - d_2b_left, d_2b_right_rest = more_2 - d_2b_right,
-      d_2b_lo1 = d_2b_left_rest + d_2b_right_rest, d_2b_lo2 = d_2b_lo1 + more_2_lo,
-      d_2b_lo = d_2b_lo2 + more_0_lo, d_2 = d_2a - d_2b, d_2_right = d_2a - d_2,
-      d_2_left = d_2 + d_2_right, d_2_left_rest = d_2a - d_2_left,
-      d_2_right_rest = d_2b - d_2_right, d_2_lo1 = d_2_left_rest - d_2_right_rest,
-      d_2_lo2 = d_2_lo1 - d_2b_lo, d_2_lo = d_2_lo2 + d_2a_lo;
-  const double d_3a = 4.0 - less_2, d_3a_right = 4.0 - d_3a, d_3a_left = d_3a + d_3a_right,
-      d_3a_left_rest = 4.0 - d_3a_left, d_3a_right_rest = less_2 - d_3a_right,
-      d_3a_lo1 = d_3a_left_rest - d_3a_right_rest, d_3a_lo = d_3a_lo1 - less_2_lo,
-      d_3b = more_0 + more_1, d_3b_right = d_3b - more_0, d_3b_left = d_3b - d_3b_right,
-      d_3b_left_rest = more_0 - d_3b_left, d_3b_right_rest = more_1 - d_3b_right,
-      d_3b_lo1 = d_3b_left_rest + d_3b_right_rest, d_3b_lo2 = d_3b_lo1 + more_1_lo,
-      d_3b_lo = d_3b_lo2 + more_0_lo, d_3 = d_3a - d_3b, d_3_right = d_3a - d_3,
-      d_3_left = d_3 + d_3_right, d_3_left_rest = d_3a - d_3_left,
-      d_3_right_rest = d_3b - d_3_right, d_3_lo1 = d_3_left_rest - d_3_right_rest,
-      d_3_lo2 = d_3_lo1 - d_3b_lo, d_3_lo = d_3_lo2 + d_3a_lo;
+  const double first_0 = R->m00 + 1.0, first_0_right = first_0 - R->m00,
+      first_0_left = first_0 - first_0_right, first_0_left_rest = R->m00 - first_0_left,
+      first_0_right_rest = 1.0 - first_0_right, first_0_lo = first_0_left_rest + first_0_right_rest;
+  const double first_1 = 1.0 - R->m00, first_1_right = 1.0 - first_1,
+      first_1_left = first_1 + first_1_right, first_1_left_rest = 1.0 - first_1_left,
+      first_1_right_rest = R->m00 - first_1_right,
+      first_1_lo = first_1_left_rest - first_1_right_rest;
+  const double others_0 = R->m11 + R->m22, others_0_right = others_0 - R->m11,
+      others_0_left = others_0 - others_0_right, others_0_left_rest = R->m11 - others_0_left,
+      others_0_right_rest = R->m22 - others_0_right,
+      others_0_lo = others_0_left_rest + others_0_right_rest;
+  const double others_1 = R->m11 - R->m22, others_1_right = R->m11 - others_1,
+      others_1_left = others_1 + others_1_right, others_1_left_rest = R->m11 - others_1_left,
+      others_1_right_rest = R->m22 - others_1_right,
+      others_1_lo = others_1_left_rest - others_1_right_rest;
+  const double d_0 = first_0 + others_0, d_0_right = d_0 - first_0, d_0_left = d_0 - d_0_right,
+      d_0_left_rest = first_0 - d_0_left, d_0_right_rest = others_0 - d_0_right,
+      d_0_lo1 = d_0_left_rest + d_0_right_rest, d_0_lo2 = d_0_lo1 + others_0_lo,
+      d_0_lo = d_0_lo2 + first_0_lo;
+  const double d_1 = first_0 - others_0, d_1_right = first_0 - d_1, d_1_left = d_1 + d_1_right,
+      d_1_left_rest = first_0 - d_1_left, d_1_right_rest = others_0 - d_1_right,
+      d_1_lo1 = d_1_left_rest - d_1_right_rest, d_1_lo2 = d_1_lo1 - others_0_lo,
+      d_1_lo = d_1_lo2 + first_0_lo;
+  const double d_2 = first_1 + others_1, d_2_right = d_2 - first_1, d_2_left = d_2 - d_2_right,
+      d_2_left_rest = first_1 - d_2_left, d_2_right_rest = others_1 - d_2_right,
+      d_2_lo1 = d_2_left_rest + d_2_right_rest, d_2_lo2 = d_2_lo1 + others_1_lo,
+      d_2_lo = d_2_lo2 + first_1_lo;
+  const double d_3 = first_1 - others_1, d_3_right = first_1 - d_3, d_3_left = d_3 + d_3_right,
+      d_3_left_rest = first_1 - d_3_left, d_3_right_rest = others_1 - d_3_right,
+      d_3_lo1 = d_3_left_rest - d_3_right_rest, d_3_lo2 = d_3_lo1 - others_1_lo,
+      d_3_lo = d_3_lo2 + first_1_lo;
   const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
   const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
   const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
@@ -242,9 +215,9 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   vo->z = vector_2_final;
 }
 
-/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
    R: rotation or other 3×3 matrix; axis: vector.
-   35 mul, 258 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
+   35 mul, 204 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
      less, 11 equal, 54 select.
    Error <= angle: 8 u, axis: 5 u of its largest component; searched, not proved. */
 static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
@@ -266,64 +239,37 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
   const double s_2 = R->m01 + R->m10, s_2_right = s_2 - R->m01, s_2_left = s_2 - s_2_right,
       s_2_left_rest = R->m01 - s_2_left, s_2_right_rest = R->m10 - s_2_right,
       s_2_lo = s_2_left_rest + s_2_right_rest;
-  const double less_0 = 1.0 - R->m00, less_0_right = 1.0 - less_0,
-      less_0_left = less_0 + less_0_right, less_0_left_rest = 1.0 - less_0_left,
-      less_0_right_rest = R->m00 - less_0_right, less_0_lo = less_0_left_rest - less_0_right_rest;
-  const double less_1 = 1.0 - R->m11, less_1_right = 1.0 - less_1,
-      less_1_left = less_1 + less_1_right, less_1_left_rest = 1.0 - less_1_left,
-      less_1_right_rest = R->m11 - less_1_right, less_1_lo = less_1_left_rest - less_1_right_rest;
-  const double less_2 = 1.0 - R->m22, less_2_right = 1.0 - less_2,
-      less_2_left = less_2 + less_2_right, less_2_left_rest = 1.0 - less_2_left,
-      less_2_right_rest = R->m22 - less_2_right, less_2_lo = less_2_left_rest - less_2_right_rest;
-  const double more_0 = R->m00 + 1.0, more_0_right = more_0 - R->m00,
-      more_0_left = more_0 - more_0_right, more_0_left_rest = R->m00 - more_0_left,
-      more_0_right_rest = 1.0 - more_0_right, more_0_lo = more_0_left_rest + more_0_right_rest;
-  const double more_1 = R->m11 + 1.0, more_1_right = more_1 - R->m11,
-      more_1_left = more_1 - more_1_right, more_1_left_rest = R->m11 - more_1_left,
-      more_1_right_rest = 1.0 - more_1_right, more_1_lo = more_1_left_rest + more_1_right_rest;
-  const double more_2 = R->m22 + 1.0, more_2_right = more_2 - R->m22,
-      more_2_left = more_2 - more_2_right, more_2_left_rest = R->m22 - more_2_left,
-      more_2_right_rest = 1.0 - more_2_right, more_2_lo = more_2_left_rest + more_2_right_rest;
-  const double d_0a = less_0 + less_1, d_0a_right = d_0a - less_0, d_0a_left = d_0a - d_0a_right,
-      d_0a_left_rest = less_0 - d_0a_left, d_0a_right_rest = less_1 - d_0a_right,
-      d_0a_lo1 = d_0a_left_rest + d_0a_right_rest, d_0a_lo2 = d_0a_lo1 + less_1_lo,
-      d_0a_lo = d_0a_lo2 + less_0_lo, d_0b = d_0a + less_2, d_0b_right = d_0b - d_0a,
-      d_0b_left = d_0b - d_0b_right, d_0b_left_rest = d_0a - d_0b_left,
-      d_0b_right_rest = less_2 - d_0b_right, d_0b_lo1 = d_0b_left_rest + d_0b_right_rest,
-      d_0b_lo2 = d_0b_lo1 + less_2_lo, d_0b_lo = d_0b_lo2 + d_0a_lo, d_0 = 4.0 - d_0b,
-      d_0_right = 4.0 - d_0, d_0_left = d_0 + d_0_right, d_0_left_rest = 4.0 - d_0_left,
-      d_0_right_rest = d_0b - d_0_right, d_0_lo1 = d_0_left_rest - d_0_right_rest,
-      d_0_lo = d_0_lo1 - d_0b_lo;
-  const double d_1a = 4.0 - less_0, d_1a_right = 4.0 - d_1a, d_1a_left = d_1a + d_1a_right,
-      d_1a_left_rest = 4.0 - d_1a_left, d_1a_right_rest = less_0 - d_1a_right,
-      d_1a_lo1 = d_1a_left_rest - d_1a_right_rest, d_1a_lo = d_1a_lo1 - less_0_lo,
-      d_1b = more_1 + more_2, d_1b_right = d_1b - more_1, d_1b_left = d_1b - d_1b_right,
-      d_1b_left_rest = more_1 - d_1b_left, d_1b_right_rest = more_2 - d_1b_right,
-      d_1b_lo1 = d_1b_left_rest + d_1b_right_rest, d_1b_lo2 = d_1b_lo1 + more_2_lo,
-      d_1b_lo = d_1b_lo2 + more_1_lo, d_1 = d_1a - d_1b, d_1_right = d_1a - d_1,
-      d_1_left = d_1 + d_1_right, d_1_left_rest = d_1a - d_1_left,
-      d_1_right_rest = d_1b - d_1_right, d_1_lo1 = d_1_left_rest - d_1_right_rest,
-      d_1_lo2 = d_1_lo1 - d_1b_lo, d_1_lo = d_1_lo2 + d_1a_lo;
-  const double d_2a = 4.0 - less_1, d_2a_right = 4.0 - d_2a, d_2a_left = d_2a + d_2a_right,
-      d_2a_left_rest = 4.0 - d_2a_left, d_2a_right_rest = less_1 - d_2a_right,
-      d_2a_lo1 = d_2a_left_rest - d_2a_right_rest, d_2a_lo = d_2a_lo1 - less_1_lo,
-      d_2b = more_0 + more_2, d_2b_right = d_2b - more_0, d_2b_left = d_2b - d_2b_right,
-      d_2b_left_rest = more_0 - d_2b_left, d_2b_right_rest = more_2 - d_2b_right,
-      d_2b_lo1 = d_2b_left_rest + d_2b_right_rest, d_2b_lo2 = d_2b_lo1 + more_2_lo,
-      d_2b_lo = d_2b_lo2 + more_0_lo, d_2 = d_2a - d_2b, d_2_right = d_2a - d_2,
-      d_2_left = d_2 + d_2_right, d_2_left_rest = d_2a - d_2_left,
-      d_2_right_rest = d_2b - d_2_right, d_2_lo1 = d_2_left_rest - d_2_right_rest,
-      d_2_lo2 = d_2_lo1 - d_2b_lo, d_2_lo = d_2_lo2 + d_2a_lo;
-  const double d_3a = 4.0 - less_2, d_3a_right = 4.0 - d_3a, d_3a_left = d_3a + d_3a_right,
-      d_3a_left_rest = 4.0 - d_3a_left, d_3a_right_rest = less_2 - d_3a_right,
-      d_3a_lo1 = d_3a_left_rest - d_3a_right_rest, d_3a_lo = d_3a_lo1 - less_2_lo,
-      d_3b = more_0 + more_1, d_3b_right = d_3b - more_0, d_3b_left = d_3b - d_3b_right,
-      d_3b_left_rest = more_0 - d_3b_left, d_3b_right_rest = more_1 - d_3b_right,
-      d_3b_lo1 = d_3b_left_rest + d_3b_right_rest, d_3b_lo2 = d_3b_lo1 + more_1_lo,
-      d_3b_lo = d_3b_lo2 + more_0_lo, d_3 = d_3a - d_3b, d_3_right = d_3a - d_3,
-      d_3_left = d_3 + d_3_right, d_3_left_rest = d_3a - d_3_left,
-      d_3_right_rest = d_3b - d_3_right, d_3_lo1 = d_3_left_rest - d_3_right_rest,
-      d_3_lo2 = d_3_lo1 - d_3b_lo, d_3_lo = d_3_lo2 + d_3a_lo;
+  const double first_0 = R->m00 + 1.0, first_0_right = first_0 - R->m00,
+      first_0_left = first_0 - first_0_right, first_0_left_rest = R->m00 - first_0_left,
+      first_0_right_rest = 1.0 - first_0_right, first_0_lo = first_0_left_rest + first_0_right_rest;
+  const double first_1 = 1.0 - R->m00, first_1_right = 1.0 - first_1,
+      first_1_left = first_1 + first_1_right, first_1_left_rest = 1.0 - first_1_left,
+      first_1_right_rest = R->m00 - first_1_right,
+      first_1_lo = first_1_left_rest - first_1_right_rest;
+  const double others_0 = R->m11 + R->m22, others_0_right = others_0 - R->m11,
+      others_0_left = others_0 - others_0_right, others_0_left_rest = R->m11 - others_0_left,
+      others_0_right_rest = R->m22 - others_0_right,
+      others_0_lo = others_0_left_rest + others_0_right_rest;
+  const double others_1 = R->m11 - R->m22, others_1_right = R->m11 - others_1,
+      others_1_left = others_1 + others_1_right, others_1_left_rest = R->m11 - others_1_left,
+      others_1_right_rest = R->m22 - others_1_right,
+      others_1_lo = others_1_left_rest - others_1_right_rest;
+  const double d_0 = first_0 + others_0, d_0_right = d_0 - first_0, d_0_left = d_0 - d_0_right,
+      d_0_left_rest = first_0 - d_0_left, d_0_right_rest = others_0 - d_0_right,
+      d_0_lo1 = d_0_left_rest + d_0_right_rest, d_0_lo2 = d_0_lo1 + others_0_lo,
+      d_0_lo = d_0_lo2 + first_0_lo;
+  const double d_1 = first_0 - others_0, d_1_right = first_0 - d_1, d_1_left = d_1 + d_1_right,
+      d_1_left_rest = first_0 - d_1_left, d_1_right_rest = others_0 - d_1_right,
+      d_1_lo1 = d_1_left_rest - d_1_right_rest, d_1_lo2 = d_1_lo1 - others_0_lo,
+      d_1_lo = d_1_lo2 + first_0_lo;
+  const double d_2 = first_1 + others_1, d_2_right = d_2 - first_1, d_2_left = d_2 - d_2_right,
+      d_2_left_rest = first_1 - d_2_left, d_2_right_rest = others_1 - d_2_right,
+      d_2_lo1 = d_2_left_rest + d_2_right_rest, d_2_lo2 = d_2_lo1 + others_1_lo,
+      d_2_lo = d_2_lo2 + first_1_lo;
+  const double d_3 = first_1 - others_1, d_3_right = first_1 - d_3, d_3_left = d_3 + d_3_right,
+      d_3_left_rest = first_1 - d_3_left, d_3_right_rest = others_1 - d_3_right,
+      d_3_lo1 = d_3_left_rest - d_3_right_rest, d_3_lo2 = d_3_lo1 - others_1_lo,
+      d_3_lo = d_3_lo2 + first_1_lo;
   const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
   const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
   const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
@@ -440,43 +386,56 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
       half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
       half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
-  const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
-      divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
-  const double unit_0_of_divisor = divisor + divisor_lo,
+  const double divisor = n_of_v_n == 0.0 ? 1.0 : n_of_v_n,
+      divisor_lo = n_of_v_n == 0.0 ? 0.0 : n_of_v_n_lo;
+  const double unit_0_of_v_y_0 = v_y_0 + v_y_0_lo, unit_0_of_v_y_0_right = unit_0_of_v_y_0 - v_y_0,
+      unit_0_of_v_y_0_left = unit_0_of_v_y_0 - unit_0_of_v_y_0_right,
+      unit_0_of_v_y_0_left_rest = v_y_0 - unit_0_of_v_y_0_left,
+      unit_0_of_v_y_0_right_rest = v_y_0_lo - unit_0_of_v_y_0_right,
+      unit_0_of_v_y_0_lo = unit_0_of_v_y_0_left_rest + unit_0_of_v_y_0_right_rest,
+      unit_0_of_divisor = divisor + divisor_lo,
       unit_0_of_divisor_right = unit_0_of_divisor - divisor,
       unit_0_of_divisor_left = unit_0_of_divisor - unit_0_of_divisor_right,
       unit_0_of_divisor_left_rest = divisor - unit_0_of_divisor_left,
       unit_0_of_divisor_right_rest = divisor_lo - unit_0_of_divisor_right,
       unit_0_of_divisor_lo = unit_0_of_divisor_left_rest + unit_0_of_divisor_right_rest,
-      unit_0 = v_y_0_of_upper_1 / unit_0_of_divisor, unit_0_product = unit_0 * unit_0_of_divisor,
+      unit_0 = unit_0_of_v_y_0 / unit_0_of_divisor, unit_0_product = unit_0 * unit_0_of_divisor,
       unit_0_product_error = ksl_product_error(unit_0, unit_0_of_divisor, unit_0_product),
-      unit_0_rest = v_y_0_of_upper_1 - unit_0_product,
+      unit_0_rest = unit_0_of_v_y_0 - unit_0_product,
       unit_0_exact = unit_0_rest - unit_0_product_error,
-      unit_0_numerator = unit_0_exact + v_y_0_of_upper_1_lo,
+      unit_0_numerator = unit_0_exact + unit_0_of_v_y_0_lo,
       unit_0_cross = unit_0 * unit_0_of_divisor_lo,
       unit_0_residual = unit_0_numerator - unit_0_cross,
       unit_0_lo = unit_0_residual / unit_0_of_divisor;
-  const double unit_1 = v_y_1_of_upper_2 / unit_0_of_divisor,
-      unit_1_product = unit_1 * unit_0_of_divisor,
+  const double unit_1_of_v_y_1 = v_y_1 + v_y_1_lo, unit_1_of_v_y_1_right = unit_1_of_v_y_1 - v_y_1,
+      unit_1_of_v_y_1_left = unit_1_of_v_y_1 - unit_1_of_v_y_1_right,
+      unit_1_of_v_y_1_left_rest = v_y_1 - unit_1_of_v_y_1_left,
+      unit_1_of_v_y_1_right_rest = v_y_1_lo - unit_1_of_v_y_1_right,
+      unit_1_of_v_y_1_lo = unit_1_of_v_y_1_left_rest + unit_1_of_v_y_1_right_rest,
+      unit_1 = unit_1_of_v_y_1 / unit_0_of_divisor, unit_1_product = unit_1 * unit_0_of_divisor,
       unit_1_product_error = ksl_product_error(unit_1, unit_0_of_divisor, unit_1_product),
-      unit_1_rest = v_y_1_of_upper_2 - unit_1_product,
+      unit_1_rest = unit_1_of_v_y_1 - unit_1_product,
       unit_1_exact = unit_1_rest - unit_1_product_error,
-      unit_1_numerator = unit_1_exact + v_y_1_of_upper_2_lo,
+      unit_1_numerator = unit_1_exact + unit_1_of_v_y_1_lo,
       unit_1_cross = unit_1 * unit_0_of_divisor_lo,
       unit_1_residual = unit_1_numerator - unit_1_cross,
       unit_1_lo = unit_1_residual / unit_0_of_divisor;
-  const double unit_2 = v_y_2_of_upper_3 / unit_0_of_divisor,
-      unit_2_product = unit_2 * unit_0_of_divisor,
+  const double unit_2_of_v_y_2 = v_y_2 + v_y_2_lo, unit_2_of_v_y_2_right = unit_2_of_v_y_2 - v_y_2,
+      unit_2_of_v_y_2_left = unit_2_of_v_y_2 - unit_2_of_v_y_2_right,
+      unit_2_of_v_y_2_left_rest = v_y_2 - unit_2_of_v_y_2_left,
+      unit_2_of_v_y_2_right_rest = v_y_2_lo - unit_2_of_v_y_2_right,
+      unit_2_of_v_y_2_lo = unit_2_of_v_y_2_left_rest + unit_2_of_v_y_2_right_rest,
+      unit_2 = unit_2_of_v_y_2 / unit_0_of_divisor, unit_2_product = unit_2 * unit_0_of_divisor,
       unit_2_product_error = ksl_product_error(unit_2, unit_0_of_divisor, unit_2_product),
-      unit_2_rest = v_y_2_of_upper_3 - unit_2_product,
+      unit_2_rest = unit_2_of_v_y_2 - unit_2_product,
       unit_2_exact = unit_2_rest - unit_2_product_error,
-      unit_2_numerator = unit_2_exact + v_y_2_of_upper_3_lo,
+      unit_2_numerator = unit_2_exact + unit_2_of_v_y_2_lo,
       unit_2_cross = unit_2 * unit_0_of_divisor_lo,
       unit_2_residual = unit_2_numerator - unit_2_cross,
       unit_2_lo = unit_2_residual / unit_0_of_divisor;
   const double angle = 2.0 * half, angle_cross2 = 2.0 * half_lo;
-  const double axis_0 = half_of_n == 0.0 ? 1.0 : unit_0,
-      axis_0_lo = half_of_n == 0.0 ? 0.0 : unit_0_lo;
+  const double axis_0 = n_of_v_n == 0.0 ? 1.0 : unit_0,
+      axis_0_lo = n_of_v_n == 0.0 ? 0.0 : unit_0_lo;
   const double angle_rounded = angle + angle_cross2,
       angle_final = angle_rounded == angle_rounded ? angle_rounded : angle;
   const double axis_0_rounded = axis_0 + axis_0_lo,
@@ -1169,8 +1128,8 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   11 mul, 26 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
-   Error <= vo: 8 u of its largest component; searched, not proved. */
+   11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
+   Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const double p_0 = (double)R->m21 - (double)R->m12;
   const double p_1 = (double)R->m02 - (double)R->m20;
@@ -1178,16 +1137,14 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
   const double s_0 = (double)R->m12 + (double)R->m21;
   const double s_1 = (double)R->m02 + (double)R->m20;
   const double s_2 = (double)R->m01 + (double)R->m10;
-  const double less_0 = 1.0 - (double)R->m00;
-  const double less_1 = 1.0 - (double)R->m11;
-  const double less_2 = 1.0 - (double)R->m22;
-  const double more_0 = (double)R->m00 + 1.0;
-  const double more_1 = (double)R->m11 + 1.0;
-  const double more_2 = (double)R->m22 + 1.0;
-  const double d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0 - d_0b;
-  const double d_1a = 4.0 - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
-  const double d_2a = 4.0 - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
-  const double d_3a = 4.0 - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
+  const double first_0 = (double)R->m00 + 1.0;
+  const double first_1 = 1.0 - (double)R->m00;
+  const double others_0 = (double)R->m11 + (double)R->m22;
+  const double others_1 = (double)R->m11 - (double)R->m22;
+  const double d_0 = first_0 + others_0;
+  const double d_1 = first_0 - others_0;
+  const double d_2 = first_1 + others_1;
+  const double d_3 = first_1 - others_1;
   const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
   const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
   const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
@@ -1231,9 +1188,9 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
   vo->z = (float)vector_2;
 }
 
-/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
    R: rotation or other 3×3 matrix; axis: vector.
-   8 mul, 26 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
+   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
    Error <= angle: 8 u, axis: 5 u of its largest component; searched, not proved. */
 static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *axis) {
@@ -1243,16 +1200,14 @@ static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   const double s_0 = (double)R->m12 + (double)R->m21;
   const double s_1 = (double)R->m02 + (double)R->m20;
   const double s_2 = (double)R->m01 + (double)R->m10;
-  const double less_0 = 1.0 - (double)R->m00;
-  const double less_1 = 1.0 - (double)R->m11;
-  const double less_2 = 1.0 - (double)R->m22;
-  const double more_0 = (double)R->m00 + 1.0;
-  const double more_1 = (double)R->m11 + 1.0;
-  const double more_2 = (double)R->m22 + 1.0;
-  const double d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0 - d_0b;
-  const double d_1a = 4.0 - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
-  const double d_2a = 4.0 - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
-  const double d_3a = 4.0 - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
+  const double first_0 = (double)R->m00 + 1.0;
+  const double first_1 = 1.0 - (double)R->m00;
+  const double others_0 = (double)R->m11 + (double)R->m22;
+  const double others_1 = (double)R->m11 - (double)R->m22;
+  const double d_0 = first_0 + others_0;
+  const double d_1 = first_0 - others_0;
+  const double d_2 = first_1 + others_1;
+  const double d_3 = first_1 - others_1;
   const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
   const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
   const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
@@ -1285,12 +1240,12 @@ static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
       v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_0);
-  const double divisor = n == 0.0 ? 1.0 : n;
-  const double unit_0 = upper_1 / divisor;
-  const double unit_1 = upper_2 / divisor;
-  const double unit_2 = upper_3 / divisor;
+  const double divisor = v_n == 0.0 ? 1.0 : v_n;
+  const double unit_0 = v_y_0 / divisor;
+  const double unit_1 = v_y_1 / divisor;
+  const double unit_2 = v_y_2 / divisor;
   const double angle = 2.0 * half;
-  const double axis_0 = n == 0.0 ? 1.0 : unit_0;
+  const double axis_0 = v_n == 0.0 ? 1.0 : unit_0;
   axis->x = (float)axis_0;
   axis->y = (float)unit_1;
   axis->z = (float)unit_2;

@@ -174,7 +174,8 @@ static inline void ksl_inertia_from_com(const double m, const ksl_vec3_t *com,
 /* vo = h / m, the centre of mass in m.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); vo: vector.
-   3 div. */
+   3 div.
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_inertia_com(const ksl_inertia_t *B, ksl_vec3_t *vo) {
   const double vo_0 = B->h.x / B->m;
   const double vo_1 = B->h.y / B->m;
@@ -689,7 +690,8 @@ static inline void ksl_inertiaf_from_com(const float m, const ksl_vec3f_t *com,
 /* vo = h / m, the centre of mass in m.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); vo: vector.
-   3 div. */
+   3 div.
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_inertiaf_com(const ksl_inertiaf_t *B, ksl_vec3f_t *vo) {
   const float vo_0 = B->h.x / B->m;
   const float vo_1 = B->h.y / B->m;

@@ -256,7 +256,8 @@ static inline void ksl_inertia_from_com_accurate(const double m, const ksl_vec3_
 /* vo = h / m, the centre of mass in m.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); vo: vector.
-   3 mul, 9 add, 3 product error, 6 div, 3 equal, 3 select. */
+   3 mul, 9 add, 3 product error, 6 div, 3 equal, 3 select.
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_inertia_com_accurate(const ksl_inertia_t *B, ksl_vec3_t *vo) {
   const double vo_0 = B->h.x / B->m, vo_0_product = vo_0 * B->m,
       vo_0_product_error = ksl_product_error(vo_0, B->m, vo_0_product),
@@ -1488,7 +1489,8 @@ static inline void ksl_inertiaf_from_com_accurate(const float m, const ksl_vec3f
 /* vo = h / m, the centre of mass in m.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); vo: vector.
-   3 div. */
+   3 div.
+   Error <= u |result|, barring over- and underflow. */
 static inline void ksl_inertiaf_com_accurate(const ksl_inertiaf_t *B, ksl_vec3f_t *vo) {
   const double vo_0 = (double)B->h.x / (double)B->m;
   const double vo_1 = (double)B->h.y / (double)B->m;

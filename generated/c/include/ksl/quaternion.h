@@ -343,7 +343,7 @@ static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-   4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
+   4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
    Error <= qo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quaternion_t *qo) {
   const double p_0 = R->m21 - R->m12;
@@ -352,16 +352,14 @@ static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quatern
   const double s_0 = R->m12 + R->m21;
   const double s_1 = R->m02 + R->m20;
   const double s_2 = R->m01 + R->m10;
-  const double less_0 = 1.0 - R->m00;
-  const double less_1 = 1.0 - R->m11;
-  const double less_2 = 1.0 - R->m22;
-  const double more_0 = R->m00 + 1.0;
-  const double more_1 = R->m11 + 1.0;
-  const double more_2 = R->m22 + 1.0;
-  const double d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0 - d_0b;
-  const double d_1a = 4.0 - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
-  const double d_2a = 4.0 - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
-  const double d_3a = 4.0 - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
+  const double first_0 = R->m00 + 1.0;
+  const double first_1 = 1.0 - R->m00;
+  const double others_0 = R->m11 + R->m22;
+  const double others_1 = R->m11 - R->m22;
+  const double d_0 = first_0 + others_0;
+  const double d_1 = first_0 - others_0;
+  const double d_2 = first_1 + others_1;
+  const double d_3 = first_1 - others_1;
   const double low_0 = R->m11 < R->m00 ? p_0 : p_1;
   const double low_1 = R->m11 < R->m00 ? d_1 : s_2;
   const double low_2 = R->m11 < R->m00 ? s_2 : d_2;
@@ -409,8 +407,8 @@ static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const 
   qo->z = qo_3;
 }
 
-/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where angle
-     = 0; any multiple of a quaternion.
+/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
+     nothing turns; any multiple of a quaternion.
    q: quaternion (w; x, y, z), the scalar first; axis: vector.
    8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
    Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
@@ -435,12 +433,12 @@ static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, k
       v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_0);
-  const double divisor = n == 0.0 ? 1.0 : n;
-  const double unit_0 = upper_1 / divisor;
-  const double unit_1 = upper_2 / divisor;
-  const double unit_2 = upper_3 / divisor;
+  const double divisor = v_n == 0.0 ? 1.0 : v_n;
+  const double unit_0 = v_y_0 / divisor;
+  const double unit_1 = v_y_1 / divisor;
+  const double unit_2 = v_y_2 / divisor;
   const double angle = 2.0 * half;
-  const double axis_0 = n == 0.0 ? 1.0 : unit_0;
+  const double axis_0 = v_n == 0.0 ? 1.0 : unit_0;
   axis->x = axis_0;
   axis->y = unit_1;
   axis->z = unit_2;
@@ -958,7 +956,7 @@ static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_m
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-   4 mul, 27 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
+   4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
    Error <= qo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quaternionf_t *qo) {
   const float p_0 = R->m21 - R->m12;
@@ -967,16 +965,14 @@ static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quate
   const float s_0 = R->m12 + R->m21;
   const float s_1 = R->m02 + R->m20;
   const float s_2 = R->m01 + R->m10;
-  const float less_0 = 1.0f - R->m00;
-  const float less_1 = 1.0f - R->m11;
-  const float less_2 = 1.0f - R->m22;
-  const float more_0 = R->m00 + 1.0f;
-  const float more_1 = R->m11 + 1.0f;
-  const float more_2 = R->m22 + 1.0f;
-  const float d_0a = less_0 + less_1, d_0b = d_0a + less_2, d_0 = 4.0f - d_0b;
-  const float d_1a = 4.0f - less_0, d_1b = more_1 + more_2, d_1 = d_1a - d_1b;
-  const float d_2a = 4.0f - less_1, d_2b = more_0 + more_2, d_2 = d_2a - d_2b;
-  const float d_3a = 4.0f - less_2, d_3b = more_0 + more_1, d_3 = d_3a - d_3b;
+  const float first_0 = R->m00 + 1.0f;
+  const float first_1 = 1.0f - R->m00;
+  const float others_0 = R->m11 + R->m22;
+  const float others_1 = R->m11 - R->m22;
+  const float d_0 = first_0 + others_0;
+  const float d_1 = first_0 - others_0;
+  const float d_2 = first_1 + others_1;
+  const float d_3 = first_1 - others_1;
   const float low_0 = R->m11 < R->m00 ? p_0 : p_1;
   const float low_1 = R->m11 < R->m00 ? d_1 : s_2;
   const float low_2 = R->m11 < R->m00 ? s_2 : d_2;
@@ -1024,8 +1020,8 @@ static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, cons
   qo->z = qo_3;
 }
 
-/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where angle
-     = 0; any multiple of a quaternion.
+/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
+     nothing turns; any multiple of a quaternion.
    q: quaternion (w; x, y, z), the scalar first; axis: vector.
    8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
    Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
@@ -1049,12 +1045,12 @@ static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, 
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
   const float n = v_n * v_r;
   const float half = atan2f(n, upper_0);
-  const float divisor = n == 0.0f ? 1.0f : n;
-  const float unit_0 = upper_1 / divisor;
-  const float unit_1 = upper_2 / divisor;
-  const float unit_2 = upper_3 / divisor;
+  const float divisor = v_n == 0.0f ? 1.0f : v_n;
+  const float unit_0 = v_y_0 / divisor;
+  const float unit_1 = v_y_1 / divisor;
+  const float unit_2 = v_y_2 / divisor;
   const float angle = 2.0f * half;
-  const float axis_0 = n == 0.0f ? 1.0f : unit_0;
+  const float axis_0 = v_n == 0.0f ? 1.0f : unit_0;
   axis->x = axis_0;
   axis->y = unit_1;
   axis->z = unit_2;

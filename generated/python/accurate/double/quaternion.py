@@ -923,7 +923,7 @@ def quaternion_from_mat3x3(R):
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-    21 mul, 248 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
+    21 mul, 176 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
     select.  Error <= qo: 5 u of its largest component; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
@@ -945,61 +945,30 @@ def quaternion_from_mat3x3(R):
     s_2 = R_01 + R_10
     s_2_right = s_2 - R_01
     s_2_lo = R_01 - (s_2 - s_2_right) + (R_10 - s_2_right)
-    less_0 = 1 - R_00
-    less_0_right = 1 - less_0
-    less_0_lo = 1 - (less_0 + less_0_right) - (R_00 - less_0_right)
-    less_1 = 1 - R_11
-    less_1_right = 1 - less_1
-    less_1_lo = 1 - (less_1 + less_1_right) - (R_11 - less_1_right)
-    less_2 = 1 - R_22
-    less_2_right = 1 - less_2
-    less_2_lo = 1 - (less_2 + less_2_right) - (R_22 - less_2_right)
-    more_0 = R_00 + 1
-    more_0_right = more_0 - R_00
-    more_0_lo = R_00 - (more_0 - more_0_right) + (1 - more_0_right)
-    more_1 = R_11 + 1
-    more_1_right = more_1 - R_11
-    more_1_lo = R_11 - (more_1 - more_1_right) + (1 - more_1_right)
-    more_2 = R_22 + 1
-    more_2_right = more_2 - R_22
-    more_2_lo = R_22 - (more_2 - more_2_right) + (1 - more_2_right)
-    d_0a = less_0 + less_1
-    d_0a_right = d_0a - less_0
-    d_0a_lo = less_0 - (d_0a - d_0a_right) + (less_1 - d_0a_right) + less_1_lo + less_0_lo
-    d_0b = d_0a + less_2
-    d_0b_right = d_0b - d_0a
-    d_0b_lo2 = d_0a - (d_0b - d_0b_right) + (less_2 - d_0b_right) + less_2_lo
-    d_0b_lo = d_0b_lo2 + d_0a_lo
-    d_0 = 4 - d_0b
-    d_0_right = 4 - d_0
-    d_0_lo = 4 - (d_0 + d_0_right) - (d_0b - d_0_right) - d_0b_lo
-    d_1a = 4 - less_0
-    d_1a_right = 4 - d_1a
-    d_1b = more_1 + more_2
-    d_1b_right = d_1b - more_1
-    d_1b_lo = more_1 - (d_1b - d_1b_right) + (more_2 - d_1b_right) + more_2_lo + more_1_lo
-    d_1 = d_1a - d_1b
-    d_1_right = d_1a - d_1
-    d_1_lo2 = d_1a - (d_1 + d_1_right) - (d_1b - d_1_right) - d_1b_lo
-    d_1_lo = d_1_lo2 + (4 - (d_1a + d_1a_right) - (less_0 - d_1a_right) - less_0_lo)
-    d_2a = 4 - less_1
-    d_2a_right = 4 - d_2a
-    d_2b = more_0 + more_2
-    d_2b_right = d_2b - more_0
-    d_2b_lo = more_0 - (d_2b - d_2b_right) + (more_2 - d_2b_right) + more_2_lo + more_0_lo
-    d_2 = d_2a - d_2b
-    d_2_right = d_2a - d_2
-    d_2_lo2 = d_2a - (d_2 + d_2_right) - (d_2b - d_2_right) - d_2b_lo
-    d_2_lo = d_2_lo2 + (4 - (d_2a + d_2a_right) - (less_1 - d_2a_right) - less_1_lo)
-    d_3a = 4 - less_2
-    d_3a_right = 4 - d_3a
-    d_3b = more_0 + more_1
-    d_3b_right = d_3b - more_0
-    d_3b_lo = more_0 - (d_3b - d_3b_right) + (more_1 - d_3b_right) + more_1_lo + more_0_lo
-    d_3 = d_3a - d_3b
-    d_3_right = d_3a - d_3
-    d_3_lo2 = d_3a - (d_3 + d_3_right) - (d_3b - d_3_right) - d_3b_lo
-    d_3_lo = d_3_lo2 + (4 - (d_3a + d_3a_right) - (less_2 - d_3a_right) - less_2_lo)
+    first_0 = R_00 + 1
+    first_0_right = first_0 - R_00
+    first_0_lo = R_00 - (first_0 - first_0_right) + (1 - first_0_right)
+    first_1 = 1 - R_00
+    first_1_right = 1 - first_1
+    first_1_lo = 1 - (first_1 + first_1_right) - (R_00 - first_1_right)
+    others_0 = R_11 + R_22
+    others_0_right = others_0 - R_11
+    others_0_lo = R_11 - (others_0 - others_0_right) + (R_22 - others_0_right)
+    others_1 = R_11 - R_22
+    others_1_right = R_11 - others_1
+    others_1_lo = R_11 - (others_1 + others_1_right) - (R_22 - others_1_right)
+    d_0 = first_0 + others_0
+    d_0_right = d_0 - first_0
+    d_0_lo = first_0 - (d_0 - d_0_right) + (others_0 - d_0_right) + others_0_lo + first_0_lo
+    d_1 = first_0 - others_0
+    d_1_right = first_0 - d_1
+    d_1_lo = first_0 - (d_1 + d_1_right) - (others_0 - d_1_right) - others_0_lo + first_0_lo
+    d_2 = first_1 + others_1
+    d_2_right = d_2 - first_1
+    d_2_lo = first_1 - (d_2 - d_2_right) + (others_1 - d_2_right) + others_1_lo + first_1_lo
+    d_3 = first_1 - others_1
+    d_3_right = first_1 - d_3
+    d_3_lo = first_1 - (d_3 + d_3_right) - (others_1 - d_3_right) - others_1_lo + first_1_lo
     low_0 = where(R_11 < R_00, p_0, p_1)
     low_1 = where(R_11 < R_00, d_1, s_2)
     low_1_lo = where(R_11 < R_00, d_1_lo, s_2_lo)
@@ -1118,7 +1087,7 @@ def quaternion_from_mat3x3(R):
 @kernel("(4)->(),(3)")
 def axis_angle_from_quaternion(q):
     """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
-    angle = 0; any multiple of a quaternion.
+    nothing turns; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.
     23 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
@@ -1163,13 +1132,12 @@ def axis_angle_from_quaternion(q):
     v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
     n_of_v_n = v_n + v_n_lo
     n_of_v_n_right = n_of_v_n - v_n
+    n_of_v_n_lo = v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right)
     n = n_of_v_n * v_r
     n_lost = n_of_v_n - n * (1 / v_r)
-    n_small = (n_lost + (v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right))) * v_r
-    n_lo = where(n_lost == 0, 0, n_small)
+    n_lo = where(n_lost == 0, 0, (n_lost + n_of_v_n_lo) * v_r)
     half_of_n = n + n_lo
     half_of_n_right = half_of_n - n
-    half_of_n_lo = n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right)
     half = arctan2(half_of_n, upper_0)
     half_size0 = absolute(half_of_n)
     half_size1 = absolute(upper_0)
@@ -1177,37 +1145,36 @@ def axis_angle_from_quaternion(q):
     half_divisor = where(half_most == 0, 1, half_most)
     half_part0 = half_of_n / half_divisor
     half_part1 = upper_0 / half_divisor
+    half_cross1 = half_part1 * (n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right))
+    half_cross = half_cross1 - half_part0 * 0
     half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
     half_safe = where(half_most == 0, 1, half_divisor2)
-    half_lo = (half_part1 * half_of_n_lo - half_part0 * 0) / half_safe
-    divisor = where(half_of_n == 0, 1, half_of_n)
-    divisor_lo = where(half_of_n == 0, 0, half_of_n_lo)
+    half_lo = half_cross / half_safe
+    divisor = where(n_of_v_n == 0, 1, n_of_v_n)
+    divisor_lo = where(n_of_v_n == 0, 0, n_of_v_n_lo)
     unit_0_of_divisor = divisor + divisor_lo
     unit_0_of_divisor_right = unit_0_of_divisor - divisor
     unit_0_of_divisor_left_rest = divisor - (unit_0_of_divisor - unit_0_of_divisor_right)
     unit_0_of_divisor_lo = unit_0_of_divisor_left_rest + (divisor_lo - unit_0_of_divisor_right)
-    unit_0 = upper_1 / unit_0_of_divisor
+    unit_0 = v_y_0 / unit_0_of_divisor
     unit_0_product = unit_0 * unit_0_of_divisor
-    unit_0_product_error = product_error(unit_0, unit_0_of_divisor, unit_0_product)
-    unit_0_exact = upper_1 - unit_0_product - unit_0_product_error
+    unit_0_exact = v_y_0 - unit_0_product - product_error(unit_0, unit_0_of_divisor, unit_0_product)
     unit_0_residual = unit_0_exact - unit_0 * unit_0_of_divisor_lo
     unit_0_lo = unit_0_residual / unit_0_of_divisor
-    unit_1 = upper_2 / unit_0_of_divisor
+    unit_1 = v_y_1 / unit_0_of_divisor
     unit_1_product = unit_1 * unit_0_of_divisor
-    unit_1_product_error = product_error(unit_1, unit_0_of_divisor, unit_1_product)
-    unit_1_exact = upper_2 - unit_1_product - unit_1_product_error
+    unit_1_exact = v_y_1 - unit_1_product - product_error(unit_1, unit_0_of_divisor, unit_1_product)
     unit_1_residual = unit_1_exact - unit_1 * unit_0_of_divisor_lo
     unit_1_lo = unit_1_residual / unit_0_of_divisor
-    unit_2 = upper_3 / unit_0_of_divisor
+    unit_2 = v_y_2 / unit_0_of_divisor
     unit_2_product = unit_2 * unit_0_of_divisor
-    unit_2_product_error = product_error(unit_2, unit_0_of_divisor, unit_2_product)
-    unit_2_exact = upper_3 - unit_2_product - unit_2_product_error
+    unit_2_exact = v_y_2 - unit_2_product - product_error(unit_2, unit_0_of_divisor, unit_2_product)
     unit_2_residual = unit_2_exact - unit_2 * unit_0_of_divisor_lo
     unit_2_lo = unit_2_residual / unit_0_of_divisor
     angle = 2 * half
     angle_cross2 = 2 * half_lo
-    axis_0 = where(half_of_n == 0, 1, unit_0)
-    axis_0_lo = where(half_of_n == 0, 0, unit_0_lo)
+    axis_0 = where(n_of_v_n == 0, 1, unit_0)
+    axis_0_lo = where(n_of_v_n == 0, 0, unit_0_lo)
     angle_rounded = angle + angle_cross2
     axis_0_rounded = axis_0 + axis_0_lo
     unit_1_rounded = unit_1 + unit_1_lo

@@ -4,7 +4,7 @@
 In double precision, accurate tier.
 """
 
-from numpy import nan, where
+from numpy import float64, nan, where
 from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
 
@@ -15,7 +15,8 @@ def mat3x3_ldl(A):
     pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
 
     (3,3)->(),(3,3).  A, L: rotation or other 3×3 matrix; pivot: number.
-    16 mul, 72 add, 6 product error, 4 product rest, 12 div, 6 less, 6 equal, 21 select.
+    16 mul, 72 add, 6 product error, 4 product rest, 12 div, 6 less, 6 equal, 21 select.  |L D
+    L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and underflow.
     """
     A_00, A_01, A_02, A_10, A_11, A_12, A_20, A_21, A_22 = A
     divisor0 = where(0 < A_00, A_00, 1)
@@ -112,7 +113,9 @@ def mat3x3_ldl_solve(L, b):
     """x = A^-1 b, L of mat3x3_ldl with a positive pivot.
 
     (3,3),(3)->(3).  L: rotation or other 3×3 matrix; b, x: vector.
-    13 mul, 61 add, 3 product error, 6 product rest, 6 div, 3 equal, 3 select.
+    13 mul, 61 add, 3 product error, 6 product rest, 6 div, 3 equal, 3 select.  Backward error,
+    of A = L D L^T: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved; barring
+    over- and underflow.
     """
     L_00, L_01, L_02, L_10, L_11, L_12, L_20, L_21, L_22 = L
     b_0, b_1, b_2 = b
@@ -169,11 +172,14 @@ def mat3x3_ldl_solve(L, b):
 
 @kernel("(3,3),(3)->(),(3)")
 def mat3x3_solve(A, b):
-    """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where it is
-    not above 8 u, A is singular or indefinite, and x not a number.
+    """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
+    singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
+    positive, and x not a number.
 
     (3,3),(3)->(),(3).  A: rotation or other 3×3 matrix; b, x: vector; pivot: number.
-    78 mul, 303 add, 12 product error, 25 product rest, 24 div, 8 less, 4 equal, 27 select.
+    89 mul, 327 add, 14 product error, 28 product rest, 28 div, 11 less, 5 equal, 38 select.
+    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
+    barring over- and underflow.
     """
     A_00, A_01, A_02, A_10, A_11, A_12, A_20, A_21, A_22 = A
     b_0, b_1, b_2 = b
@@ -253,6 +259,47 @@ def mat3x3_solve(A, b):
     part2_lo = where(0 < A_22, part2a_lo, 0)
     smallest2 = where(smallest1 < part2, smallest1, part2)
     smallest2_lo = where(smallest1 < part2, smallest1_lo, part2_lo)
+    less_0 = A_00 * 0.9999999999999944
+    less_1 = A_11 * 0.9999999999999944
+    less_2 = A_22 * 0.9999999999999944
+    less_divisor0 = where(0 < less_0, less_0, 1)
+    less_divisor0_lo = where(0 < less_0, product_error(A_00, 0.9999999999999944, less_0), 0)
+    less_l0_0_of_less_divisor0 = less_divisor0 + less_divisor0_lo
+    less_l0_0_of_less_divisor0_right = less_l0_0_of_less_divisor0 - less_divisor0
+    less_l0_0_of_less_divisor0_left = less_l0_0_of_less_divisor0 - less_l0_0_of_less_divisor0_right
+    less_l0_0_of_less_divisor0_left_rest = less_divisor0 - less_l0_0_of_less_divisor0_left
+    less_l0_0_of_less_divisor0_right_rest = less_divisor0_lo - less_l0_0_of_less_divisor0_right
+    less_l0_0_of_less_divisor0_lo = less_l0_0_of_less_divisor0_left_rest + less_l0_0_of_less_divisor0_right_rest
+    less_l0_0 = A_10 / less_l0_0_of_less_divisor0
+    less_l0_0_product = less_l0_0 * less_l0_0_of_less_divisor0
+    less_l0_0_product_error = product_error(less_l0_0, less_l0_0_of_less_divisor0, less_l0_0_product)
+    less_l0_0_exact = A_10 - less_l0_0_product - less_l0_0_product_error
+    less_l0_0_cross = less_l0_0 * less_l0_0_of_less_divisor0_lo
+    less_l0_0_residual = less_l0_0_exact - less_l0_0_cross
+    less_l0_0_lo = less_l0_0_residual / less_l0_0_of_less_divisor0
+    less_l0_1 = A_20 / less_l0_0_of_less_divisor0
+    less_u1_0a = A_10 * less_l0_0
+    less_u1_0 = less_1 - less_u1_0a
+    less_u1_0_right = less_1 - less_u1_0
+    less_u1_0_left = less_u1_0 + less_u1_0_right
+    less_u1_0_left_rest = product_rest(A_11, 0.9999999999999944, less_1, less_u1_0_left)
+    less_u1_0_lo1 = less_u1_0_left_rest - product_rest(A_10, less_l0_0, less_u1_0a, less_u1_0_right)
+    less_u1_0_lo = less_u1_0_lo1 - A_10 * less_l0_0_lo
+    less_u1_1a = A_20 * less_l0_0
+    less_u1_1 = A_21 - less_u1_1a
+    less_u1_1_right = A_21 - less_u1_1
+    less_u1_1_right_rest = product_rest(A_20, less_l0_0, less_u1_1a, less_u1_1_right)
+    less_u1_1_lo1 = A_21 - (less_u1_1 + less_u1_1_right) - less_u1_1_right_rest
+    less_u1_1_lo = less_u1_1_lo1 - A_20 * less_l0_0_lo
+    less_divisor1 = where(0 < less_u1_0, less_u1_0, 1)
+    less_divisor1_lo = where(0 < less_u1_0, less_u1_0_lo, 0)
+    less_l1_of_less_u1_1 = less_u1_1 + less_u1_1_lo
+    less_l1_of_less_divisor1 = less_divisor1 + less_divisor1_lo
+    less_l1 = less_l1_of_less_u1_1 / less_l1_of_less_divisor1
+    less_u2 = less_2 - A_20 * less_l0_1 - less_l1_of_less_u1_1 * less_l1
+    regular_c = where(0 < less_u1_0, where(0 < less_u2, float64(1), float64(0)), 0)
+    regular = where(0 < less_0, regular_c, 0)
+    least = where(smallest2 < 0, smallest2, 0)
     y1a = b_0 * l0_0
     y1 = b_1 - y1a
     y1_right = b_1 - y1
@@ -458,17 +505,18 @@ def mat3x3_solve(A, b):
     found_2_right = found_2 - z2
     found_2_lo2 = z2 - (found_2 - found_2_right) + (refined_z2 - found_2_right) + refined_z2_lo
     found_2_lo = found_2_lo2 + z2_lo
-    x_0 = where(8.881784197001252e-16 < smallest2, found_0, nan)
-    x_0_lo = where(8.881784197001252e-16 < smallest2, found_0_lo, 0)
-    x_1 = where(8.881784197001252e-16 < smallest2, found_1, nan)
-    x_1_lo = where(8.881784197001252e-16 < smallest2, found_1_lo, 0)
-    x_2 = where(8.881784197001252e-16 < smallest2, found_2, nan)
-    x_2_lo = where(8.881784197001252e-16 < smallest2, found_2_lo, 0)
-    smallest2_rounded = smallest2 + smallest2_lo
+    pivot = where(regular == 1, smallest2, least)
+    x_0 = where(regular == 1, found_0, nan)
+    x_0_lo = where(regular == 1, found_0_lo, 0)
+    x_1 = where(regular == 1, found_1, nan)
+    x_1_lo = where(regular == 1, found_1_lo, 0)
+    x_2 = where(regular == 1, found_2, nan)
+    x_2_lo = where(regular == 1, found_2_lo, 0)
+    pivot_rounded = pivot + where(regular == 1, smallest2_lo, where(smallest2 < 0, smallest2_lo, 0))
     x_0_rounded = x_0 + x_0_lo
     x_1_rounded = x_1 + x_1_lo
     x_2_rounded = x_2 + x_2_lo
-    return (where(smallest2_rounded == smallest2_rounded, smallest2_rounded, smallest2),
+    return (where(pivot_rounded == pivot_rounded, pivot_rounded, pivot),
         where(x_0_rounded == x_0_rounded, x_0_rounded, x_0),
         where(x_1_rounded == x_1_rounded, x_1_rounded, x_1),
         where(x_2_rounded == x_2_rounded, x_2_rounded, x_2))
@@ -481,6 +529,8 @@ def mat6x6_ldl(A):
 
     (6,6)->(),(6,6).  A, L: 6×6 operator; pivot: number.
     121 mul, 452 add, 21 product error, 35 product rest, 42 div, 15 less, 21 equal, 57 select.
+    |L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
+    underflow.
     """
     (A_00, A_01, A_02, A_03, A_04, A_05, A_10, A_11, A_12, A_13, A_14, A_15, A_20, A_21, A_22, A_23,
         A_24, A_25, A_30, A_31, A_32, A_33, A_34, A_35, A_40, A_41, A_42, A_43, A_44, A_45, A_50,
@@ -934,7 +984,9 @@ def mat6x6_ldl_solve(L, b):
 
     (6,6),(6)->(6).  L: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in
     rad/s).
-    61 mul, 253 add, 6 product error, 30 product rest, 12 div, 6 equal, 6 select.
+    61 mul, 253 add, 6 product error, 30 product rest, 12 div, 6 equal, 6 select.  Backward
+    error, of A = L D L^T: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
+    barring over- and underflow.
     """
     (L_00, L_01, L_02, L_03, L_04, L_05, L_10, L_11, L_12, L_13, L_14, L_15, L_20, L_21, L_22, L_23,
         L_24, L_25, L_30, L_31, L_32, L_33, L_34, L_35, L_40, L_41, L_42, L_43, L_44, L_45, L_50,
@@ -1134,12 +1186,15 @@ def mat6x6_ldl_solve(L, b):
 
 @kernel("(6,6),(6)->(),(6)")
 def mat6x6_solve(A, b):
-    """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where it is
-    not above 8 u, A is singular or indefinite, and x not a number.
+    """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
+    singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
+    positive, and x not a number.
 
     (6,6),(6)->(),(6).  A: 6×6 operator; b: coscrew (f in N; τ in N m); pivot: number; x: screw
     (v in m/s; ω in rad/s).
-    390 mul, 1319 add, 33 product error, 131 product rest, 66 div, 17 less, 7 equal, 57 select.
+    497 mul, 1648 add, 44 product error, 165 product rest, 91 div, 23 less, 8 equal, 77 select.
+    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
+    barring over- and underflow.
     """
     (A_00, A_01, A_02, A_03, A_04, A_05, A_10, A_11, A_12, A_13, A_14, A_15, A_20, A_21, A_22, A_23,
         A_24, A_25, A_30, A_31, A_32, A_33, A_34, A_35, A_40, A_41, A_42, A_43, A_44, A_45, A_50,
@@ -1545,6 +1600,404 @@ def mat6x6_solve(A, b):
     part5_lo = where(0 < A_55, part5a_lo, 0)
     smallest5 = where(smallest4 < part5, smallest4, part5)
     smallest5_lo = where(smallest4 < part5, smallest4_lo, part5_lo)
+    less_0 = A_00 * 0.9999999999999944
+    less_1 = A_11 * 0.9999999999999944
+    less_2 = A_22 * 0.9999999999999944
+    less_3 = A_33 * 0.9999999999999944
+    less_4 = A_44 * 0.9999999999999944
+    less_5 = A_55 * 0.9999999999999944
+    less_divisor0 = where(0 < less_0, less_0, 1)
+    less_divisor0_lo = where(0 < less_0, product_error(A_00, 0.9999999999999944, less_0), 0)
+    less_l0_0_of_less_divisor0 = less_divisor0 + less_divisor0_lo
+    less_l0_0_of_less_divisor0_right = less_l0_0_of_less_divisor0 - less_divisor0
+    less_l0_0_of_less_divisor0_left = less_l0_0_of_less_divisor0 - less_l0_0_of_less_divisor0_right
+    less_l0_0_of_less_divisor0_left_rest = less_divisor0 - less_l0_0_of_less_divisor0_left
+    less_l0_0_of_less_divisor0_right_rest = less_divisor0_lo - less_l0_0_of_less_divisor0_right
+    less_l0_0_of_less_divisor0_lo = less_l0_0_of_less_divisor0_left_rest + less_l0_0_of_less_divisor0_right_rest
+    less_l0_0 = A_10 / less_l0_0_of_less_divisor0
+    less_l0_0_product = less_l0_0 * less_l0_0_of_less_divisor0
+    less_l0_0_product_error = product_error(less_l0_0, less_l0_0_of_less_divisor0, less_l0_0_product)
+    less_l0_0_exact = A_10 - less_l0_0_product - less_l0_0_product_error
+    less_l0_0_residual = less_l0_0_exact - less_l0_0 * less_l0_0_of_less_divisor0_lo
+    less_l0_0_lo = less_l0_0_residual / less_l0_0_of_less_divisor0
+    less_l0_1 = A_20 / less_l0_0_of_less_divisor0
+    less_l0_1_product = less_l0_1 * less_l0_0_of_less_divisor0
+    less_l0_1_product_error = product_error(less_l0_1, less_l0_0_of_less_divisor0, less_l0_1_product)
+    less_l0_1_exact = A_20 - less_l0_1_product - less_l0_1_product_error
+    less_l0_1_residual = less_l0_1_exact - less_l0_1 * less_l0_0_of_less_divisor0_lo
+    less_l0_1_lo = less_l0_1_residual / less_l0_0_of_less_divisor0
+    less_l0_2 = A_30 / less_l0_0_of_less_divisor0
+    less_l0_2_product = less_l0_2 * less_l0_0_of_less_divisor0
+    less_l0_2_product_error = product_error(less_l0_2, less_l0_0_of_less_divisor0, less_l0_2_product)
+    less_l0_2_exact = A_30 - less_l0_2_product - less_l0_2_product_error
+    less_l0_2_residual = less_l0_2_exact - less_l0_2 * less_l0_0_of_less_divisor0_lo
+    less_l0_2_lo = less_l0_2_residual / less_l0_0_of_less_divisor0
+    less_l0_3 = A_40 / less_l0_0_of_less_divisor0
+    less_l0_3_product = less_l0_3 * less_l0_0_of_less_divisor0
+    less_l0_3_product_error = product_error(less_l0_3, less_l0_0_of_less_divisor0, less_l0_3_product)
+    less_l0_3_exact = A_40 - less_l0_3_product - less_l0_3_product_error
+    less_l0_3_residual = less_l0_3_exact - less_l0_3 * less_l0_0_of_less_divisor0_lo
+    less_l0_3_lo = less_l0_3_residual / less_l0_0_of_less_divisor0
+    less_l0_4 = A_50 / less_l0_0_of_less_divisor0
+    less_u1_0a = A_10 * less_l0_0
+    less_u1_0 = less_1 - less_u1_0a
+    less_u1_0_right = less_1 - less_u1_0
+    less_u1_0_left = less_u1_0 + less_u1_0_right
+    less_u1_0_left_rest = product_rest(A_11, 0.9999999999999944, less_1, less_u1_0_left)
+    less_u1_0_lo1 = less_u1_0_left_rest - product_rest(A_10, less_l0_0, less_u1_0a, less_u1_0_right)
+    less_u1_0_lo = less_u1_0_lo1 - A_10 * less_l0_0_lo
+    less_u1_1a = A_20 * less_l0_0
+    less_u1_1 = A_21 - less_u1_1a
+    less_u1_1_right = A_21 - less_u1_1
+    less_u1_1_right_rest = product_rest(A_20, less_l0_0, less_u1_1a, less_u1_1_right)
+    less_u1_1_lo1 = A_21 - (less_u1_1 + less_u1_1_right) - less_u1_1_right_rest
+    less_u1_1_lo = less_u1_1_lo1 - A_20 * less_l0_0_lo
+    less_u1_2a = A_30 * less_l0_0
+    less_u1_2 = A_31 - less_u1_2a
+    less_u1_2_right = A_31 - less_u1_2
+    less_u1_2_right_rest = product_rest(A_30, less_l0_0, less_u1_2a, less_u1_2_right)
+    less_u1_2_lo1 = A_31 - (less_u1_2 + less_u1_2_right) - less_u1_2_right_rest
+    less_u1_2_lo = less_u1_2_lo1 - A_30 * less_l0_0_lo
+    less_u1_3a = A_40 * less_l0_0
+    less_u1_3 = A_41 - less_u1_3a
+    less_u1_3_right = A_41 - less_u1_3
+    less_u1_3_right_rest = product_rest(A_40, less_l0_0, less_u1_3a, less_u1_3_right)
+    less_u1_3_lo1 = A_41 - (less_u1_3 + less_u1_3_right) - less_u1_3_right_rest
+    less_u1_3_lo = less_u1_3_lo1 - A_40 * less_l0_0_lo
+    less_u1_4a = A_50 * less_l0_0
+    less_u1_4 = A_51 - less_u1_4a
+    less_u1_4_right = A_51 - less_u1_4
+    less_u1_4_right_rest = product_rest(A_50, less_l0_0, less_u1_4a, less_u1_4_right)
+    less_u1_4_lo1 = A_51 - (less_u1_4 + less_u1_4_right) - less_u1_4_right_rest
+    less_u1_4_lo = less_u1_4_lo1 - A_50 * less_l0_0_lo
+    less_divisor1 = where(0 < less_u1_0, less_u1_0, 1)
+    less_divisor1_lo = where(0 < less_u1_0, less_u1_0_lo, 0)
+    less_l1_0_of_less_u1_1 = less_u1_1 + less_u1_1_lo
+    less_l1_0_of_less_u1_1_right = less_l1_0_of_less_u1_1 - less_u1_1
+    less_l1_0_of_less_u1_1_left = less_l1_0_of_less_u1_1 - less_l1_0_of_less_u1_1_right
+    less_l1_0_of_less_u1_1_left_rest = less_u1_1 - less_l1_0_of_less_u1_1_left
+    less_l1_0_of_less_u1_1_right_rest = less_u1_1_lo - less_l1_0_of_less_u1_1_right
+    less_l1_0_of_less_u1_1_lo = less_l1_0_of_less_u1_1_left_rest + less_l1_0_of_less_u1_1_right_rest
+    less_l1_0_of_less_divisor1 = less_divisor1 + less_divisor1_lo
+    less_l1_0_of_less_divisor1_right = less_l1_0_of_less_divisor1 - less_divisor1
+    less_l1_0_of_less_divisor1_left = less_l1_0_of_less_divisor1 - less_l1_0_of_less_divisor1_right
+    less_l1_0_of_less_divisor1_left_rest = less_divisor1 - less_l1_0_of_less_divisor1_left
+    less_l1_0_of_less_divisor1_right_rest = less_divisor1_lo - less_l1_0_of_less_divisor1_right
+    less_l1_0_of_less_divisor1_lo = less_l1_0_of_less_divisor1_left_rest + less_l1_0_of_less_divisor1_right_rest
+    less_l1_0 = less_l1_0_of_less_u1_1 / less_l1_0_of_less_divisor1
+    less_l1_0_product = less_l1_0 * less_l1_0_of_less_divisor1
+    less_l1_0_product_error = product_error(less_l1_0, less_l1_0_of_less_divisor1, less_l1_0_product)
+    less_l1_0_exact = less_l1_0_of_less_u1_1 - less_l1_0_product - less_l1_0_product_error
+    less_l1_0_numerator = less_l1_0_exact + less_l1_0_of_less_u1_1_lo
+    less_l1_0_residual = less_l1_0_numerator - less_l1_0 * less_l1_0_of_less_divisor1_lo
+    less_l1_0_lo = less_l1_0_residual / less_l1_0_of_less_divisor1
+    less_l1_1_of_less_u1_2 = less_u1_2 + less_u1_2_lo
+    less_l1_1_of_less_u1_2_right = less_l1_1_of_less_u1_2 - less_u1_2
+    less_l1_1_of_less_u1_2_left = less_l1_1_of_less_u1_2 - less_l1_1_of_less_u1_2_right
+    less_l1_1_of_less_u1_2_left_rest = less_u1_2 - less_l1_1_of_less_u1_2_left
+    less_l1_1_of_less_u1_2_right_rest = less_u1_2_lo - less_l1_1_of_less_u1_2_right
+    less_l1_1_of_less_u1_2_lo = less_l1_1_of_less_u1_2_left_rest + less_l1_1_of_less_u1_2_right_rest
+    less_l1_1 = less_l1_1_of_less_u1_2 / less_l1_0_of_less_divisor1
+    less_l1_1_product = less_l1_1 * less_l1_0_of_less_divisor1
+    less_l1_1_product_error = product_error(less_l1_1, less_l1_0_of_less_divisor1, less_l1_1_product)
+    less_l1_1_exact = less_l1_1_of_less_u1_2 - less_l1_1_product - less_l1_1_product_error
+    less_l1_1_numerator = less_l1_1_exact + less_l1_1_of_less_u1_2_lo
+    less_l1_1_residual = less_l1_1_numerator - less_l1_1 * less_l1_0_of_less_divisor1_lo
+    less_l1_1_lo = less_l1_1_residual / less_l1_0_of_less_divisor1
+    less_l1_2_of_less_u1_3 = less_u1_3 + less_u1_3_lo
+    less_l1_2_of_less_u1_3_right = less_l1_2_of_less_u1_3 - less_u1_3
+    less_l1_2_of_less_u1_3_left = less_l1_2_of_less_u1_3 - less_l1_2_of_less_u1_3_right
+    less_l1_2_of_less_u1_3_left_rest = less_u1_3 - less_l1_2_of_less_u1_3_left
+    less_l1_2_of_less_u1_3_right_rest = less_u1_3_lo - less_l1_2_of_less_u1_3_right
+    less_l1_2_of_less_u1_3_lo = less_l1_2_of_less_u1_3_left_rest + less_l1_2_of_less_u1_3_right_rest
+    less_l1_2 = less_l1_2_of_less_u1_3 / less_l1_0_of_less_divisor1
+    less_l1_2_product = less_l1_2 * less_l1_0_of_less_divisor1
+    less_l1_2_product_error = product_error(less_l1_2, less_l1_0_of_less_divisor1, less_l1_2_product)
+    less_l1_2_exact = less_l1_2_of_less_u1_3 - less_l1_2_product - less_l1_2_product_error
+    less_l1_2_numerator = less_l1_2_exact + less_l1_2_of_less_u1_3_lo
+    less_l1_2_residual = less_l1_2_numerator - less_l1_2 * less_l1_0_of_less_divisor1_lo
+    less_l1_2_lo = less_l1_2_residual / less_l1_0_of_less_divisor1
+    less_l1_3_of_less_u1_4 = less_u1_4 + less_u1_4_lo
+    less_l1_3_of_less_u1_4_right = less_l1_3_of_less_u1_4 - less_u1_4
+    less_l1_3_of_less_u1_4_left = less_l1_3_of_less_u1_4 - less_l1_3_of_less_u1_4_right
+    less_l1_3_of_less_u1_4_left_rest = less_u1_4 - less_l1_3_of_less_u1_4_left
+    less_l1_3_of_less_u1_4_right_rest = less_u1_4_lo - less_l1_3_of_less_u1_4_right
+    less_l1_3_of_less_u1_4_lo = less_l1_3_of_less_u1_4_left_rest + less_l1_3_of_less_u1_4_right_rest
+    less_l1_3 = less_l1_3_of_less_u1_4 / less_l1_0_of_less_divisor1
+    less_u2_0a = A_20 * less_l0_1
+    less_u2_0b = less_2 - less_u2_0a
+    less_u2_0b_right = less_2 - less_u2_0b
+    less_u2_0b_left = less_u2_0b + less_u2_0b_right
+    less_u2_0b_left_rest = product_rest(A_22, 0.9999999999999944, less_2, less_u2_0b_left)
+    less_u2_0b_right_rest = product_rest(A_20, less_l0_1, less_u2_0a, less_u2_0b_right)
+    less_u2_0b_lo1 = less_u2_0b_left_rest - less_u2_0b_right_rest
+    less_u2_0b_lo = less_u2_0b_lo1 - A_20 * less_l0_1_lo
+    less_u2_0c = less_l1_0_of_less_u1_1 * less_l1_0
+    less_u2_0c_cross = less_l1_0_of_less_u1_1_lo * less_l1_0 + less_l1_0_of_less_u1_1 * less_l1_0_lo
+    less_u2_0 = less_u2_0b - less_u2_0c
+    less_u2_0_right = less_u2_0b - less_u2_0
+    less_u2_0_right_rest = product_rest(less_l1_0_of_less_u1_1, less_l1_0, less_u2_0c, less_u2_0_right)
+    less_u2_0_lo1 = less_u2_0b - (less_u2_0 + less_u2_0_right) - less_u2_0_right_rest
+    less_u2_0_lo2 = less_u2_0_lo1 - less_u2_0c_cross
+    less_u2_0_lo = less_u2_0_lo2 + less_u2_0b_lo
+    less_u2_1a = A_30 * less_l0_1
+    less_u2_1b = A_32 - less_u2_1a
+    less_u2_1b_right = A_32 - less_u2_1b
+    less_u2_1b_right_rest = product_rest(A_30, less_l0_1, less_u2_1a, less_u2_1b_right)
+    less_u2_1b_lo1 = A_32 - (less_u2_1b + less_u2_1b_right) - less_u2_1b_right_rest
+    less_u2_1b_lo = less_u2_1b_lo1 - A_30 * less_l0_1_lo
+    less_u2_1c = less_l1_1_of_less_u1_2 * less_l1_0
+    less_u2_1c_cross = less_l1_1_of_less_u1_2_lo * less_l1_0 + less_l1_1_of_less_u1_2 * less_l1_0_lo
+    less_u2_1 = less_u2_1b - less_u2_1c
+    less_u2_1_right = less_u2_1b - less_u2_1
+    less_u2_1_right_rest = product_rest(less_l1_1_of_less_u1_2, less_l1_0, less_u2_1c, less_u2_1_right)
+    less_u2_1_lo1 = less_u2_1b - (less_u2_1 + less_u2_1_right) - less_u2_1_right_rest
+    less_u2_1_lo2 = less_u2_1_lo1 - less_u2_1c_cross
+    less_u2_1_lo = less_u2_1_lo2 + less_u2_1b_lo
+    less_u2_2a = A_40 * less_l0_1
+    less_u2_2b = A_42 - less_u2_2a
+    less_u2_2b_right = A_42 - less_u2_2b
+    less_u2_2b_right_rest = product_rest(A_40, less_l0_1, less_u2_2a, less_u2_2b_right)
+    less_u2_2b_lo1 = A_42 - (less_u2_2b + less_u2_2b_right) - less_u2_2b_right_rest
+    less_u2_2b_lo = less_u2_2b_lo1 - A_40 * less_l0_1_lo
+    less_u2_2c = less_l1_2_of_less_u1_3 * less_l1_0
+    less_u2_2c_cross = less_l1_2_of_less_u1_3_lo * less_l1_0 + less_l1_2_of_less_u1_3 * less_l1_0_lo
+    less_u2_2 = less_u2_2b - less_u2_2c
+    less_u2_2_right = less_u2_2b - less_u2_2
+    less_u2_2_right_rest = product_rest(less_l1_2_of_less_u1_3, less_l1_0, less_u2_2c, less_u2_2_right)
+    less_u2_2_lo1 = less_u2_2b - (less_u2_2 + less_u2_2_right) - less_u2_2_right_rest
+    less_u2_2_lo2 = less_u2_2_lo1 - less_u2_2c_cross
+    less_u2_2_lo = less_u2_2_lo2 + less_u2_2b_lo
+    less_u2_3a = A_50 * less_l0_1
+    less_u2_3b = A_52 - less_u2_3a
+    less_u2_3b_right = A_52 - less_u2_3b
+    less_u2_3b_right_rest = product_rest(A_50, less_l0_1, less_u2_3a, less_u2_3b_right)
+    less_u2_3b_lo1 = A_52 - (less_u2_3b + less_u2_3b_right) - less_u2_3b_right_rest
+    less_u2_3b_lo = less_u2_3b_lo1 - A_50 * less_l0_1_lo
+    less_u2_3c = less_l1_3_of_less_u1_4 * less_l1_0
+    less_u2_3c_cross = less_l1_3_of_less_u1_4_lo * less_l1_0 + less_l1_3_of_less_u1_4 * less_l1_0_lo
+    less_u2_3 = less_u2_3b - less_u2_3c
+    less_u2_3_right = less_u2_3b - less_u2_3
+    less_u2_3_right_rest = product_rest(less_l1_3_of_less_u1_4, less_l1_0, less_u2_3c, less_u2_3_right)
+    less_u2_3_lo1 = less_u2_3b - (less_u2_3 + less_u2_3_right) - less_u2_3_right_rest
+    less_u2_3_lo2 = less_u2_3_lo1 - less_u2_3c_cross
+    less_u2_3_lo = less_u2_3_lo2 + less_u2_3b_lo
+    less_divisor2 = where(0 < less_u2_0, less_u2_0, 1)
+    less_divisor2_lo = where(0 < less_u2_0, less_u2_0_lo, 0)
+    less_l2_0_of_less_u2_1 = less_u2_1 + less_u2_1_lo
+    less_l2_0_of_less_u2_1_right = less_l2_0_of_less_u2_1 - less_u2_1
+    less_l2_0_of_less_u2_1_left = less_l2_0_of_less_u2_1 - less_l2_0_of_less_u2_1_right
+    less_l2_0_of_less_u2_1_left_rest = less_u2_1 - less_l2_0_of_less_u2_1_left
+    less_l2_0_of_less_u2_1_right_rest = less_u2_1_lo - less_l2_0_of_less_u2_1_right
+    less_l2_0_of_less_u2_1_lo = less_l2_0_of_less_u2_1_left_rest + less_l2_0_of_less_u2_1_right_rest
+    less_l2_0_of_less_divisor2 = less_divisor2 + less_divisor2_lo
+    less_l2_0_of_less_divisor2_right = less_l2_0_of_less_divisor2 - less_divisor2
+    less_l2_0_of_less_divisor2_left = less_l2_0_of_less_divisor2 - less_l2_0_of_less_divisor2_right
+    less_l2_0_of_less_divisor2_left_rest = less_divisor2 - less_l2_0_of_less_divisor2_left
+    less_l2_0_of_less_divisor2_right_rest = less_divisor2_lo - less_l2_0_of_less_divisor2_right
+    less_l2_0_of_less_divisor2_lo = less_l2_0_of_less_divisor2_left_rest + less_l2_0_of_less_divisor2_right_rest
+    less_l2_0 = less_l2_0_of_less_u2_1 / less_l2_0_of_less_divisor2
+    less_l2_0_product = less_l2_0 * less_l2_0_of_less_divisor2
+    less_l2_0_product_error = product_error(less_l2_0, less_l2_0_of_less_divisor2, less_l2_0_product)
+    less_l2_0_exact = less_l2_0_of_less_u2_1 - less_l2_0_product - less_l2_0_product_error
+    less_l2_0_numerator = less_l2_0_exact + less_l2_0_of_less_u2_1_lo
+    less_l2_0_residual = less_l2_0_numerator - less_l2_0 * less_l2_0_of_less_divisor2_lo
+    less_l2_0_lo = less_l2_0_residual / less_l2_0_of_less_divisor2
+    less_l2_1_of_less_u2_2 = less_u2_2 + less_u2_2_lo
+    less_l2_1_of_less_u2_2_right = less_l2_1_of_less_u2_2 - less_u2_2
+    less_l2_1_of_less_u2_2_left = less_l2_1_of_less_u2_2 - less_l2_1_of_less_u2_2_right
+    less_l2_1_of_less_u2_2_left_rest = less_u2_2 - less_l2_1_of_less_u2_2_left
+    less_l2_1_of_less_u2_2_right_rest = less_u2_2_lo - less_l2_1_of_less_u2_2_right
+    less_l2_1_of_less_u2_2_lo = less_l2_1_of_less_u2_2_left_rest + less_l2_1_of_less_u2_2_right_rest
+    less_l2_1 = less_l2_1_of_less_u2_2 / less_l2_0_of_less_divisor2
+    less_l2_1_product = less_l2_1 * less_l2_0_of_less_divisor2
+    less_l2_1_product_error = product_error(less_l2_1, less_l2_0_of_less_divisor2, less_l2_1_product)
+    less_l2_1_exact = less_l2_1_of_less_u2_2 - less_l2_1_product - less_l2_1_product_error
+    less_l2_1_numerator = less_l2_1_exact + less_l2_1_of_less_u2_2_lo
+    less_l2_1_residual = less_l2_1_numerator - less_l2_1 * less_l2_0_of_less_divisor2_lo
+    less_l2_1_lo = less_l2_1_residual / less_l2_0_of_less_divisor2
+    less_l2_2_of_less_u2_3 = less_u2_3 + less_u2_3_lo
+    less_l2_2_of_less_u2_3_right = less_l2_2_of_less_u2_3 - less_u2_3
+    less_l2_2_of_less_u2_3_left = less_l2_2_of_less_u2_3 - less_l2_2_of_less_u2_3_right
+    less_l2_2_of_less_u2_3_left_rest = less_u2_3 - less_l2_2_of_less_u2_3_left
+    less_l2_2_of_less_u2_3_right_rest = less_u2_3_lo - less_l2_2_of_less_u2_3_right
+    less_l2_2_of_less_u2_3_lo = less_l2_2_of_less_u2_3_left_rest + less_l2_2_of_less_u2_3_right_rest
+    less_l2_2 = less_l2_2_of_less_u2_3 / less_l2_0_of_less_divisor2
+    less_u3_0a = A_30 * less_l0_2
+    less_u3_0b = less_3 - less_u3_0a
+    less_u3_0b_right = less_3 - less_u3_0b
+    less_u3_0b_left = less_u3_0b + less_u3_0b_right
+    less_u3_0b_left_rest = product_rest(A_33, 0.9999999999999944, less_3, less_u3_0b_left)
+    less_u3_0b_right_rest = product_rest(A_30, less_l0_2, less_u3_0a, less_u3_0b_right)
+    less_u3_0b_lo1 = less_u3_0b_left_rest - less_u3_0b_right_rest
+    less_u3_0b_lo = less_u3_0b_lo1 - A_30 * less_l0_2_lo
+    less_u3_0c = less_l1_1_of_less_u1_2 * less_l1_1
+    less_u3_0c_cross = less_l1_1_of_less_u1_2_lo * less_l1_1 + less_l1_1_of_less_u1_2 * less_l1_1_lo
+    less_u3_0d = less_u3_0b - less_u3_0c
+    less_u3_0d_right = less_u3_0b - less_u3_0d
+    less_u3_0d_right_rest = product_rest(less_l1_1_of_less_u1_2, less_l1_1, less_u3_0c, less_u3_0d_right)
+    less_u3_0d_lo1 = less_u3_0b - (less_u3_0d + less_u3_0d_right) - less_u3_0d_right_rest
+    less_u3_0d_lo2 = less_u3_0d_lo1 - less_u3_0c_cross
+    less_u3_0d_lo = less_u3_0d_lo2 + less_u3_0b_lo
+    less_u3_0e = less_l2_0_of_less_u2_1 * less_l2_0
+    less_u3_0e_cross = less_l2_0_of_less_u2_1_lo * less_l2_0 + less_l2_0_of_less_u2_1 * less_l2_0_lo
+    less_u3_0 = less_u3_0d - less_u3_0e
+    less_u3_0_right = less_u3_0d - less_u3_0
+    less_u3_0_right_rest = product_rest(less_l2_0_of_less_u2_1, less_l2_0, less_u3_0e, less_u3_0_right)
+    less_u3_0_lo1 = less_u3_0d - (less_u3_0 + less_u3_0_right) - less_u3_0_right_rest
+    less_u3_0_lo2 = less_u3_0_lo1 - less_u3_0e_cross
+    less_u3_0_lo = less_u3_0_lo2 + less_u3_0d_lo
+    less_u3_1a = A_40 * less_l0_2
+    less_u3_1b = A_43 - less_u3_1a
+    less_u3_1b_right = A_43 - less_u3_1b
+    less_u3_1b_right_rest = product_rest(A_40, less_l0_2, less_u3_1a, less_u3_1b_right)
+    less_u3_1b_lo1 = A_43 - (less_u3_1b + less_u3_1b_right) - less_u3_1b_right_rest
+    less_u3_1b_lo = less_u3_1b_lo1 - A_40 * less_l0_2_lo
+    less_u3_1c = less_l1_2_of_less_u1_3 * less_l1_1
+    less_u3_1c_cross = less_l1_2_of_less_u1_3_lo * less_l1_1 + less_l1_2_of_less_u1_3 * less_l1_1_lo
+    less_u3_1d = less_u3_1b - less_u3_1c
+    less_u3_1d_right = less_u3_1b - less_u3_1d
+    less_u3_1d_right_rest = product_rest(less_l1_2_of_less_u1_3, less_l1_1, less_u3_1c, less_u3_1d_right)
+    less_u3_1d_lo1 = less_u3_1b - (less_u3_1d + less_u3_1d_right) - less_u3_1d_right_rest
+    less_u3_1d_lo2 = less_u3_1d_lo1 - less_u3_1c_cross
+    less_u3_1d_lo = less_u3_1d_lo2 + less_u3_1b_lo
+    less_u3_1e = less_l2_1_of_less_u2_2 * less_l2_0
+    less_u3_1e_cross = less_l2_1_of_less_u2_2_lo * less_l2_0 + less_l2_1_of_less_u2_2 * less_l2_0_lo
+    less_u3_1 = less_u3_1d - less_u3_1e
+    less_u3_1_right = less_u3_1d - less_u3_1
+    less_u3_1_right_rest = product_rest(less_l2_1_of_less_u2_2, less_l2_0, less_u3_1e, less_u3_1_right)
+    less_u3_1_lo1 = less_u3_1d - (less_u3_1 + less_u3_1_right) - less_u3_1_right_rest
+    less_u3_1_lo2 = less_u3_1_lo1 - less_u3_1e_cross
+    less_u3_1_lo = less_u3_1_lo2 + less_u3_1d_lo
+    less_u3_2a = A_50 * less_l0_2
+    less_u3_2b = A_53 - less_u3_2a
+    less_u3_2b_right = A_53 - less_u3_2b
+    less_u3_2b_right_rest = product_rest(A_50, less_l0_2, less_u3_2a, less_u3_2b_right)
+    less_u3_2b_lo1 = A_53 - (less_u3_2b + less_u3_2b_right) - less_u3_2b_right_rest
+    less_u3_2b_lo = less_u3_2b_lo1 - A_50 * less_l0_2_lo
+    less_u3_2c = less_l1_3_of_less_u1_4 * less_l1_1
+    less_u3_2c_cross = less_l1_3_of_less_u1_4_lo * less_l1_1 + less_l1_3_of_less_u1_4 * less_l1_1_lo
+    less_u3_2d = less_u3_2b - less_u3_2c
+    less_u3_2d_right = less_u3_2b - less_u3_2d
+    less_u3_2d_right_rest = product_rest(less_l1_3_of_less_u1_4, less_l1_1, less_u3_2c, less_u3_2d_right)
+    less_u3_2d_lo1 = less_u3_2b - (less_u3_2d + less_u3_2d_right) - less_u3_2d_right_rest
+    less_u3_2d_lo2 = less_u3_2d_lo1 - less_u3_2c_cross
+    less_u3_2d_lo = less_u3_2d_lo2 + less_u3_2b_lo
+    less_u3_2e = less_l2_2_of_less_u2_3 * less_l2_0
+    less_u3_2e_cross = less_l2_2_of_less_u2_3_lo * less_l2_0 + less_l2_2_of_less_u2_3 * less_l2_0_lo
+    less_u3_2 = less_u3_2d - less_u3_2e
+    less_u3_2_right = less_u3_2d - less_u3_2
+    less_u3_2_right_rest = product_rest(less_l2_2_of_less_u2_3, less_l2_0, less_u3_2e, less_u3_2_right)
+    less_u3_2_lo1 = less_u3_2d - (less_u3_2 + less_u3_2_right) - less_u3_2_right_rest
+    less_u3_2_lo2 = less_u3_2_lo1 - less_u3_2e_cross
+    less_u3_2_lo = less_u3_2_lo2 + less_u3_2d_lo
+    less_divisor3 = where(0 < less_u3_0, less_u3_0, 1)
+    less_divisor3_lo = where(0 < less_u3_0, less_u3_0_lo, 0)
+    less_l3_0_of_less_u3_1 = less_u3_1 + less_u3_1_lo
+    less_l3_0_of_less_u3_1_right = less_l3_0_of_less_u3_1 - less_u3_1
+    less_l3_0_of_less_u3_1_left = less_l3_0_of_less_u3_1 - less_l3_0_of_less_u3_1_right
+    less_l3_0_of_less_u3_1_left_rest = less_u3_1 - less_l3_0_of_less_u3_1_left
+    less_l3_0_of_less_u3_1_right_rest = less_u3_1_lo - less_l3_0_of_less_u3_1_right
+    less_l3_0_of_less_u3_1_lo = less_l3_0_of_less_u3_1_left_rest + less_l3_0_of_less_u3_1_right_rest
+    less_l3_0_of_less_divisor3 = less_divisor3 + less_divisor3_lo
+    less_l3_0_of_less_divisor3_right = less_l3_0_of_less_divisor3 - less_divisor3
+    less_l3_0_of_less_divisor3_left = less_l3_0_of_less_divisor3 - less_l3_0_of_less_divisor3_right
+    less_l3_0_of_less_divisor3_left_rest = less_divisor3 - less_l3_0_of_less_divisor3_left
+    less_l3_0_of_less_divisor3_right_rest = less_divisor3_lo - less_l3_0_of_less_divisor3_right
+    less_l3_0_of_less_divisor3_lo = less_l3_0_of_less_divisor3_left_rest + less_l3_0_of_less_divisor3_right_rest
+    less_l3_0 = less_l3_0_of_less_u3_1 / less_l3_0_of_less_divisor3
+    less_l3_0_product = less_l3_0 * less_l3_0_of_less_divisor3
+    less_l3_0_product_error = product_error(less_l3_0, less_l3_0_of_less_divisor3, less_l3_0_product)
+    less_l3_0_exact = less_l3_0_of_less_u3_1 - less_l3_0_product - less_l3_0_product_error
+    less_l3_0_numerator = less_l3_0_exact + less_l3_0_of_less_u3_1_lo
+    less_l3_0_cross = less_l3_0 * less_l3_0_of_less_divisor3_lo
+    less_l3_0_residual = less_l3_0_numerator - less_l3_0_cross
+    less_l3_0_lo = less_l3_0_residual / less_l3_0_of_less_divisor3
+    less_l3_1_of_less_u3_2 = less_u3_2 + less_u3_2_lo
+    less_l3_1_of_less_u3_2_right = less_l3_1_of_less_u3_2 - less_u3_2
+    less_l3_1_of_less_u3_2_left = less_l3_1_of_less_u3_2 - less_l3_1_of_less_u3_2_right
+    less_l3_1_of_less_u3_2_left_rest = less_u3_2 - less_l3_1_of_less_u3_2_left
+    less_l3_1_of_less_u3_2_right_rest = less_u3_2_lo - less_l3_1_of_less_u3_2_right
+    less_l3_1_of_less_u3_2_lo = less_l3_1_of_less_u3_2_left_rest + less_l3_1_of_less_u3_2_right_rest
+    less_l3_1 = less_l3_1_of_less_u3_2 / less_l3_0_of_less_divisor3
+    less_u4_0a = A_40 * less_l0_3
+    less_u4_0b = less_4 - less_u4_0a
+    less_u4_0b_right = less_4 - less_u4_0b
+    less_u4_0b_left = less_u4_0b + less_u4_0b_right
+    less_u4_0b_left_rest = product_rest(A_44, 0.9999999999999944, less_4, less_u4_0b_left)
+    less_u4_0b_right_rest = product_rest(A_40, less_l0_3, less_u4_0a, less_u4_0b_right)
+    less_u4_0b_lo1 = less_u4_0b_left_rest - less_u4_0b_right_rest
+    less_u4_0b_lo = less_u4_0b_lo1 - A_40 * less_l0_3_lo
+    less_u4_0c = less_l1_2_of_less_u1_3 * less_l1_2
+    less_u4_0c_cross = less_l1_2_of_less_u1_3_lo * less_l1_2 + less_l1_2_of_less_u1_3 * less_l1_2_lo
+    less_u4_0d = less_u4_0b - less_u4_0c
+    less_u4_0d_right = less_u4_0b - less_u4_0d
+    less_u4_0d_right_rest = product_rest(less_l1_2_of_less_u1_3, less_l1_2, less_u4_0c, less_u4_0d_right)
+    less_u4_0d_lo1 = less_u4_0b - (less_u4_0d + less_u4_0d_right) - less_u4_0d_right_rest
+    less_u4_0d_lo2 = less_u4_0d_lo1 - less_u4_0c_cross
+    less_u4_0d_lo = less_u4_0d_lo2 + less_u4_0b_lo
+    less_u4_0e = less_l2_1_of_less_u2_2 * less_l2_1
+    less_u4_0e_cross = less_l2_1_of_less_u2_2_lo * less_l2_1 + less_l2_1_of_less_u2_2 * less_l2_1_lo
+    less_u4_0f = less_u4_0d - less_u4_0e
+    less_u4_0f_right = less_u4_0d - less_u4_0f
+    less_u4_0f_right_rest = product_rest(less_l2_1_of_less_u2_2, less_l2_1, less_u4_0e, less_u4_0f_right)
+    less_u4_0f_lo1 = less_u4_0d - (less_u4_0f + less_u4_0f_right) - less_u4_0f_right_rest
+    less_u4_0f_lo2 = less_u4_0f_lo1 - less_u4_0e_cross
+    less_u4_0f_lo = less_u4_0f_lo2 + less_u4_0d_lo
+    less_u4_0g = less_l3_0_of_less_u3_1 * less_l3_0
+    less_u4_0g_cross = less_l3_0_of_less_u3_1_lo * less_l3_0 + less_l3_0_of_less_u3_1 * less_l3_0_lo
+    less_u4_0 = less_u4_0f - less_u4_0g
+    less_u4_0_right = less_u4_0f - less_u4_0
+    less_u4_0_right_rest = product_rest(less_l3_0_of_less_u3_1, less_l3_0, less_u4_0g, less_u4_0_right)
+    less_u4_0_lo1 = less_u4_0f - (less_u4_0 + less_u4_0_right) - less_u4_0_right_rest
+    less_u4_0_lo2 = less_u4_0_lo1 - less_u4_0g_cross
+    less_u4_0_lo = less_u4_0_lo2 + less_u4_0f_lo
+    less_u4_1a = A_50 * less_l0_3
+    less_u4_1b = A_54 - less_u4_1a
+    less_u4_1b_right = A_54 - less_u4_1b
+    less_u4_1b_right_rest = product_rest(A_50, less_l0_3, less_u4_1a, less_u4_1b_right)
+    less_u4_1b_lo1 = A_54 - (less_u4_1b + less_u4_1b_right) - less_u4_1b_right_rest
+    less_u4_1b_lo = less_u4_1b_lo1 - A_50 * less_l0_3_lo
+    less_u4_1c = less_l1_3_of_less_u1_4 * less_l1_2
+    less_u4_1c_cross = less_l1_3_of_less_u1_4_lo * less_l1_2 + less_l1_3_of_less_u1_4 * less_l1_2_lo
+    less_u4_1d = less_u4_1b - less_u4_1c
+    less_u4_1d_right = less_u4_1b - less_u4_1d
+    less_u4_1d_right_rest = product_rest(less_l1_3_of_less_u1_4, less_l1_2, less_u4_1c, less_u4_1d_right)
+    less_u4_1d_lo1 = less_u4_1b - (less_u4_1d + less_u4_1d_right) - less_u4_1d_right_rest
+    less_u4_1d_lo2 = less_u4_1d_lo1 - less_u4_1c_cross
+    less_u4_1d_lo = less_u4_1d_lo2 + less_u4_1b_lo
+    less_u4_1e = less_l2_2_of_less_u2_3 * less_l2_1
+    less_u4_1e_cross = less_l2_2_of_less_u2_3_lo * less_l2_1 + less_l2_2_of_less_u2_3 * less_l2_1_lo
+    less_u4_1f = less_u4_1d - less_u4_1e
+    less_u4_1f_right = less_u4_1d - less_u4_1f
+    less_u4_1f_right_rest = product_rest(less_l2_2_of_less_u2_3, less_l2_1, less_u4_1e, less_u4_1f_right)
+    less_u4_1f_lo1 = less_u4_1d - (less_u4_1f + less_u4_1f_right) - less_u4_1f_right_rest
+    less_u4_1f_lo2 = less_u4_1f_lo1 - less_u4_1e_cross
+    less_u4_1f_lo = less_u4_1f_lo2 + less_u4_1d_lo
+    less_u4_1g = less_l3_1_of_less_u3_2 * less_l3_0
+    less_u4_1g_cross1 = less_l3_1_of_less_u3_2_lo * less_l3_0
+    less_u4_1g_cross = less_u4_1g_cross1 + less_l3_1_of_less_u3_2 * less_l3_0_lo
+    less_u4_1 = less_u4_1f - less_u4_1g
+    less_u4_1_right = less_u4_1f - less_u4_1
+    less_u4_1_right_rest = product_rest(less_l3_1_of_less_u3_2, less_l3_0, less_u4_1g, less_u4_1_right)
+    less_u4_1_lo1 = less_u4_1f - (less_u4_1 + less_u4_1_right) - less_u4_1_right_rest
+    less_u4_1_lo2 = less_u4_1_lo1 - less_u4_1g_cross
+    less_u4_1_lo = less_u4_1_lo2 + less_u4_1f_lo
+    less_divisor4 = where(0 < less_u4_0, less_u4_0, 1)
+    less_divisor4_lo = where(0 < less_u4_0, less_u4_0_lo, 0)
+    less_l4_of_less_u4_1 = less_u4_1 + less_u4_1_lo
+    less_l4_of_less_divisor4 = less_divisor4 + less_divisor4_lo
+    less_l4 = less_l4_of_less_u4_1 / less_l4_of_less_divisor4
+    less_u5d = less_5 - A_50 * less_l0_4 - less_l1_3_of_less_u1_4 * less_l1_3
+    less_u5f = less_u5d - less_l2_2_of_less_u2_3 * less_l2_2
+    less_u5h = less_u5f - less_l3_1_of_less_u3_2 * less_l3_1
+    less_u5 = less_u5h - less_l4_of_less_u4_1 * less_l4
+    regular_c = where(0 < less_u4_0, where(0 < less_u5, float64(1), float64(0)), 0)
+    regular_d = where(0 < less_u3_0, regular_c, 0)
+    regular_e = where(0 < less_u2_0, regular_d, 0)
+    regular_f = where(0 < less_u1_0, regular_e, 0)
+    regular = where(0 < less_0, regular_f, 0)
+    least = where(smallest5 < 0, smallest5, 0)
     y1a = b_0 * l0_0
     y1 = b_1 - y1a
     y1_right = b_1 - y1
@@ -2317,26 +2770,27 @@ def mat6x6_solve(A, b):
     found_5_right = found_5 - z5
     found_5_lo2 = z5 - (found_5 - found_5_right) + (refined_z5 - found_5_right) + refined_z5_lo
     found_5_lo = found_5_lo2 + z5_lo
-    x_0 = where(8.881784197001252e-16 < smallest5, found_0, nan)
-    x_0_lo = where(8.881784197001252e-16 < smallest5, found_0_lo, 0)
-    x_1 = where(8.881784197001252e-16 < smallest5, found_1, nan)
-    x_1_lo = where(8.881784197001252e-16 < smallest5, found_1_lo, 0)
-    x_2 = where(8.881784197001252e-16 < smallest5, found_2, nan)
-    x_2_lo = where(8.881784197001252e-16 < smallest5, found_2_lo, 0)
-    x_3 = where(8.881784197001252e-16 < smallest5, found_3, nan)
-    x_3_lo = where(8.881784197001252e-16 < smallest5, found_3_lo, 0)
-    x_4 = where(8.881784197001252e-16 < smallest5, found_4, nan)
-    x_4_lo = where(8.881784197001252e-16 < smallest5, found_4_lo, 0)
-    x_5 = where(8.881784197001252e-16 < smallest5, found_5, nan)
-    x_5_lo = where(8.881784197001252e-16 < smallest5, found_5_lo, 0)
-    smallest5_rounded = smallest5 + smallest5_lo
+    pivot = where(regular == 1, smallest5, least)
+    x_0 = where(regular == 1, found_0, nan)
+    x_0_lo = where(regular == 1, found_0_lo, 0)
+    x_1 = where(regular == 1, found_1, nan)
+    x_1_lo = where(regular == 1, found_1_lo, 0)
+    x_2 = where(regular == 1, found_2, nan)
+    x_2_lo = where(regular == 1, found_2_lo, 0)
+    x_3 = where(regular == 1, found_3, nan)
+    x_3_lo = where(regular == 1, found_3_lo, 0)
+    x_4 = where(regular == 1, found_4, nan)
+    x_4_lo = where(regular == 1, found_4_lo, 0)
+    x_5 = where(regular == 1, found_5, nan)
+    x_5_lo = where(regular == 1, found_5_lo, 0)
+    pivot_rounded = pivot + where(regular == 1, smallest5_lo, where(smallest5 < 0, smallest5_lo, 0))
     x_0_rounded = x_0 + x_0_lo
     x_1_rounded = x_1 + x_1_lo
     x_2_rounded = x_2 + x_2_lo
     x_3_rounded = x_3 + x_3_lo
     x_4_rounded = x_4 + x_4_lo
     x_5_rounded = x_5 + x_5_lo
-    return (where(smallest5_rounded == smallest5_rounded, smallest5_rounded, smallest5),
+    return (where(pivot_rounded == pivot_rounded, pivot_rounded, pivot),
         where(x_0_rounded == x_0_rounded, x_0_rounded, x_0),
         where(x_1_rounded == x_1_rounded, x_1_rounded, x_1),
         where(x_2_rounded == x_2_rounded, x_2_rounded, x_2),

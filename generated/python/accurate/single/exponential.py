@@ -13,8 +13,8 @@ def SO3_log(R):
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    11 mul, 26 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.  Error <=
-    vo: 8 u of its largest component; searched, not proved.
+    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.  Error <=
+    vo: 5 u of its largest component; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -23,16 +23,14 @@ def SO3_log(R):
     s_0 = R_12 + R_21
     s_1 = R_02 + R_20
     s_2 = R_01 + R_10
-    less_0 = 1 - R_00
-    less_1 = 1 - R_11
-    less_2 = 1 - R_22
-    more_0 = R_00 + 1
-    more_1 = R_11 + 1
-    more_2 = R_22 + 1
-    d_0 = 4 - (less_0 + less_1 + less_2)
-    d_1 = 4 - less_0 - (more_1 + more_2)
-    d_2 = 4 - less_1 - (more_0 + more_2)
-    d_3 = 4 - less_2 - (more_0 + more_1)
+    first_0 = R_00 + 1
+    first_1 = 1 - R_00
+    others_0 = R_11 + R_22
+    others_1 = R_11 - R_22
+    d_0 = first_0 + others_0
+    d_1 = first_0 - others_0
+    d_2 = first_1 + others_1
+    d_3 = first_1 - others_1
     low_0 = where(R_11 < R_00, p_0, p_1)
     low_1 = where(R_11 < R_00, d_1, s_2)
     low_2 = where(R_11 < R_00, s_2, d_2)
@@ -75,10 +73,11 @@ def SO3_log(R):
 
 @kernel("(3,3)->(),(3)")
 def axis_angle_from_mat3x3(R):
-    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where angle = 0.
+    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing
+    turns.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    8 mul, 26 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.  Error <=
+    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.  Error <=
     angle: 8 u, axis: 5 u of its largest component; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
@@ -88,16 +87,14 @@ def axis_angle_from_mat3x3(R):
     s_0 = R_12 + R_21
     s_1 = R_02 + R_20
     s_2 = R_01 + R_10
-    less_0 = 1 - R_00
-    less_1 = 1 - R_11
-    less_2 = 1 - R_22
-    more_0 = R_00 + 1
-    more_1 = R_11 + 1
-    more_2 = R_22 + 1
-    d_0 = 4 - (less_0 + less_1 + less_2)
-    d_1 = 4 - less_0 - (more_1 + more_2)
-    d_2 = 4 - less_1 - (more_0 + more_2)
-    d_3 = 4 - less_2 - (more_0 + more_1)
+    first_0 = R_00 + 1
+    first_1 = 1 - R_00
+    others_0 = R_11 + R_22
+    others_1 = R_11 - R_22
+    d_0 = first_0 + others_0
+    d_1 = first_0 - others_0
+    d_2 = first_1 + others_1
+    d_3 = first_1 - others_1
     low_0 = where(R_11 < R_00, p_0, p_1)
     low_1 = where(R_11 < R_00, d_1, s_2)
     low_2 = where(R_11 < R_00, s_2, d_2)
@@ -129,12 +126,12 @@ def axis_angle_from_mat3x3(R):
     v_r = where(1 < v_s, 7.888609052210118e-31, v_r_b)
     n = v_n * v_r
     half = arctan2(n, upper_0)
-    divisor = where(n == 0, 1, n)
-    unit_0 = upper_1 / divisor
-    unit_1 = upper_2 / divisor
-    unit_2 = upper_3 / divisor
+    divisor = where(v_n == 0, 1, v_n)
+    unit_0 = v_y_0 / divisor
+    unit_1 = v_y_1 / divisor
+    unit_2 = v_y_2 / divisor
     angle = 2 * half
-    axis_0 = where(n == 0, 1, unit_0)
+    axis_0 = where(v_n == 0, 1, unit_0)
     return (angle, axis_0, unit_1, unit_2)
 
 
