@@ -27,6 +27,7 @@ from coscrew_codegen.report.timing import Timed, python_function
 from coscrew_codegen.report.variants import variants_of
 from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, SINGLE, Precision
 from tests.exact import FORMULAS
+from tests.processes import interruptible
 
 BY_NAME = {operation.name: operation for operation in OPERATIONS}
 DIGITS = {"double": 53, "single": 24}
@@ -378,11 +379,11 @@ def test_without_gmpy2_it_says_what_to_install(tmp_path: Path):
 def test_an_interrupt_leaves_no_half_report(tmp_path: Path):
     words = command(tmp_path)
     words[-1] = words[-1].replace("'0.02'", "'5'")
-    running = subprocess.Popen(words, stderr=subprocess.PIPE, text=True)
-    while not (tmp_path / "out").exists():
-        time.sleep(0.05)
-    time.sleep(3)
-    running.send_signal(signal.SIGINT)
-    _, said = running.communicate(timeout=60)
+    with interruptible(words, stderr=subprocess.PIPE) as running:
+        while not (tmp_path / "out").exists():
+            time.sleep(0.05)
+        time.sleep(3)
+        running.send_signal(signal.SIGINT)
+        _, said = running.communicate(timeout=300)
     assert running.returncode == 130 and "interrupted" in said and "Traceback" not in said
     assert not list((tmp_path / "out").iterdir())

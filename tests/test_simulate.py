@@ -11,6 +11,8 @@ import struct
 import subprocess
 import sys
 import termios
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -25,6 +27,7 @@ from coscrew_codegen.simulate.progress import line
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import system
 from tests import scene_texts as texts
+from tests.processes import interruptible
 
 INTEGRATORS = ("semi-implicit-euler", "linear-implicit-euler", "rk4", "dop853", "radau")
 ORDERS = {"semi-implicit-euler": 1, "linear-implicit-euler": 1, "rk4": 4}
@@ -207,20 +210,22 @@ def test_an_interrupt_keeps_what_was_sampled(kernels):
     assert found.t == pytest.approx(0.05 * np.arange(21))
 
 
-def on_a_terminal(*arguments: object) -> tuple[subprocess.Popen, int]:
+@contextmanager
+def on_a_terminal(*arguments: object) -> Iterator[tuple[subprocess.Popen, int]]:
     """The command, its standard error on a terminal of 24 lines, whose other end is returned."""
     master, slave = pty.openpty()
     fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 100, 0, 0))
-    process = subprocess.Popen([sys.executable, "-m", "coscrew_codegen", *map(str, arguments)],
-                               stdout=subprocess.PIPE, stderr=slave, text=True)
-    os.close(slave)
-    return process, master
+    words = (sys.executable, "-m", "coscrew_codegen", *arguments)
+    with interruptible(words, stdout=subprocess.PIPE, stderr=slave) as process:
+        os.close(slave)
+        yield process, master
+    os.close(master)
 
 
 def said_until(master: int, pattern: bytes) -> bytes:
     """What was said until the pattern came, or to the end."""
     said = b""
-    while not re.search(pattern, said) and select.select([master], [], [], 60)[0]:
+    while not re.search(pattern, said) and select.select([master], [], [], 300)[0]:
         try:
             said += os.read(master, 4096)
         except OSError:  # the other end was closed
@@ -232,13 +237,13 @@ def test_ctrl_c_writes_what_was_sampled(tmp_path):
     text = texts.PENDULUM.replace("duration = 10", "duration = 1e6").replace(
         "every = 0.05", "every = 1").replace("step = 1e-3", "step = 1e-5")
     output = tmp_path / "out.csv"
-    process, master = on_a_terminal("simulate", scene_file(tmp_path, text), "--precision", "double",
-                                    "--output", output)
-    said_until(master, rb"t [1-9]\d*\S*/1e\+06 s ")
-    process.send_signal(signal.SIGINT)
-    said = said_until(master, rb"samples kept").decode()
-    process.communicate(timeout=60)
-    os.close(master)
+    scene = scene_file(tmp_path, text)
+    with on_a_terminal("simulate", scene, "--precision", "double", "--output", output) as (
+            process, master):
+        said_until(master, rb"t [1-9]\d*\S*/1e\+06 s ")
+        process.send_signal(signal.SIGINT)
+        said = said_until(master, rb"samples kept").decode()
+        process.communicate(timeout=300)
     assert process.returncode == 130, said
     rows = [x for x in output.read_text().splitlines() if not x.startswith("#")][1:]
     assert len(rows) > 1
@@ -312,9 +317,7 @@ def test_the_line_of_progress():
 
 def test_progress_is_shown_on_a_terminal(tmp_path):
     text = texts.PENDULUM.replace("duration = 10", "duration = 100").replace("1e-3", "1e-5")
-    process, master = on_a_terminal("simulate", scene_file(tmp_path, text), "--precision", "double")
     wanted = rb"t \S+/100 s  \d+ %  \S+x real time  dE/E \d+e[-+]\d+  ETA \d+ s"
-    said = said_until(master, wanted)
-    process.communicate(timeout=60)
-    os.close(master)
-    assert re.search(wanted, said)
+    with on_a_terminal("simulate", scene_file(tmp_path, text), "--precision", "double") as (
+            _, master):
+        assert re.search(wanted, said_until(master, wanted))
