@@ -8,7 +8,8 @@ Each stage is a function from one frozen value to the next; imports run one way,
     kernel, passes     Operation → let-bound SymPy, simplified
     program, tiers/    Kernel → Program: explicit order of evaluation, no SymPy
     targets/           Program → text of one language and precision
-    emit, __main__     text → templates → files; the command line
+    emit               text → templates → files
+    command_line       the commands; __main__ is how they end
 
 Scenes take the operations' Programs from there on:
 

@@ -1,128 +1,30 @@
-"""The command line: `coscrew generate`, `simulate`, …; also `python -m coscrew_codegen`."""
+"""`coscrew`, and `python -m coscrew_codegen`: how every command ends.
 
-import argparse
+Imports what it runs only while it can tell an interrupt: that takes most of a second."""
+
+import os
 import sys
-from pathlib import Path
 
-try:
-    from tqdm import tqdm
-
-    from coscrew_codegen.cost import CostError
-    from coscrew_codegen.cost import command as cost
-    from coscrew_codegen.documentation import with_table
-    from coscrew_codegen.dynamics import derive
-    from coscrew_codegen.emit import EmitError, differences, read, stale_files, write
-    from coscrew_codegen.layout import Files, Programs, generated_files, program_of
-    from coscrew_codegen.operations import FAMILIES
-    from coscrew_codegen.report import ReportError, command
-    from coscrew_codegen.scene_files import catalogue
-    from coscrew_codegen.scene_files.errors import SceneError
-    from coscrew_codegen.scene_files.toml_scene import read_scene
-    from coscrew_codegen.scene_layout import scene_files
-    from coscrew_codegen.selection import LANGUAGES, Selection, SelectionError, select
-    from coscrew_codegen.simulate import SimulateError, check_command
-    from coscrew_codegen.simulate import command as simulate
-except ModuleNotFoundError as error:
-    sys.exit(f"coscrew: the generator needs {error.name}; run `pip install 'coscrew[codegen]'`")
-
-ERRORS = (SelectionError, EmitError, ReportError, SceneError, SimulateError, CostError)
-DEFAULT_OUTPUT = "generated"
+INTERRUPTED, CLOSED = 130, 141
+"""What shells say of programs that SIGINT and SIGPIPE end."""
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run the command line; returns the exit status: 0, or 1 out of date, 2 for an error."""
-    options = _parser().parse_args(arguments)
+    """Run the command line; returns the exit status: the command's, or 2 for an error, 130 for an
+    interrupt, 141 where who reads standard output stops doing so, as `head` does."""
     try:
-        return options.run(options)
-    except ERRORS as error:
-        print(f"coscrew: {error}", file=sys.stderr)
-        return 2
+        try:
+            from coscrew_codegen.command_line import run
+
+            return run(arguments)
+        finally:
+            sys.stdout.flush()
     except KeyboardInterrupt:
         print("coscrew: interrupted", file=sys.stderr)
-        return 130
-
-
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog="coscrew", description="Derives spatial algebra and emits C and Python kernels.")
-    commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    generate = commands.add_parser("generate", help="write the kernels, or check them",
-                                   description="Write the kernels, or check that they are current.")
-    generate.add_argument("scene", metavar="SCENE", nargs="?", type=Path,
-                          help="a scene file: write its dynamics instead of the library's kernels")
-    generate.add_argument("-o", "--output", metavar="DIR",
-                          help=f"folder to write to (default: {DEFAULT_OUTPUT}; scenes need one)")
-    generate.add_argument("--check", action="store_true",
-                          help="write nothing; print what is out of date as a diff and exit 1")
-    generate.add_argument("--family", metavar="NAME", nargs="+", action="extend",
-                          help=f"only these families, of {', '.join(FAMILIES)}")
-    generate.add_argument("--precision", metavar="NAME",
-                          help="double, single or both (default)")
-    generate.add_argument("--language", metavar="NAME",
-                          help=f"{' or '.join(LANGUAGES)} (default: both, and the extension)")
-    generate.set_defaults(run=_generate)
-    for subcommand in (simulate, check_command, cost, catalogue, command):
-        subcommand.add_parser(commands)
-    return parser
-
-
-def _generate(options: argparse.Namespace) -> int:
-    if options.scene:
-        return _generate_scene(options)
-    selection = select(options.family or [], options.precision or "both", options.language)
-    folder, check = Path(options.output or DEFAULT_OUTPUT), options.check
-    programs = _programs(selection)
-    files = generated_files(selection, programs)
-    whole = selection == Selection()
-    stale = stale_files(files, folder) if whole else ()
-    if whole and folder == Path(DEFAULT_OUTPUT) and (
-            readme := with_table(read(Path(), "README.md"), programs)):
-        files = {f"{DEFAULT_OUTPUT}/{path}": text for path, text in files.items()}
-        files["README.md"] = readme
-        stale = tuple(f"{DEFAULT_OUTPUT}/{path}" for path in stale)
-        return _deliver(selection.command, files, Path(), stale, check, DEFAULT_OUTPUT)
-    option = "" if folder == Path(DEFAULT_OUTPUT) else f" --output {folder}"
-    return _deliver(selection.command + option, files, folder, stale, check, str(folder))
-
-
-def _generate_scene(options: argparse.Namespace) -> int:
-    """Write a scene's dynamics; what its model says and nothing uses goes to standard error."""
-    given = [name for name in ("family", "precision", "language") if getattr(options, name)]
-    if given:
-        raise SelectionError(f"--{given[0]} selects kernels of the library; a scene's files are "
-                             f"always whole")
-    if not options.output:
-        raise SelectionError(f"where to?  Wanted: coscrew generate {options.scene} -o DIR")
-    scene = read_scene(options.scene)
-    for line in scene.unused:
-        print(f"{options.scene.name}: {line}", file=sys.stderr)
-    files = scene_files(scene, derive(scene), f"coscrew generate {options.scene.name}")
-    folder = Path(options.output)
-    return _deliver(f"coscrew generate {options.scene} -o {folder}", files, folder,
-                    stale_files(files, folder), options.check, str(folder))
-
-
-def _deliver(command: str, files: Files, folder: Path, stale: tuple[str, ...],
-             check: bool, output: str) -> int:
-    """Write the files, or show what is out of date and the command that mends it."""
-    if not check:
-        changed = write(files, folder, stale)
-        print(f"{output}: {len(files)} files, {len(changed)} changed")
-        return 0
-    diffs = differences(files, folder, stale)
-    if not diffs:
-        print(f"{output}: {len(files)} files are current")
-        return 0
-    sys.stdout.reconfigure(errors="backslashreplace")
-    sys.stdout.write("".join(diffs))
-    print(f"{output}: {len(diffs)} files are out of date; run `{command}`", file=sys.stderr)
-    return 1
-
-
-def _programs(selection: Selection) -> Programs:
-    progress = tqdm(selection.operations, desc="deriving", unit="operation", leave=False,
-                    disable=None, file=sys.stderr)
-    return {operation.name: program_of(operation) for operation in progress}
+        return INTERRUPTED
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or else Python flushes
+        return CLOSED
 
 
 if __name__ == "__main__":

@@ -171,7 +171,7 @@ def test_imports_run_one_way():
     order = ["algebra", "quantity", "operations", "kernel", "passes", "program", "scene_functions",
              "bounds", "tiers", "render", "targets", "special", "exact", "selection", "extension", "layout",
              "documentation", "emit", "report", "dynamics", "effects", "scene_files",
-             "scene_layout", "simulate", "cost", "__main__"]
+             "scene_layout", "simulate", "cost", "command_line", "__main__"]
     package = ROOT / "codegen"
     allowed_elsewhere = {"build"}  # runs inside setuptools, on its own
 

@@ -1,8 +1,6 @@
 """`coscrew effects`: the catalogue of effects, as scene files write them."""
 
 import argparse
-import os
-import sys
 import textwrap
 from collections.abc import Iterator
 from fractions import Fraction
@@ -36,10 +34,7 @@ def run(options: argparse.Namespace) -> int:
         if name not in known:
             raise SceneError("coscrew effects", name, f"no such effect; {did_you_mean(name, known)}")
     chosen = [known[name] for name in options.names] or EFFECTS
-    try:
-        print("\n\n".join("\n".join(described(effect)) for effect in chosen), flush=True)
-    except BrokenPipeError:  # `coscrew effects | head`
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    print("\n\n".join("\n".join(described(effect)) for effect in chosen))
     return 0
 
 
