@@ -20,6 +20,8 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
+from coscrew_codegen.scene_files.errors import SceneError
+from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.outcome import Asked, simulated
 from coscrew_codegen.simulate.plan import Plan, plan
@@ -277,7 +279,8 @@ def test_a_run_that_stops_says_so_and_writes(tmp_path, capsys):
 
 
 @pytest.mark.parametrize("arguments, message", (
-    (["--integrator", "rk5"], "integrator 'rk5': did you mean 'rk4'?"),
+    (["--integrator", "rk5"], "integrator: 'rk5'; wanted one of semi-implicit-euler, "
+     "linear-implicit-euler, rk4, dop853, radau; did you mean 'rk4'?"),
     (["--set", "block.mas=2"], "did you mean 'block.mass'?"),
     (["--output", "out.xls"], "wanted a name that ends in .csv or .npz or .parquet"),
     (["--output", "nowhere/out.csv"], "cannot write nowhere/out.csv"),
@@ -290,6 +293,59 @@ def test_wrong_options_are_refused_before_anything_runs(tmp_path, capsys, monkey
     assert main(["simulate", str(scene_file(tmp_path, texts.SPRING)), *arguments]) == 2
     assert message in capsys.readouterr().err
     assert [x.name for x in tmp_path.iterdir()] == ["scene.toml"]
+
+
+RUNTIME = """
+runtime = ["tool.mass", "tool.com", "tool.inertia", "spring.hinge.k", "coulomb.hinge.eps"]
+[bodies.tool]
+mass = 2
+com = [0, 0, -0.5]
+inertia = [0.01, 0.01, 0.01]
+[joints.hinge]
+type = "revolute"
+child = "tool"
+axis = [0, 1, 0]
+[effects.spring]
+joints = "all"
+k = 3
+[effects.coulomb.hinge]
+tau_c = 1
+eps = 1e-3
+"""
+
+
+@pytest.mark.parametrize("key, given, settings", (
+    ("mass = 2", "mass = -1.5", {"tool.mass": -1.5}), ("mass = 2", "mass = 0", {"tool.mass": 0}),
+    ("mass = 2", "mass = 1e301", {"tool.mass": 1e301}),
+    ("[0.01, 0.01, 0.01]", "[0.01, 0.01, 1]", {"tool.inertia.zz": 1}),
+    ("k = 3", "k = -3", {"spring.hinge.k": -3}), ("eps = 1e-3", "eps = 0", {"coulomb.hinge.eps": 0}),
+    ("com = [0, 0, -0.5]\ninertia = [0.01, 0.01, 0.01]", "com = [0, 0, 0]",
+     {"tool.com.z": 0, "tool.inertia.xx": 0, "tool.inertia.yy": 0, "tool.inertia.zz": 0})))
+def test_numbers_are_set_that_the_file_may_hold(tmp_path, key, given, settings):
+    kernels = load_scene(scene_file(tmp_path, RUNTIME))
+    system(kernels, "double", {"tool.mass": 5.0, "tool.inertia.zz": 0.02})
+    with pytest.raises(SimulateError, match="--set"):
+        system(kernels, "double", {name: float(x) for name, x in settings.items()})
+    assert key in RUNTIME
+    with pytest.raises(SceneError):
+        read_scene(scene_file(tmp_path, RUNTIME.replace(key, given)))
+
+
+@pytest.mark.parametrize("number", (math.nan, math.inf))
+def test_what_is_no_number_is_not_set(kernels, capsys, number):
+    with pytest.raises(SimulateError, match="--set block.mass"):
+        system(kernels["SPRING"], "double", {"block.mass": number})
+    with pytest.raises(SystemExit):
+        main(["simulate", "scene.toml", "--set", f"block.mass={number}"])
+    assert f"block.mass: wanted a finite number; got '{number}'" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", ("simulate", "check", "cost"))
+def test_no_command_takes_a_negative_mass(tmp_path, capsys, command):
+    scene = scene_file(tmp_path, texts.SPRING)
+    assert main([command, str(scene), "--set", "block.mass=-1.5"]) == 2
+    assert capsys.readouterr().err == (
+        "coscrew: --set block.mass=-1.5: wanted a positive number\n")
 
 
 @pytest.mark.parametrize("arguments", (["--until", "-1"], ["--step", "nan"], ["--until", "soon"],

@@ -97,6 +97,13 @@ def followers(scene: Scene) -> Mapping[str, Joint]:
     return {joint.name: joint for joint in scene.model.joints if joint.mimic}
 
 
+def carried(scene: Scene) -> set[str]:
+    """The joints that have an inertia of their own (an armature), follow others or are followed."""
+    follow = followers(scene)
+    return ({applied.on for applied in scene.effects if applied.effect.joint_inertia}
+            | {*follow, *(joint.mimic.joint for joint in follow.values())})
+
+
 def _of_joints(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:
     """Components of q, v or a: of all joints, of one, or one of its."""
     joints = coordinates(scene)

@@ -40,7 +40,7 @@ def with_parameters(file: Table, model: Model, effects: tuple[Applied, ...]
     def swap(name: str, number: Scalar) -> Scalar:
         return by_name.get(name, number)
 
-    return (_swapped_model(model, swap), tuple(_swapped(applied, swap) for applied in effects),
+    return (swapped_model(model, swap), tuple(_swapped(applied, swap) for applied in effects),
             tuple(parameters))
 
 
@@ -52,7 +52,7 @@ def _candidates(model: Model, effects: tuple[Applied, ...]) -> tuple[_Numbers, d
         numbers[name] = number
         return number
 
-    _swapped_model(model, note)
+    swapped_model(model, note)
     others = {}
     for applied in effects:
         _swapped(applied, note)
@@ -67,7 +67,8 @@ def _candidates(model: Model, effects: tuple[Applied, ...]) -> tuple[_Numbers, d
     return numbers, others
 
 
-def _swapped_model(model: Model, swap: _Swap) -> Model:
+def swapped_model(model: Model, swap: _Swap) -> Model:
+    """The model with what `swap` makes of its bodies' numbers, by their names in `runtime`."""
     return replace(model, bodies=tuple(_swapped_body(body, swap) for body in model.bodies))
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from coscrew_codegen.dynamics.effect import Effect
 from coscrew_codegen.dynamics.model import Joint, Kind, Model
 from coscrew_codegen.dynamics.possible import unmoved_mass
-from coscrew_codegen.dynamics.quantities import QuantityError, expected, followers, recorded
+from coscrew_codegen.dynamics.quantities import QuantityError, carried, expected, followers, recorded
 from coscrew_codegen.dynamics.rotations import unit
 from coscrew_codegen.dynamics.scene import Expectation, Run, Scene
 from coscrew_codegen.scene_files.effect_table import Use
@@ -106,10 +106,7 @@ def _refuse_unmoved(file: Path, model: Model, scene: Scene) -> None:
     """Refuse models without motion, and joints whose forces nothing resists."""
     if all(joint.kind is Kind.FIXED for joint in model.joints):
         raise SceneError(file, "model", 'has no joint that moves; base = "free" frees its root')
-    follow = followers(scene)
-    carried = {applied.on for applied in scene.effects if applied.effect.joint_inertia}
-    carried |= {*follow, *(joint.mimic.joint for joint in follow.values())}
-    found = unmoved_mass(model, carried)
+    found = unmoved_mass(model, carried(scene))
     if found:
         joint, reason = found
         raise SceneError(file, f"joint {joint.name!r} of model {model.name!r}",

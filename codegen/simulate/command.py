@@ -55,13 +55,15 @@ def _positive(text: str) -> float:
 
 
 def _setting(text: str) -> tuple[str, float]:
-    name, _, number = text.partition("=")
+    name, equals, number = text.partition("=")
+    if not (name and equals):
+        raise argparse.ArgumentTypeError(f"wanted NAME=VALUE, such as tool.mass=2; got {text!r}")
     try:
         value = float(number)
     except ValueError:
         value = math.nan
-    if not (name and math.isfinite(value)):
-        raise argparse.ArgumentTypeError(f"wanted NAME=VALUE, such as tool.mass=2; got {text!r}")
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"{name}: wanted a finite number; got {number!r}")
     return name, value
 
 

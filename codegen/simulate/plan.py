@@ -68,7 +68,8 @@ def plan(system: System, until: float | None = None, step: float | None = None,
     known = (*(name.replace("_", "-") for name in system.functions.steps), *ADAPTIVE)
     if made.integrator not in known:
         hint = did_you_mean(made.integrator, known)
-        raise SimulateError(f"integrator {made.integrator!r}: {hint}")
+        raise SimulateError(f"integrator: {made.integrator!r}; wanted one of {', '.join(known)}; "
+                            f"{hint}")
     for name, value in (("until", made.until), ("step", made.step), ("every", made.every)):
         if not (math.isfinite(value) and value > 0):
             raise SimulateError(f"{name}: wanted a positive number of seconds; got {value}")

@@ -11,9 +11,8 @@ from types import SimpleNamespace
 import numpy as np
 
 from coscrew_codegen.scene_functions import Coordinate, SceneFunctions
-from coscrew_codegen.dynamics.names import did_you_mean
 from coscrew_codegen.dynamics.scene import Scene
-from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.simulate.settings import refuse_settings
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
 
 State = tuple[np.ndarray, np.ndarray]
@@ -112,14 +111,9 @@ def system(kernels: object, precision: str, settings: Mapping[str, float] | None
     """The system of `kernels` (as load_scene returns them) in the precision of this name.
 
     `settings` are values for parameters that the scene keeps at run time; raises SimulateError for
-    others."""
+    others, and for values that a scene's file is refused for."""
     functions, scene = kernels.functions, kernels.scene
-    names = tuple(name for name, _ in functions.parameters)
-    for name in settings or {}:
-        if name not in names:
-            hint = did_you_mean(name, names) if names else "this scene lists none"
-            raise SimulateError(f"--set {name}: wanted one of the scene's `runtime` parameters; "
-                                f"{hint}")
+    refuse_settings(scene, settings or {})
     values = tuple((settings or {}).get(name, value) for name, value in functions.parameters)
     found = next(x for x in PRECISIONS if x.name == precision)
     return System(scene, functions, getattr(kernels, precision), found, values)

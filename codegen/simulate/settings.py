@@ -1,0 +1,84 @@
+"""Values given for a scene's `runtime` parameters: refused where the scene's file would be for them."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from fractions import Fraction
+
+from coscrew_codegen.dynamics.assembly import ModelError
+from coscrew_codegen.dynamics.effect import ParameterOf
+from coscrew_codegen.dynamics.model import Model, Parameter, Scalar
+from coscrew_codegen.dynamics.names import did_you_mean
+from coscrew_codegen.dynamics.possible import refuse_impossible, unmoved_mass
+from coscrew_codegen.dynamics.quantities import carried
+from coscrew_codegen.dynamics.scene import Scene
+from coscrew_codegen.scene_files.decimals import bounded
+from coscrew_codegen.scene_files.runtime import swapped_model
+from coscrew_codegen.simulate import SimulateError
+
+_POSITIVE, _NOT_NEGATIVE = "wanted a positive number", "wanted 0 or more"
+
+
+def refuse_settings(scene: Scene, settings: Mapping[str, float]) -> None:
+    """Raise SimulateError for a name that is no parameter of the scene, a number out of its range,
+    and numbers that together make a body that cannot exist, or a joint that moves nothing."""
+    names = tuple(parameter.name for parameter in scene.parameters)
+    for name, number in settings.items():
+        if name not in names:
+            hint = did_you_mean(name, names) if names else "this scene lists none"
+            raise SimulateError(f"--set {name}: wanted one of the scene's `runtime` parameters; "
+                                f"{hint}")
+        try:
+            bounded(Fraction(number), f"{number:g}")
+        except (ValueError, OverflowError) as error:  # a NaN or an infinity is no fraction
+            raise SimulateError(f"--set {name}={number:g}: {error}") from None
+    for name, wanted in _signs(scene):
+        number = settings.get(name, 1)
+        if number < 0 or wanted == _POSITIVE and number == 0:
+            raise SimulateError(f"--set {name}={number:g}: {wanted}")
+    if any(name in settings for name in _of_bodies(scene)):
+        _refuse_model(scene, settings)
+
+
+def _signs(scene: Scene) -> Iterator[tuple[str, str]]:
+    """Names of parameters that have a sign, and which."""
+    for body in scene.model.bodies:
+        if body.inertia and isinstance(body.inertia.mass, Parameter):
+            yield body.inertia.mass.name, _POSITIVE
+    for applied in scene.effects:
+        for described in applied.effect.parameters:
+            value = applied.values.get(described.name)
+            for x in value if isinstance(value, tuple) else (value,):
+                if isinstance(x, Parameter) and (described.positive or described.nonnegative):
+                    yield x.name, _sign(described)
+
+
+def _sign(described: ParameterOf) -> str:
+    return _POSITIVE if described.positive else _NOT_NEGATIVE
+
+
+def _of_bodies(scene: Scene) -> tuple[str, ...]:
+    """Names of the parameters that are bodies' masses, centres and moments."""
+    found: list[str] = []
+
+    def note(name: str, number: Scalar) -> Scalar:
+        if isinstance(number, Parameter):
+            found.append(name)
+        return number
+
+    swapped_model(scene.model, note)
+    return tuple(found)
+
+
+def _refuse_model(scene: Scene, settings: Mapping[str, float]) -> None:
+    def swap(name: str, number: Scalar) -> Scalar:
+        return Fraction(settings[name]) if name in settings else number
+
+    model: Model = swapped_model(scene.model, swap)
+    given = " ".join(f"--set {name}={number:g}" for name, number in settings.items())
+    try:
+        refuse_impossible(model)
+    except ModelError as error:
+        raise SimulateError(f"{given}: {error}") from None
+    if found := unmoved_mass(model, carried(replace(scene, model=model))):
+        joint, reason = found
+        raise SimulateError(f"{given}: joint {joint.name!r}: {reason}")
