@@ -107,6 +107,7 @@ def test_power_that_does_not_account_for_the_loss_is_found(loaded):
     broken = replace(kernels, double=wrong(kernels.double), single=wrong(kernels.single))
     text = table(check(broken, Asked()))
     assert text.count("DOUBTFUL: it does not shrink") == 2
+    assert "energy off by, from the work of effects" in text
     assert "DOUBTFUL" not in table(check(kernels, Asked()))
 
 
@@ -177,12 +178,50 @@ def test_the_condition_is_that_of_the_mass_matrix(loaded):
 
 
 def test_both_precisions_are_compared(loaded):
-    findings = check(loaded(texts.SPRING), Asked(precision="double"))
+    findings = check(loaded(texts.SPRING), Asked())
     assert [x.precision for x in findings.along] == ["double", "single"]
     gap = {x.quantity: x for x in findings.apart}
     assert 0 < gap["q"].apart < 1e-6
     assert gap["q"].size == pytest.approx(0.1)
     assert set(gap) == {"q", "v", "a", "energy", "power"}
+
+
+@pytest.mark.parametrize("precision, other", (("double", "single"), ("single", "double")))
+def test_only_the_precision_asked_for_is_checked(tmp_path, capsys, precision, other):
+    path = tmp_path / "scene.toml"
+    path.write_text(texts.SPRING)
+    assert main(["check", str(path), "--precision", precision]) == 0
+    out = capsys.readouterr().out
+    assert f"{precision}, step 0.001 s" in out
+    assert other not in out
+
+
+# A stop so stiff that the time of contact is far below the step: no energy is kept.
+BUMP = texts.SPRING + """
+[effects.limit.slide]
+lower = -0.05
+upper = 1
+k = 1e8
+"""
+
+
+def test_a_doubtful_balance_fails_where_that_is_asked_for(tmp_path, capsys):
+    path = tmp_path / "scene.toml"
+    path.write_text(BUMP)
+    words = ["check", str(path), "--precision", "double", "--until", "0.6", "--step", "0.01",
+             "--integrator", "rk4"]
+    assert main(words) == 0
+    assert "DOUBTFUL" in capsys.readouterr().out
+    assert main([*words, "--strict"]) == 1
+    path.write_text(texts.SPRING)
+    assert main([*words, "--strict"]) == 0
+
+
+def test_help_tells_exit_statuses(capsys):
+    with pytest.raises(SystemExit):
+        main(["check", "--help"])
+    said = " ".join(capsys.readouterr().out.split())
+    assert "The exit status is 0 if all expectations are met; 1 if one is not" in said
 
 
 def test_expectations_of_a_single_scene_are_of_single_precision(loaded):

@@ -263,6 +263,11 @@ def test_the_command_prints_states_energies_and_differences(tmp_path, capsys):
     assert float(state[1]) == pytest.approx(float(texts.spring(1)[0]), abs=1e-6)
     (energy,) = re.findall(r"^energy at the start +(\S+)", out, re.M)
     assert float(energy) == pytest.approx(texts.STIFFNESS * 0.1**2 / 2)
+    (energy,) = re.findall(r"^energy at the end +(\S+)", out, re.M)
+    q, v = (float(x) for x in texts.spring(1))
+    assert float(energy) == pytest.approx(
+        texts.STIFFNESS * q**2 / 2 + texts.MASS * v**2 / 2, rel=1e-8)
+    assert "work of effects -" not in out and "gained" not in out and "coscrew check" in out
     (apart,) = re.findall(r"^q +m +\S+ +(\S+) +q\.slide", out, re.M)
     assert 0 < float(apart) < 1e-6
 

@@ -58,30 +58,48 @@ class Along:
     condition: float  # of the mass matrix, the largest along the run
     at: float  # where that is, in s
 
+    @property
+    def rounding(self) -> bool:
+        """Whether the defect of energy is no more than rounding adds up to."""
+        return self.coarse.relative <= 1e4 * 2.0 ** (-53 if self.precision == "double" else -24)
+
+    @property
+    def doubtful(self) -> bool:
+        """Whether it is neither rounding nor the integrator's, which shrinks with steps."""
+        return not (self.rounding or self.fine.relative <= 0.75 * self.coarse.relative)
+
 
 @dataclass(frozen=True)
 class Findings:
     """All checks of a scene."""
 
     met: tuple[Met, ...]
-    along: tuple[Along, ...]  # double, single
-    apart: tuple[Difference, ...]
+    along: tuple[Along, ...]  # double, single, or one of them
+    apart: tuple[Difference, ...]  # of both
 
     @property
     def passed(self) -> bool:
         """Whether all expectations are met, by runs that got to their ends."""
         return all(x.passed for x in self.met) and not any(x.stopped for x in self.along)
 
+    @property
+    def doubtful(self) -> bool:
+        """Whether a balance of energy is."""
+        return any(x.doubtful for x in self.along)
+
 
 def check(kernels: object, asked: Asked) -> Findings:
-    """Run the scene in both precisions, with its steps and with smaller ones.  Expectations are of
-    double precision, unless the scene or `asked` is of single.  Raises SimulateError."""
-    runs = {name: _run(kernels, name, asked) for name in ("double", "single")}
+    """Run the scene in both precisions, or the one asked for, with its steps and with smaller ones.
+    Expectations are of double precision, unless the scene or `asked` is of single.  Raises
+    SimulateError."""
+    names = (asked.precision,) if asked.precision in ("double", "single") else ("double", "single")
+    runs = {name: _run(kernels, name, asked) for name in names}
     meant = "single" if (asked.precision or kernels.scene.precision) == "single" else "double"
     its, _, trajectory = runs[meant]
     met = tuple(_met(its, trajectory, x) for x in kernels.scene.expectations)
     along = tuple(_along(*run) for run in runs.values())
-    return Findings(met, along, differences(*(_sparse(x, y) for x, _, y in runs.values())))
+    apart = differences(*(_sparse(x, y) for x, _, y in runs.values())) if len(runs) == 2 else ()
+    return Findings(met, along, apart)
 
 
 def _run(kernels: object, precision: str, asked: Asked) -> tuple[System, Plan, Trajectory]:
@@ -170,7 +188,8 @@ def _sparse(system: System, trajectory: Trajectory) -> Recording:
 def table(findings: Findings) -> str:
     """The findings as text."""
     parts = [_expectations(findings.met)] if findings.met else []
-    parts += [_checks(findings.along), gaps(findings.apart)]
+    parts += [_checks(findings.along)]
+    parts += [gaps(findings.apart)] if findings.apart else []
     parts += [f"{x.precision}: {x.stopped}" for x in findings.along if x.stopped]
     return "\n\n".join(parts)
 
@@ -184,7 +203,7 @@ def _expectations(met: tuple[Met, ...]) -> str:
 
 
 def _checks(along: tuple[Along, ...]) -> str:
-    rows = [("energy gained beyond the work of effects, relative, at most",
+    rows = [("energy off by, from the work of effects, relative, at most",
              *(f"{x.coarse.relative:.2g}" for x in along)),
             ("the same with " + " or ".join(dict.fromkeys(_finer(x) for x in along)),
              *(f"{x.fine.relative:.2g}" for x in along)),
@@ -195,7 +214,7 @@ def _checks(along: tuple[Along, ...]) -> str:
              *(f"{x.condition:.3g}" for x in along)),
             ("where that is, t in s", *(f"{x.at:g}" for x in along))]
     return tabulate(rows, ("", *(f"{x.precision}, {x.step}" for x in along)), disable_numparse=True,
-                    colalign=("left", "right", "right"))
+                    colalign=("left", *("right" for _ in along)))
 
 
 def _finer(along: Along) -> str:
@@ -203,13 +222,12 @@ def _finer(along: Along) -> str:
 
 
 def _verdict(along: Along) -> str:
-    """Whether the defect of energy is the integrator's, which shrinks with steps, or rounding."""
-    coarse, fine = along.coarse.relative, along.fine.relative
-    roundoff = 2.0 ** (-53 if along.precision == "double" else -24)
-    if coarse <= 1e4 * roundoff:
+    """What the defect of energy is."""
+    if along.doubtful:
+        return "DOUBTFUL: it does not shrink"
+    if along.rounding:
         return "rounding"
-    if fine <= 0.75 * coarse:
-        if along.step.startswith("rtol"):
-            return "the integrator's: it shrinks"
-        return f"the integrator's, of order {math.log(coarse / fine, _FINER):.1f}"
-    return "DOUBTFUL: it does not shrink"
+    if along.step.startswith("rtol"):
+        return "the integrator's: it shrinks"
+    order = math.log(along.coarse.relative / along.fine.relative, _FINER)
+    return f"the integrator's, of order {order:.1f}"
