@@ -15,6 +15,7 @@ import pytest
 import coscrew_codegen
 from coscrew_codegen.simulate import native
 from coscrew_codegen.simulate.load import Kernels, kernels_of
+from tests import scene_texts as texts
 from tests.c_harness import COMPILERS
 from tests.generated_scenes import pendulum, slider
 from tests.test_scene_agreement import same_bits
@@ -167,6 +168,33 @@ def test_names_may_be_given(kernels: Kernels):
     names = ("t", "p", "q", "v", "tau")
     assert same_bits(kernels.double.forward_dynamics(**dict(zip(names, ARGUMENTS, strict=True))),
                      kernels.double.forward_dynamics(*ARGUMENTS))
+
+
+def test_kernels_tell_what_their_arguments_hold(kernels: Kernels):
+    functions = slider()
+    assert (kernels.NQ, kernels.NV) == (2, 2)
+    assert kernels.joints == tuple(c.joint for c in functions.coordinates)
+    assert kernels.bodies == functions.bodies and kernels.parameters == dict(functions.parameters)
+    assert kernels.neutral_q.tolist() == list(functions.neutral)
+
+
+def test_kernels_of_a_file_tell_what_it_says(tmp_path: Path, cache: Path):
+    path = tmp_path / "scene.toml"
+    path.write_text(texts.SPRING)
+    spring = coscrew_codegen.load_scene(path)
+    assert (spring.NQ, spring.NV, spring.joints, spring.bodies) == (1, 1, ("slide",), ("block",))
+    assert spring.parameters == {"block.mass": 2.0}
+    assert spring.neutral_q.tolist() == [0.0]
+    path.write_text(texts.BRICK)
+    brick = coscrew_codegen.load_scene(str(path))
+    assert (brick.NQ, brick.NV, brick.parameters) == (7, 6, {})
+    assert brick.neutral_q.tolist() == [0, 0, 0, 1, 0, 0, 0]
+
+
+@pytest.mark.parametrize("given, name", (({"bodies": {}}, "dict"), (None, "NoneType"), (3, "int")))
+def test_what_is_no_scene_is_a_type_error(given: object, name: str):
+    with pytest.raises(TypeError, match=f"wanted the path of a scene file, or a Scene; got {name}"):
+        coscrew_codegen.load_scene(given)
 
 
 def test_functions_are_found_by_name(kernels: Kernels):

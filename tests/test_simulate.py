@@ -283,6 +283,15 @@ def test_a_run_that_stops_says_so_and_writes(tmp_path, capsys):
             assert "not finite" in dict(data["provenance"])["stopped"]
 
 
+def test_without_pyarrow_nothing_runs_for_parquet(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr("coscrew_codegen.simulate.write.find_spec", lambda name: None)
+    monkeypatch.setattr("coscrew_codegen.simulate.load.load_scene", None)  # would fail if called
+    path = tmp_path / "out.parquet"
+    assert main(["simulate", str(scene_file(tmp_path, texts.SPRING)), "--output", str(path)]) == 2
+    assert 'needs pyarrow; run `pip install "coscrew[simulate]"`' in capsys.readouterr().err
+    assert not path.exists()
+
+
 @pytest.mark.parametrize("arguments, message", (
     (["--integrator", "rk5"], "integrator: 'rk5'; wanted one of semi-implicit-euler, "
      "linear-implicit-euler, rk4, dop853, radau; did you mean 'rk4'?"),

@@ -11,29 +11,66 @@ from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING
+
+import numpy as np
 
 from coscrew_codegen import emit
 from coscrew_codegen.dynamics import derive
+from coscrew_codegen.dynamics.scene import Scene
 from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.scene_layout import banner_of, c_files, python_files
 from coscrew_codegen.simulate import calls, native
 from coscrew_codegen.targets import scene_calls
 from coscrew_codegen.targets.precision import PRECISIONS
 
-if TYPE_CHECKING:
-    from coscrew_codegen.dynamics.scene import Scene
-
 
 @dataclass(frozen=True, repr=False)
 class Kernels:
-    """A scene's functions, callable."""
+    """A scene's functions, callable, in `double` and `single` precision; and what of q, v and p
+    is whose:
+
+        NQ, NV       how many numbers q and v hold
+        joints       names of the joints that move, in the order of q and v
+        bodies       names, in the order of body_poses' and body_twists' rows
+        parameters   names and default values of p's elements: the scene's `runtime`
+        neutral_q    q where every joint is at rest in its placement.  (NQ)
+    """
 
     scene: Scene | None
     functions: SceneFunctions
     double: calls.Functions
     single: calls.Functions
     compiler: str  # its version and flags; "" where the generated Python runs
+
+    @property
+    def NQ(self) -> int:
+        """How many numbers q holds."""
+        return self.functions.nq
+
+    @property
+    def NV(self) -> int:
+        """How many numbers v, a and tau hold."""
+        return self.functions.nv
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """Names of the joints that move, in the order of q and v."""
+        return tuple(c.joint for c in self.functions.coordinates)
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """Bodies' names, in the order of body_poses' and body_twists' rows."""
+        return self.functions.bodies
+
+    @property
+    def parameters(self) -> dict[str, float]:
+        """Default values by name, in the order of p."""
+        return dict(self.functions.parameters)
+
+    @property
+    def neutral_q(self) -> np.ndarray:
+        """q where every joint is at rest in its placement, in double.  (NQ)."""
+        return np.array(self.functions.neutral, float)
 
     @property
     def compiled(self) -> bool:
@@ -50,11 +87,14 @@ def load_scene(scene: Scene | Path | str) -> Kernels:
 
     They are generated and compiled with the system's C compiler, $CC if set; libraries are kept in
     $XDG_CACHE_HOME or ~/.cache.  Without a compiler that works, which a warning tells, the generated
-    Python runs.  Raises what reading the scene raises.
+    Python runs.  Raises TypeError for what is neither, and what reading the scene raises.
     """
     if isinstance(scene, (str, Path)):
         from coscrew_codegen.scene_files.toml_scene import read_scene
         scene = read_scene(Path(scene))
+    elif not isinstance(scene, Scene):
+        raise TypeError(f"load_scene: wanted the path of a scene file, or a Scene; "
+                        f"got {type(scene).__name__}")
     return kernels_of(derive(scene), scene)
 
 

@@ -6,6 +6,7 @@ import os
 import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
@@ -24,6 +25,9 @@ def check_target(path: Path, endings: tuple[str, ...]) -> None:
     """Find out, before anything is computed, if `path` can be written.  Raises SimulateError."""
     if path.suffix not in endings:
         raise SimulateError(f"{path}: wanted a name that ends in {' or '.join(endings)}")
+    if path.suffix == ".parquet" and find_spec("pyarrow") is None:
+        raise SimulateError(f"{path}: .parquet needs pyarrow; run "
+                            "`pip install \"coscrew[simulate]\"`")
     if path.is_dir():
         raise SimulateError(f"cannot write {path}: it is a folder")
     try:
