@@ -283,6 +283,36 @@ def test_a_run_that_stops_says_so_and_writes(tmp_path, capsys):
             assert "not finite" in dict(data["provenance"])["stopped"]
 
 
+URDF = """<robot name="arm">
+  <link name="tool"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0"
+    iyz="0"/></inertial></link>
+  <link name="ground"/>
+  <joint name="hinge" type="revolute"><parent link="ground"/><child link="tool"/>
+    <axis xyz="0 1 0"/><limit lower="-1" upper="2" effort="3" velocity="4"/>
+    <dynamics damping="5" friction="6"/></joint>
+</robot>"""
+
+
+def test_a_urdf_alone_runs_and_says_that_nothing_acts(tmp_path, capsys):
+    path = tmp_path / "arm.urdf"
+    path.write_text(URDF)
+    assert main(["simulate", str(path), "--until", "0.1"]) == 0
+    first, *unused, last = capsys.readouterr().err.splitlines()
+    assert first == "coscrew: no effects: nothing acts, gravity included"
+    assert unused == [f"coscrew: {line}" for line in read_scene(path).unused[:5]]
+    assert last == "coscrew: 1 more numbers of the model are not used; --unused lists them"
+    assert main(["simulate", str(path), "--until", "0.1", "--unused"]) == 0
+    _, *unused = capsys.readouterr().err.splitlines()
+    assert unused == [f"coscrew: {line}" for line in read_scene(path).unused]
+    assert len(unused) == 6
+
+
+def test_help_tells_that_a_urdf_will_do(capsys):
+    with pytest.raises(SystemExit):
+        main(["simulate", "--help"])
+    assert "a scene file (.toml) or a URDF" in " ".join(capsys.readouterr().out.split())
+
+
 def test_without_pyarrow_nothing_runs_for_parquet(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr("coscrew_codegen.simulate.write.find_spec", lambda name: None)
     monkeypatch.setattr("coscrew_codegen.simulate.load.load_scene", None)  # would fail if called
@@ -383,6 +413,37 @@ def test_the_line_of_progress():
     assert (line(3.2, 10, 3.2 / 41, 2e-11)
             == "t 3.2/10 s  32 %  41x real time  dE/E 2e-11  ETA 0 s")
     assert line(0, 10, 0.0, 0.0) == "t 0/10 s  0 %  0x real time  dE/E 0e+00  ETA ?"
+
+
+def test_runs_tell_where_they_are_between_samples(kernels, monkeypatch, tmp_path):
+    """However long it is to the next one; the states are the same, to the last bit."""
+    def told(its, **asked):
+        seen = []
+        planned = plan(its, **asked)
+        found = integrate(its, planned, lambda t, q, v: seen.append(float(t)))
+        assert found.q.tobytes() == integrate(its, planned).q.tobytes()
+        return seen, found
+
+    its = system(kernels["SPRING"], "double")
+    seen, _ = told(its, until=0.1, every=0.1, step=1e-6, integrator="rk4")
+    assert seen == pytest.approx([0.01 * i for i in range(1, 11)])
+    for integrator in ("radau", "dop853"):
+        seen, found = told(its, until=1.0, every=0.9, integrator=integrator)
+        assert found.steps > 10 and abs(len(seen) - found.steps) <= 2
+        assert seen == sorted(seen)
+    monkeypatch.setenv("CC", "no-such-compiler")
+    with pytest.warns(RuntimeWarning, match="pure NumPy"):
+        others = load_scene(scene_file(tmp_path, texts.SPRING, "spring"))
+    seen, _ = told(system(others, "double"), until=0.01, every=0.01, integrator="rk4")
+    assert seen == pytest.approx([1e-3 * i for i in range(1, 11)])
+
+
+def test_progress_is_shown_within_a_long_step_of_samples(tmp_path):
+    text = texts.PENDULUM.replace("every = 0.05", "every = 10")
+    wanted = rb"t \S+/10 s  0 %  \S+x real time"
+    with on_a_terminal("simulate", scene_file(tmp_path, text), "--precision", "double",
+                       "--step", "1e-9") as (_, master):
+        assert re.search(wanted, said_until(master, wanted))
 
 
 def test_progress_is_shown_on_a_terminal(tmp_path):

@@ -12,15 +12,15 @@ from scipy.integrate import DOP853, OdeSolver, Radau
 
 import coscrew
 from coscrew_codegen.simulate.plan import Plan
-from coscrew_codegen.simulate.system import System
+from coscrew_codegen.simulate.system import State, System, Watch
 
 SOLVERS: dict[str, type[OdeSolver]] = {"dop853": DOP853, "radau": Radau}
 
 Rates = Callable[[float, np.ndarray], np.ndarray]
 
 
-def adaptive(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray
-             ) -> Iterator[tuple[np.ndarray, np.ndarray, int, str]]:
+def adaptive(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray,
+             watch: Watch | None = None) -> Iterator[tuple[np.ndarray, np.ndarray, int, str]]:
     """(q, v, steps so far, "") at each sample after the first, or where and why it stopped."""
     rates, steps, sample = rates_of(system), 0, 1
     options = {"jac": jacobian_of(system, rates)} if plan.integrator == "radau" else {}
@@ -33,12 +33,20 @@ def adaptive(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np
                 yield q, v, steps, f"{failed} at t = {solver.t:.9g} s: {_trouble(system, solver)}"
                 return
             steps += 1
+            if watch and solver.t < times[sample]:
+                watch(solver.t, *_state(system, solver.y))
             interpolant = solver.dense_output() if times[sample] < solver.t else None
             while sample < len(times) and times[sample] <= solver.t:
                 y = solver.y if times[sample] == solver.t else interpolant(times[sample])
-                q, v = system.normalized(y[:len(q)]), y[len(q):]
-                yield q.astype(system.dtype), v.astype(system.dtype), steps, ""
+                q, v = _state(system, y)
+                yield q, v, steps, ""
                 sample += 1
+
+
+def _state(system: System, y: np.ndarray) -> State:
+    """q and v of y, in the system's precision."""
+    nq = system.functions.nq
+    return system.normalized(y[:nq]).astype(system.dtype), y[nq:].astype(system.dtype)
 
 
 def rates_of(system: System) -> Rates:

@@ -5,15 +5,18 @@ Imports what simulates only when it is asked to, since the generator does withou
 import argparse
 import math
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.simulate import SimulateError
 
 if TYPE_CHECKING:
+    from coscrew_codegen.dynamics.scene import Scene
     from coscrew_codegen.simulate.outcome import Outcome
 
 NEEDED = "needs {}; run `pip install \"coscrew[simulate]\"`"
+_FIRST = 5  # unused numbers that are told
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -27,12 +30,16 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
                              "single precision goes to FILE's name with .single before its ending")
     parser.add_argument("--plot", metavar="FILE", type=Path, help="a plot of it: .svg or .png")
     parser.add_argument("--view", metavar="FILE", type=Path, help="a playback in space: .html")
+    parser.add_argument("--unused", action="store_true",
+                        help="list all numbers of the model that nothing here uses, not just "
+                             f"{_FIRST}")
     parser.set_defaults(run=run)
 
 
 def add_scene(parser: argparse.ArgumentParser) -> None:
     """Add the scene, and the options that replace what it says of its run."""
-    parser.add_argument("scene", metavar="SCENE", type=Path, help="a scene file, .toml")
+    parser.add_argument("scene", metavar="SCENE", type=Path,
+                        help="a scene file (.toml) or a URDF, which alone has no effects")
     parser.add_argument("--until", metavar="T", type=_positive, help="end, in s, of the run")
     parser.add_argument("--step", metavar="H", type=_positive,
                         help="longest step, in s, of the emitted integrators")
@@ -79,9 +86,8 @@ def run(options: argparse.Namespace) -> int:
         if path:
             write.check_target(path, endings)
     kernels = load_scene(options.scene)
-    if unused := len(kernels.scene.unused):
-        print(f"coscrew: {unused} numbers of the model are not used; `coscrew generate "
-              f"{options.scene} -o DIR` lists them", file=sys.stderr)
+    for line in _notes(kernels.scene, options.unused):
+        print(f"coscrew: {line}", file=sys.stderr)
     outcomes = outcome.simulated(kernels, outcome.Asked(
         options.until, options.step, options.integrator, options.precision,
         tuple(options.settings)))
@@ -96,6 +102,16 @@ def run(options: argparse.Namespace) -> int:
         view.view(first.system, first.trajectory, first.recording.provenance, options.view)
     print(outcome.summary(outcomes))
     return _status(outcomes)
+
+
+def _notes(scene: "Scene", all_unused: bool) -> Iterator[str]:
+    """What people may not expect: nothing acts, or numbers of the model are not used."""
+    if all(applied.effect.reaction for applied in scene.effects):
+        yield "no effects: nothing acts, gravity included"
+    count = len(scene.unused)
+    yield from scene.unused if all_unused else scene.unused[:_FIRST]
+    if count > _FIRST and not all_unused:
+        yield f"{count - _FIRST} more numbers of the model are not used; --unused lists them"
 
 
 def _outputs(path: Path) -> tuple[Path, Path]:

@@ -14,12 +14,11 @@ import numpy as np
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.adaptive import adaptive
 from coscrew_codegen.simulate.plan import Plan, Trajectory
-from coscrew_codegen.simulate.system import System
+from coscrew_codegen.simulate.system import System, Watch
 
 _AT_ONCE = 10_000  # steps between two looks at Ctrl-C
 _ROUND_OFF = 1e-6  # of a step: 0.01 / 1e-3 is 10 steps, not 11
 
-Watch = Callable[[float, np.ndarray, np.ndarray], None]
 Sampled = Iterator[tuple[np.ndarray, np.ndarray, int, str]]
 
 
@@ -27,7 +26,8 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None) -> Traject
     """The trajectory from the scene's start.  A state that is not finite, a solver that gives up,
     and an interrupt (Ctrl-C) end it early; what was sampled so far is kept.
 
-    `watch` is called with each sample as it is reached."""
+    `watch` is called with each sample as it is reached, and often enough in between to tell how far
+    the run is: after every step of SciPy's and of pure NumPy's, else after 10000."""
     times, (q, v) = plan.samples, system.start()
     run = adaptive if plan.adaptive else fixed
     sampled, stopped, interrupted, steps = [(q, v)], "", False, 0
@@ -35,7 +35,7 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None) -> Traject
     if lacking := system.lacking(q, v):
         raise SimulateError(f"the start is not finite: {lacking}")
     try:
-        for q, v, steps, stopped in run(system, plan, times, q, v):
+        for q, v, steps, stopped in run(system, plan, times, q, v, watch):
             if stopped:
                 break
             at = float(times[len(sampled)])
@@ -49,10 +49,10 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None) -> Traject
     return Trajectory(times[:len(sampled)], qs, vs, steps, seconds, stopped, interrupted)
 
 
-def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray
-          ) -> Sampled:
+def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray,
+          watch: Watch | None = None) -> Sampled:
     """(q, v, steps so far, "") at each sample after the first, or where and why it stopped."""
-    step, taken = system.stepper(f"step_{plan.integrator.replace('-', '_')}"), 0
+    step, taken = system.stepper(f"step_{plan.integrator.replace('-', '_')}", watch), 0
     with np.errstate(all="ignore"):
         for start, end in zip(times, times[1:]):
             count = max(1, math.ceil((end - start) / plan.step - _ROUND_OFF))
@@ -60,6 +60,8 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
             h = plan.step if math.isclose(h, plan.step, rel_tol=_ROUND_OFF) else h
             before = q, v
             for i in range(0, count, _AT_ONCE):
+                if watch and i:
+                    watch(start + i * h, q, v)
                 q, v = step(min(_AT_ONCE, count - i), start + i * h, h, q, v)
             taken += count
             finite = np.isfinite(q).all() and np.isfinite(v).all()

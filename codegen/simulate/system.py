@@ -16,6 +16,8 @@ from coscrew_codegen.simulate.settings import refuse_settings
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
 
 State = tuple[np.ndarray, np.ndarray]
+Watch = Callable[[float, np.ndarray, np.ndarray], None]
+"""Is told where a run is: t, q, v."""
 
 
 @dataclass(frozen=True)
@@ -49,9 +51,10 @@ class System:
         arguments = [np.asarray(given[x], self.dtype) for x in self.inputs[name]]
         return getattr(self.kernels, name)(*arguments)
 
-    def stepper(self, name: str) -> Callable[[int, float, float, np.ndarray, np.ndarray], State]:
+    def stepper(self, name: str, watch: Watch | None = None
+                ) -> Callable[[int, float, float, np.ndarray, np.ndarray], State]:
         """The integrator as (n, t, h, q, v) -> q and v after n steps of h: in one call of C where
-        the functions are compiled."""
+        the functions are compiled; where they are not, `watch` is told between steps."""
         function, p = getattr(self.kernels, name), self._p
         if repeated := getattr(function, "repeated", None):
             return lambda n, t, h, q, v: repeated(n, t, h, p, q, v)
@@ -60,6 +63,8 @@ class System:
 
         def steps(n: int, t: float, h: float, q: np.ndarray, v: np.ndarray) -> State:
             for k in range(n):
+                if watch and k:
+                    watch(t + k * h, q, v)
                 now = [real(t + k * h)] if timed else []
                 q, v = function(*now, real(h), *parameters, q, v)
             return q, v
