@@ -118,11 +118,12 @@ def test_generated_c_compiles_and_loads_from_the_file(folder: Path):
         assert kernels.double.mass_matrix([0.5], [0, 1, 0, 0, 0]).shape == (4, 4)
 
 
-AWKWARD = ("int", "sin", "q", "lambda", "tau", "np", "v_0", "*/ x", "π", "2", "arm_NQ", "call")
+AWKWARD = ("int", "sin", "q", "lambda", "tau", "np", "v_0", "*/ x", "π", "2", "arm_NQ", "call",
+           "x_call", "x_many", "x", "xf")
 
 
 def test_bodies_and_joints_may_be_called_anything(folder: Path):
-    """Words of the languages, names of arguments, what would end a comment."""
+    """Words of the languages, names of arguments, what would end a comment, what ends C names."""
     parents = ("world", *(f"{name} body" for name in AWKWARD))
     scene = ['name = "main_arm"', "[effects.gravity]"]
     for n, name in enumerate(AWKWARD):
