@@ -273,7 +273,7 @@ d = "model"
 
 
 @pytest.mark.parametrize("runtime, words", [
-    ('["tool.mas"]', "did you mean 'tool.mass'?"),
+    ('["tool.mas"]', "did you mean 'tool.mass'?"), ('["tool"]', "did you mean 'tool.com'?"),
     ('["tool.mass", "tool.mass"]', "'tool.mass' occurs twice"),
     ('["tool.com", "tool.com.x"]', "'tool.com.x' occurs twice"),
     ('["motor.shoulder.u"]', "is a formula"), ('["motor.shoulder.kp"]', "is not given"),
