@@ -83,6 +83,15 @@ def test_what_an_earlier_generator_made_is_removed_and_nothing_else(folder: Path
     assert generated(folder / "out") == tuple(sorted((*FILES, "arm/mine.py", "other.h")))
 
 
+def test_files_that_others_made_are_not_overwritten(folder: Path,
+                                                   capsys: pytest.CaptureFixture[str]):
+    (folder / "arm.c").write_text("/* by hand */\n")
+    assert main(["generate", "arm.toml", "-o", "."]) == 2
+    assert "arm.c is there already" in capsys.readouterr().err
+    assert generated(folder) == ("arm.c", "arm.toml")
+    assert (folder / "arm.c").read_text() == "/* by hand */\n"
+
+
 def test_files_name_no_folder(folder: Path):
     assert main(["generate", str(folder / "arm.toml"), "-o", str(folder / "out")]) == 0
     for file in FILES:
