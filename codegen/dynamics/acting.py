@@ -9,7 +9,7 @@ from coscrew_codegen.dynamics.folding import constant_pi
 from coscrew_codegen.dynamics.formulas import Formula
 from coscrew_codegen.dynamics.model import Parameter
 from coscrew_codegen.dynamics.motion import Motion
-from coscrew_codegen.dynamics.numbers import Number, Vector, add, cross, dot, negative, rotated
+from coscrew_codegen.dynamics.numbers import Number, Vector, add, cross, dot, rotated
 from coscrew_codegen.dynamics.record import Recorder
 from coscrew_codegen.dynamics.scene import Applied, Scene, Setting
 from coscrew_codegen.dynamics.states import BodyState, JointState
@@ -201,8 +201,3 @@ def _functions(recorder: Recorder) -> dict[str, object]:
     return {"sin": n.sin, "cos": n.cos, "exp": n.exp, "tanh": n.tanh, "sqrt": n.sqrt,
             "abs": n.absolute, "min": n.minimum, "max": n.maximum, "number": recorder.number,
             "pi": recorder.number(constant_pi())}
-
-
-def opposite(wrench: tuple[Vector, Vector]) -> tuple[Vector, Vector]:
-    """-f, -τ."""
-    return negative(wrench[0]), negative(wrench[1])
