@@ -9,7 +9,7 @@ from coscrew_codegen.dynamics.folding import constant_pi
 from coscrew_codegen.dynamics.formulas import Formula
 from coscrew_codegen.dynamics.model import Parameter
 from coscrew_codegen.dynamics.motion import Motion
-from coscrew_codegen.dynamics.numbers import Number, Vector, add, cross, dot, rotated
+from coscrew_codegen.dynamics.numbers import Number, Vector, add, cross, dot, negative, rotated
 from coscrew_codegen.dynamics.record import Recorder
 from coscrew_codegen.dynamics.scene import Applied, Scene, Setting
 from coscrew_codegen.dynamics.states import BodyState, JointState
