@@ -11,7 +11,14 @@ try:
     from coscrew_codegen.cost import command as cost
     from coscrew_codegen.documentation import with_table
     from coscrew_codegen.dynamics import derive
-    from coscrew_codegen.emit import EmitError, differences, read, stale_files, write
+    from coscrew_codegen.emit import (
+        EmitError,
+        differences,
+        read,
+        refuse_others,
+        stale_files,
+        write,
+    )
     from coscrew_codegen.layout import Files, Programs, generated_files, program_of
     from coscrew_codegen.operations import FAMILIES
     from coscrew_codegen.report import ReportError, command
@@ -95,6 +102,8 @@ def _generate_scene(options: argparse.Namespace) -> int:
         print(f"{options.scene.name}: {line}", file=sys.stderr)
     files = scene_files(scene, derive(scene), f"coscrew generate {options.scene.name}")
     folder = Path(options.output)
+    if not options.check:
+        refuse_others(files, folder)
     return _deliver(f"coscrew generate {options.scene} -o {folder}", files, folder,
                     stale_files(files, folder), options.check, str(folder))
 

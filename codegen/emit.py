@@ -51,6 +51,14 @@ def stale_files(files: Files, folder: Path) -> tuple[str, ...]:
                  if name not in files and MARK in (read(folder, name) or "")[:200])
 
 
+def refuse_others(files: Files, folder: Path) -> None:
+    """Raise EmitError if one of the files is there already and no generator made it."""
+    for path in sorted(files):
+        if (text := read(folder, path)) and MARK not in text[:200]:
+            raise EmitError(f"{folder / path} is there already, and not made by coscrew generate; "
+                            "nothing was changed")
+
+
 def write(files: Files, folder: Path, stale: tuple[str, ...] = ()) -> list[str]:
     """Write the files that differ and remove the stale ones; returns the paths changed.
 

@@ -83,6 +83,15 @@ def test_what_an_earlier_generator_made_is_removed_and_nothing_else(folder: Path
     assert generated(folder / "out") == tuple(sorted((*FILES, "arm/mine.py", "other.h")))
 
 
+def test_files_that_others_made_are_not_overwritten(folder: Path,
+                                                   capsys: pytest.CaptureFixture[str]):
+    (folder / "arm.c").write_text("/* by hand */\n")
+    assert main(["generate", "arm.toml", "-o", "."]) == 2
+    assert "arm.c is there already" in capsys.readouterr().err
+    assert generated(folder) == ("arm.c", "arm.toml")
+    assert (folder / "arm.c").read_text() == "/* by hand */\n"
+
+
 def test_files_name_no_folder(folder: Path):
     assert main(["generate", str(folder / "arm.toml"), "-o", str(folder / "out")]) == 0
     for file in FILES:
@@ -118,11 +127,12 @@ def test_generated_c_compiles_and_loads_from_the_file(folder: Path):
         assert kernels.double.mass_matrix([0.5], [0, 1, 0, 0, 0]).shape == (4, 4)
 
 
-AWKWARD = ("int", "sin", "q", "lambda", "tau", "np", "v_0", "*/ x", "π", "2", "arm_NQ", "call")
+AWKWARD = ("int", "sin", "q", "lambda", "tau", "np", "v_0", "*/ x", "π", "2", "arm_NQ", "call",
+           "x_call", "x_many", "x", "xf")
 
 
 def test_bodies_and_joints_may_be_called_anything(folder: Path):
-    """Words of the languages, names of arguments, what would end a comment."""
+    """Words of the languages, names of arguments, what would end a comment, what ends C names."""
     parents = ("world", *(f"{name} body" for name in AWKWARD))
     scene = ['name = "main_arm"', "[effects.gravity]"]
     for n, name in enumerate(AWKWARD):

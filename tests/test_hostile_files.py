@@ -43,6 +43,7 @@ XML = {
     "crossing": b"<robot><link></robot></link>",
     "html": b"<html><body>404</body></html>",
     "no links": b"<robot/>",
+    "nothing but what is ignored": b"<visual><robot/></visual>",
     "newline in a name": b'<robot><link name="a&#10;b"/></robot>',
     "two giant loops": b"<robot>" + b"".join(
         b'<link name="%d"/><joint name="%d" type="fixed"><parent link="%d"/><child link="%d"/>'
@@ -64,6 +65,8 @@ TOML = {
     "deep header": b"[" + b"a." * 10**5 + b"a]",
     "deep quoted key": b'"a".' * 10**5 + b"a = 1",
     "huge integer": b"every = " + b"9" * 10**5,
+    "huge hexadecimal": b"every = 0x" + b"9" * 10**5,
+    "huge hexadecimal for a text": b"precision = 0x" + b"9" * 10**5,
     "huge float": MODEL.encode() + b"[outputs]\nevery = 0." + b"9" * 10**5,
     "huge exponent": MODEL.encode() + b"[outputs]\nevery = 1e999999999999",
     "long key": b"a" * 10**5 + b" = 1",

@@ -71,6 +71,17 @@ def test_other_compilers_make_libraries_of_their_own(cache: Path, monkeypatch):
         assert len(list(cache.glob("*.so"))) == number
 
 
+def test_other_flags_and_processors_make_libraries_of_their_own(monkeypatch):
+    def key(**changed: object) -> str:
+        return native._key({}, {}, replace(using, **changed))
+
+    using = native.compiler()
+    assert key() == key()
+    keys = {key(), key(flags=("-O0",)), key(version="another"), key(command=("another",))}
+    monkeypatch.setattr(native, "_processor", lambda: "another")
+    assert len(keys | {key()}) == 5
+
+
 @pytest.mark.parametrize("damage", ("truncated", "emptied", "changed", "replaced by text"))
 def test_damaged_libraries_are_made_again(counted, cache: Path, damage: str):
     """In a process of its own, since to open a truncated library may end it."""
@@ -134,6 +145,8 @@ def test_processors_without_march_native_are_served(tmp_path: Path, cache: Path,
 
 @pytest.mark.parametrize("name, value, message", (
     ("q", [1.0, 2.0, 3.0], r"q: shape \(\.\.\., 2\) is wanted; shape \(3,\) came"),
+    ("q", np.zeros(1), r"q: shape \(\.\.\., 2\) is wanted; shape \(1,\) came"),
+    ("p", np.zeros(3), r"p: shape \(\.\.\., 2\) is wanted; shape \(3,\) came"),
     ("v", 1.0, r"v: shape \(\.\.\., 2\) is wanted; shape \(\) came"),
     ("tau", [[1.0], [2.0]], r"tau: shape \(\.\.\., 2\) is wanted; shape \(2, 1\) came"),
     ("q", ["a", "b"], "q: real numbers are wanted; <U1 came"),
@@ -143,7 +156,8 @@ def test_processors_without_march_native_are_served(tmp_path: Path, cache: Path,
     ("t", 1j, "t: real numbers are wanted; complex128 came"),
 ))
 def test_wrong_arguments_are_named(kernels: Kernels, name: str, value: object, message: str):
-    arguments = dict(zip(("t", "p", "q", "v", "tau"), ARGUMENTS, strict=True)) | {name: value}
+    given = (x if isinstance(x, float) else np.array(x) for x in ARGUMENTS)
+    arguments = dict(zip(("t", "p", "q", "v", "tau"), given, strict=True)) | {name: value}
     with pytest.raises(ValueError, match=f"^{message}$"):
         kernels.double.forward_dynamics(*arguments.values())
     with pytest.raises(ValueError, match=f"^{message}$"):

@@ -11,6 +11,7 @@ from tests import evaluation
 from tests.robots import Robot, robot
 
 from coscrew_codegen.dynamics.identifiers import identifiers
+from coscrew_codegen.program import Op
 
 STATES = 8
 DOUBLE, SINGLE = 2.0**-53, 2.0**-24
@@ -139,3 +140,15 @@ def test_energies_poses_twists_and_jacobians_are_pinocchios(file, free, mimics):
                 assert _error(jacobians[f"jacobian_{name}"][k], J) <= 1e-12
                 compared += 1
     assert compared >= STATES
+
+
+@pytest.mark.parametrize("file, inverse, forward, turns", (
+    ("ur_description/urdf/ur5_robot.urdf", 460, 940, 6),
+    ("panda_description/urdf/panda.urdf", 900, 1820, 7)))
+def test_constants_fold_to_few_operations(file, inverse, forward, turns):
+    """Right angles cost nothing, and what a joint leaves of an inertia vanishes along its axis."""
+    programs = {f.name: f.program for f in robot(file, False, False).functions.functions}
+    for name, most in (("inverse_dynamics", inverse), ("forward_dynamics", forward)):
+        counts = programs[name].counts
+        sines = counts[Op.SIN]
+        assert sines <= turns and sum(counts.values()) - sines - counts[Op.COS] <= most

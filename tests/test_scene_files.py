@@ -273,7 +273,7 @@ d = "model"
 
 
 @pytest.mark.parametrize("runtime, words", [
-    ('["tool.mas"]', "did you mean 'tool.mass'?"),
+    ('["tool.mas"]', "did you mean 'tool.mass'?"), ('["tool"]', "did you mean 'tool.com'?"),
     ('["tool.mass", "tool.mass"]', "'tool.mass' occurs twice"),
     ('["tool.com", "tool.com.x"]', "'tool.com.x' occurs twice"),
     ('["motor.shoulder.u"]', "is a formula"), ('["motor.shoulder.kp"]', "is not given"),
@@ -298,6 +298,14 @@ def test_numbers_that_nothing_uses_are_told(read):
         "joint elbow: damping 0.25 N m s/rad is not used: add [effects.viscous]",
         "joint rail: mimic of elbow (multiplier 0.5, offset 0.125) is not used: "
         "add [effects.mimic]")
+    slides = MODEL.replace('type = "revolute"', 'type = "prismatic"')
+    assert read(model=slides).unused[:6] == (
+        "joint shoulder: damping 0.5 N s/m is not used: add [effects.viscous]",
+        "joint shoulder: friction 0.1 N is not used: add [effects.stribeck]",
+        "joint shoulder: effort 8 N is not used: add [effects.motor]",
+        "joint shoulder: velocity 3 m/s is not used",
+        "joint shoulder: lower -1 m is not used: add [effects.stop]",
+        "joint shoulder: upper 2 m is not used: add [effects.stop]")
 
 
 def test_numbers_in_use_are_not_told(read):
@@ -481,6 +489,8 @@ def test_errors_name_file_key_and_what_was_wanted(read, head, tail, where, words
     ("damping = 0.5", "damping = -0.5", "joints.shoulder.damping", "0 or more"),
     ('joint = "elbow"', 'joint = "elbo"', "joint 'rail'", "did you mean 'elbow'?"),
     ('joint = "elbow"', 'joint = "rail"', "joint 'rail'", "mimics itself"),
+    ("rpy = [1.57079632679, 0, 0]", "quaternion = [0.9, 0, 0, 0]", "joints.elbow.origin.quaternion",
+     "norm 0.9; wanted 1"),
     ("rpy = [1.57079632679, 0, 0]", "quaternion = [1, 1, 0, 0]", "joints.elbow.origin.quaternion",
      "norm 1.41421356"),
     ("rpy = [1.57079632679, 0, 0]", "angle = 1", "joints.elbow.origin.axis", "missing"),
@@ -515,6 +525,8 @@ axis = [0, 0, 1]
         read(model=model)
     assert read(model=model, tail="[effects.rotor.pin]\ninertia = 1").effects
     assert read(model=model.replace("axis = [0, 0, 1]", "axis = [0, 1, 0]"))
+    with pytest.raises(SceneError, match="no inertia against its motion"):
+        read(model=model.replace("[0, 0, 1]", "[-0.48, 0.6, 0.64]"))
 
 
 def test_without_a_joint_that_moves_there_is_no_scene(read):

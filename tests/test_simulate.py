@@ -114,6 +114,7 @@ def test_steps_in_one_call_are_those_one_by_one(kernels, integrator, precision):
     its = system(kernels["BRICK"], precision)
     name = f"step_{integrator.replace('-', '_')}"
     q, v = its.start()
+    assert kernels["BRICK"].compiled and hasattr(getattr(its.kernels, name), "repeated")
     together = its.stepper(name)(100, 0.0, 1e-3, q, v)
     for _ in range(100):
         q, v = getattr(its.kernels, name)(its.dtype.type(1e-3), q, v)

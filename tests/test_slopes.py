@@ -235,9 +235,12 @@ def test_stiffness_between_bodies_is_taken_along_the_line() -> None:
 
 @pytest.mark.parametrize("speed", [(0, 0, 0), (3, -1, 2), (mpf(10)**-9, 0, 0)])
 def test_drag_falls_with_no_more_than_its_damping(speed: tuple) -> None:
-    """An implicit step without other forces shortens v, and never turns it round."""
+    """An implicit step without other forces shortens v, and never turns it round; it takes in the
+    slope rho area |v| along v: a = -(500 |v| v) / (m + h 1000 |v|)."""
     f = Evaluated(scene(chain((Kind.FREE, Z, HERE, inertia(1, moments=(1, 1, 1, 0, 0, 0)))),
                         applied("drag", "b0", rho=1000, area=1)), MULTIPRECISE)
     a = f("implicit_acceleration", h=mpf(100), q=numbers(0, 0, 0, 1, 0, 0, 0), v=[*speed, 0, 0, 0])
+    size = mpmath.norm(speed)
     for v, x in zip(speed, a, strict=False):
         assert 0 <= (v + 100 * x) * v <= v * v
+        assert abs(x + 500 * size * v / (1 + 100 * 1000 * size)) <= CLOSE * abs(v)

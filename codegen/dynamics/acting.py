@@ -201,8 +201,3 @@ def _functions(recorder: Recorder) -> dict[str, object]:
     return {"sin": n.sin, "cos": n.cos, "exp": n.exp, "tanh": n.tanh, "sqrt": n.sqrt,
             "abs": n.absolute, "min": n.minimum, "max": n.maximum, "number": recorder.number,
             "pi": recorder.number(constant_pi())}
-
-
-def opposite(wrench: tuple[Vector, Vector]) -> tuple[Vector, Vector]:
-    """-f, -τ."""
-    return negative(wrench[0]), negative(wrench[1])

@@ -4,7 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from coscrew_codegen.dynamics.model import Inertia
-from coscrew_codegen.dynamics.numbers import Number, Vector, add, cross, dot, rotated, scaled
+from coscrew_codegen.dynamics.numbers import (Number, Vector, add, cross, dot, rotated, row_by_row,
+                                              scaled)
 from coscrew_codegen.dynamics.record import Recorder
 from coscrew_codegen.dynamics.tree import Seat
 
@@ -58,8 +59,7 @@ def _seated(recorder: Recorder, seat: Seat, inertia: Inertia) -> tuple[Number, .
     about_com = symmetric(numbers(inertia.moments))
     own = call("inertia_from_com", number(inertia.mass), numbers(inertia.com), about_com)
     R, t = numbers(seat.placement.R), numbers(seat.placement.t)
-    return call("inertia_transformed", tuple(R[3 * i + j] if j < 3 else t[i] for i in range(3)
-                                             for j in range(4)), own)
+    return call("inertia_transformed", row_by_row(R, t), own)
 
 
 def net_force(body: Rigid, curl: Sequence[Number], acceleration: Vector) -> tuple[Vector, Vector]:

@@ -10,7 +10,7 @@ from coscrew_codegen.dynamics.articulated import freedoms
 from coscrew_codegen.dynamics.bodies import Rigid
 from coscrew_codegen.dynamics.inverse import along, handed_on
 from coscrew_codegen.dynamics.motion import Motion
-from coscrew_codegen.dynamics.numbers import Number, add
+from coscrew_codegen.dynamics.numbers import Number, add, row_by_row
 
 
 def composites(motion: Motion, rigids: Sequence[Rigid]) -> list[Rigid]:
@@ -21,8 +21,8 @@ def composites(motion: Motion, rigids: Sequence[Rigid]) -> list[Rigid]:
         if link.parent >= 0:
             with motion.recorder.part(f"{motion.names[number]}_moved", link.name):
                 R, t = motion.frame(number)
-                D = tuple(R[3 * i + j] if j < 3 else t[i] for i in range(3) for j in range(4))
-                moved = motion.recorder.call("inertia_transformed", D, found[number].numbers)
+                moved = motion.recorder.call("inertia_transformed", row_by_row(R, t),
+                                             found[number].numbers)
                 total = add(found[link.parent].numbers, moved)
                 found[link.parent] = Rigid(total[0], tuple(total[1:4]), tuple(total[4:]))
     return found

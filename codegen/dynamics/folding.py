@@ -74,7 +74,25 @@ def _add(known, a, b):
         return _sub(known, a, y) or Folded(Op.SUB, (a, y))
     if x is not None:
         return _sub(known, b, x) or Folded(Op.SUB, (b, x))
-    return None
+    return _joined(known, a, b, 1)
+
+
+def _joined(known, a, b, sign):
+    """c x ± k x is (c ± k) x, for constants c, k: products of the same number, or it alone."""
+    (c, x), (k, y) = _scaled(known, a), _scaled(known, b)
+    if x != y or isinstance(x, Constant):
+        return None
+    both = Constant(_shortened(c.double + sign * k.double), _shortened(c.single + sign * k.single))
+    return _mul(known, both, x) or Folded(Op.MUL, (both, x))
+
+
+def _scaled(known, x):
+    """(c, y) where x is the product c y with a constant; else (1, x)."""
+    if isinstance(x, Ref) and known[x.name].op is Op.MUL:
+        c, y = known[x.name].operands
+        if isinstance(c, Constant):
+            return c, y
+    return _ONE, x
 
 
 def _sub(known, a, b):
@@ -88,7 +106,7 @@ def _sub(known, a, b):
         return _add(known, a, y) or Folded(Op.ADD, (a, y))
     if (x := _negated(a, known)) is not None:
         return Sign((Op.ADD, (x, b)))
-    return None
+    return _joined(known, a, b, -1)
 
 
 def _mul(known, a, b):

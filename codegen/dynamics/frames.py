@@ -3,16 +3,9 @@
 from collections.abc import Sequence
 
 from coscrew_codegen.dynamics import articulated
-from coscrew_codegen.dynamics.model import Placement
 from coscrew_codegen.dynamics.motion import Motion, Rotation
-from coscrew_codegen.dynamics.numbers import Number, Vector, add, rotated, scaled
+from coscrew_codegen.dynamics.numbers import Number, Vector, add, rotated, row_by_row, scaled
 from coscrew_codegen.dynamics.recording import Recording
-
-
-def row_by_row(x: Recording, placement: Placement) -> tuple[Number, ...]:
-    """[R | t], as the library's operations take it."""
-    R, t = x.recorder.numbers(placement.R), x.recorder.numbers(placement.t)
-    return tuple(R[3 * i + j] if j < 3 else t[i] for i in range(3) for j in range(4))
 
 
 def pose(x: Recording, motion: Motion, body: str) -> tuple[Rotation, Vector]:
@@ -31,7 +24,7 @@ def jacobian(x: Recording, motion: Motion, body: str) -> list[Sequence[Number]]:
     columns: list[Sequence[Number]] = [(*motion.zero, *motion.zero)] * x.tree.nv
     while number >= 0:
         link = x.tree.links[number]
-        D = tuple(R[3 * i + j] if j < 3 else t[i] for i in range(3) for j in range(4))
+        D = row_by_row(R, t)
         for freedom, screw in enumerate(articulated.freedoms(motion, number)):
             column, place = x.recorder.call("product_Adinvs", D, screw), link.v.start + freedom
             if link.driver:
@@ -48,4 +41,5 @@ def twist(x: Recording, motion: Motion, body: str) -> tuple[Number, ...]:
     """[Ad]^-1 s: the link's screw as the body sees it."""
     number, placement = x.tree.seat_of(body)
     screw = (*motion.velocity(number), *motion.turning(number))
-    return x.recorder.call("product_Adinvs", row_by_row(x, placement), screw)
+    D = row_by_row(x.recorder.numbers(placement.R), x.recorder.numbers(placement.t))
+    return x.recorder.call("product_Adinvs", D, screw)

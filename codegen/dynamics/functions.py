@@ -7,7 +7,7 @@ from coscrew_codegen.dynamics.acting import Acting
 from coscrew_codegen.dynamics.formulas import Formula
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.dynamics.identifiers import identifiers
-from coscrew_codegen.dynamics.numbers import Number
+from coscrew_codegen.dynamics.numbers import Number, row_by_row
 from coscrew_codegen.dynamics.record import Recorder, array, headings
 from coscrew_codegen.dynamics.recording import Recording
 from coscrew_codegen.dynamics.scene import Scene
@@ -186,8 +186,7 @@ class _Derivation:
         def compute(x: Recording):
             motion, found = x.motion(falling=False), []
             for body in self.bodies:
-                R, t = frames.pose(x, motion, body)
-                found += [R[3 * i + j] if j < 3 else t[i] for i in range(3) for j in range(4)]
+                found += row_by_row(*frames.pose(x, motion, body))
             return [found]
 
         return self._function("body_poses", "D[i] = [R | t] of each body in the world, row by row", "q",

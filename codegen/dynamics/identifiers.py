@@ -5,13 +5,15 @@ from collections.abc import Sequence
 
 
 def identifiers(names: Sequence[str]) -> tuple[str, ...]:
-    """One identifier a name, in order, all different: other characters become underscores."""
+    """One identifier a name, in order, all different: other characters become underscores.
+
+    None is another with an f behind it, which in C stands for single precision."""
     found: list[str] = []
     for name in names:
         stem = re.sub(r"_{2,}", "_", re.sub(r"[^A-Za-z0-9_]", "_", name)).strip("_") or "x"
         stem = f"x{stem}" if stem[0].isdigit() else stem
         identifier, count = stem, 1
-        while identifier in found:
+        while any(x in (identifier, f"{identifier}f") or f"{x}f" == identifier for x in found):
             count += 1
             identifier = f"{stem}_{count}"
         found.append(identifier)

@@ -114,6 +114,11 @@ def negative(a: Sequence[Number]) -> tuple[Number, ...]:
     return tuple(-x for x in a)
 
 
+def row_by_row(R: Sequence[Number], t: Vector) -> tuple[Number, ...]:
+    """[R | t], as the library's operations take a displacement."""
+    return (*R[:3], t[0], *R[3:6], t[1], *R[6:], t[2])
+
+
 def rotated(R: Sequence[Number], a: Vector) -> Vector:
     """R a."""
     return a[0].recorder.call("product_drv", R, a)

@@ -3,7 +3,7 @@
     q, v, a                   of all joints;  q.JOINT of one,  q.JOINT.2 one component
     energy                    kinetic, potential, total, in J;  energy.kinetic one of them
     momentum, momentum.2      linear and angular, about the world's origin
-    power                     of all joints' torques, in W
+    power                     what effects without potential energy feed in, in W
     pose.BODY                 its 12 numbers [R | t], row by row;  pose.BODY.3 one of them
     position.BODY             its origin in the world
     twist.BODY                velocity and angular velocity in its own frame

@@ -134,7 +134,7 @@ def headings(program: Program) -> tuple[tuple[int, str], ...]:
     """Where the heading of the instructions changes: (index, heading)."""
     found, last = [], ""
     for index, step in enumerate(program.instructions):
-        heading = step.component.split(":")[0]
+        heading = step.component.rpartition(":")[0]  # a body may be called a:b
         if heading != last:
             found.append((index, heading))
             last = heading

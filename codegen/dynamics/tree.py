@@ -90,7 +90,8 @@ def composed(outer: Placement, inner: Placement) -> Placement:
 
 
 def tree_of(model: Model, mimics: bool) -> Tree:
-    """The model's tree; with `mimics`, joints that mimic others have no coordinates."""
+    """The model's tree; with `mimics`, joints that mimic others have no coordinates.  (No leader of
+    a model that was read follows another joint.)"""
     bodies = {body.name: body for body in model.bodies}
     where: dict[str, tuple[int, Placement]] = {WORLD: (-1, HERE)}
     seats: dict[int, list[Seat]] = {-1: []}
@@ -116,20 +117,9 @@ def _numbered(moving: list[tuple[Joint, int, Placement]], seats: dict[int, list[
     for number, (joint, parent, placement) in enumerate(moving):
         driver, wide_q, wide_v = None, joint.kind.nq, joint.kind.nv
         if mimics and joint.mimic:
-            driver = _driver(moving, names, joint)
+            driver = Driver(names[joint.mimic.joint], joint.mimic.multiplier, joint.mimic.offset)
             wide_q = wide_v = 0
         links.append(Link(joint, parent, placement, tuple(seats[number]), range(nq, nq + wide_q),
                           range(nv, nv + wide_v), driver))
         nq, nv = nq + wide_q, nv + wide_v
     return Tree(tuple(links), tuple(seats[-1]), nq, nv)
-
-
-def _driver(moving: list[tuple[Joint, int, Placement]], names: dict[str, int],
-            joint: Joint) -> Driver:
-    """Where a follower's coordinate comes from, through followers of followers."""
-    multiplier, offset = Fraction(1), Fraction(0)
-    while joint.mimic:
-        offset += multiplier * joint.mimic.offset
-        multiplier *= joint.mimic.multiplier
-        joint = moving[names[joint.mimic.joint]][0]
-    return Driver(names[joint.name], multiplier, offset)

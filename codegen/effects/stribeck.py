@@ -6,7 +6,7 @@ from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place, Torque, 
 
 def _torque(state, values: Values) -> Torque:
     """-T tanh(v/eps) with T = tau_c + (tau_s - tau_c) e^(-(v/v_s)^2); damping T / max(|v|, eps), at
-    least the slope (if tau_s >= tau_c) and |torque| / |v|."""
+    least |torque| / |v| and, where tau_s >= tau_c, the slope."""
     v, tau_c, eps = state.v, values["tau_c"], values["eps"]
     ratio = v * (1 / values["v_s"])
     level = tau_c + (values["tau_s"] - tau_c) * exp(-(ratio * ratio))

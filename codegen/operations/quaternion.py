@@ -12,7 +12,7 @@ from coscrew_codegen.operations.norm import (Let, divided, inverse_power, l2, no
                                              prefixed, safe_norm, safe_normalized, unnamed)
 from coscrew_codegen.operations.operation import Operation, scaled
 from coscrew_codegen.operations.rotation import (conjugate, half_angle, quaternion_of,
-                                                 quaternion_product, rodrigues, rotation_vector,
+                                                 quaternion_product, rotation_vector,
                                                  upper, versor)
 from coscrew_codegen.operations.special import vector
 from coscrew_codegen.quantity import MAT3X3, QUATERNION, SCALAR, VEC3, Argument

@@ -13,7 +13,6 @@ from shutil import which
 import numpy as np
 
 import coscrew
-from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
 from coscrew_codegen.report import ReportError
 from coscrew_codegen.report.c_text import PADDING, Variant, kernels_text

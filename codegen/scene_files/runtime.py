@@ -25,12 +25,12 @@ def with_parameters(file: Table, model: Model, effects: tuple[Applied, ...]
     numbers, others = _candidates(model, effects)
     parameters: list[Parameter] = []
     for name in names:
-        found = [key for key in numbers if key == name or key.rpartition(".")[0] == name]
+        found = [key for key in numbers if key == name or _whole(key) == name]
         if not found:
             if name in others:
                 file.refuse("runtime", f"{name!r} is {others[name]}; wanted a number")
-            whole = {key.rpartition(".")[0] for key in numbers if key.endswith(".x")}
-            file.known("runtime", name, "number", (*numbers, *others, *sorted(whole)))
+            whole = dict.fromkeys(_whole(key) for key in numbers if _whole(key))
+            file.known("runtime", name, "number", (*numbers, *others, *whole))
         for key in found:
             if any(parameter.name == key for parameter in parameters):
                 file.refuse("runtime", f"{key!r} occurs twice")
@@ -42,6 +42,12 @@ def with_parameters(file: Table, model: Model, effects: tuple[Applied, ...]
 
     return (swapped_model(model, swap), tuple(_swapped(applied, swap) for applied in effects),
             tuple(parameters))
+
+
+def _whole(key: str) -> str:
+    """The vector or inertia that a number is a component of: tool.com of tool.com.x; else ""."""
+    whole, _, part = key.rpartition(".")
+    return whole if part in (*_XYZ, *_MOMENTS) else ""
 
 
 def _candidates(model: Model, effects: tuple[Applied, ...]) -> tuple[_Numbers, dict[str, str]]:

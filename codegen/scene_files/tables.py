@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import NoReturn
 
 from coscrew_codegen.dynamics.names import did_you_mean
-from coscrew_codegen.scene_files.decimals import bounded, decimal
+from coscrew_codegen.scene_files.decimals import LARGEST, bounded, decimal
 from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.xml import read_bytes
 
@@ -185,6 +185,8 @@ def described(value: object) -> str:
     """What came, with its type in TOML's words."""
     if isinstance(value, bool):
         return f"the boolean {str(value).lower()}"
+    if isinstance(value, int) and abs(value) > LARGEST:  # Python refuses to write the longest out
+        return "a number out of range"
     if isinstance(value, Decimals | int):
         return f"the number {shown(str(value))[1:-1]}"
     if isinstance(value, str):

@@ -69,6 +69,8 @@ def _in_own_table(reading: EffectTable, key: str, value: object) -> Applied:
         table.refuse(key, f"unknown key; {did_you_mean(key, known)}")
     own = table.table(key)
     if reading.what == "body" and "body" in own:
+        if key in reading.targets:  # in `runtime`, its name would mean two effects
+            own.refuse("body", f"{key!r} is itself a body; wanted another label")
         own.only("body", *reading.parameters)
         on = reading.target(own, "body", own.text("body"))
         return Applied(reading.effect, on, reading.values(own, own.values, on), key)

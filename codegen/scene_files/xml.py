@@ -35,7 +35,7 @@ class Element:
 
 
 def read_xml(path: Path, ignored: frozenset[str]) -> Element:
-    """The root element of a file, without elements whose tags are `ignored`.
+    """The root element of a file, without elements below it whose tags are `ignored`.
 
     Raises SceneError, naming the line, if the file cannot be read or is no well-formed XML."""
     parser = make_parser()
@@ -89,7 +89,7 @@ class _Handler(ContentHandler):
                              f"elements are nested deeper than {DEPTH}")
         if self._ignoring_from:
             return
-        if name in self._ignored:
+        if name in self._ignored and self._depth > 1:
             self._ignoring_from = self._depth
             return
         element = Element(name, dict(attrs.items()), line)

@@ -52,7 +52,7 @@ def compiled(scene: SceneFunctions, library: ctypes.PyDLL, described: scene_call
              precision: Precision) -> Callable:
     """A function of the library as a Python function of the same name and arguments."""
     kind, name = np.dtype(precision.numpy_type), c_name(scene, described.name, precision)
-    call = getattr(library, f"{name}_call")
+    call = getattr(library, f"call_{name}")
     shapes = [shape for _, shape in (*described.read, *described.outputs)]
     call.argtypes = [ctypes.py_object if shape or n >= len(described.read) else
                      _REAL[precision.name] for n, shape in enumerate(shapes)]
@@ -62,6 +62,23 @@ def compiled(scene: SceneFunctions, library: ctypes.PyDLL, described: scene_call
     exec(_text(described), names)
     function = names[described.name]
     function.__doc__ = "\n\n".join(described.words)
+    if described.moved:
+        function.repeated = _repeated(library, name, kind)
+    return function
+
+
+def _repeated(library: ctypes.PyDLL, name: str, kind: np.dtype) -> Callable:
+    """n steps of one state in one call: (n, t, h, p, q, v) -> (q, v)."""
+    run = getattr(_unlocked(library._name), f"run_{name}")
+    run.restype = None
+    run.argtypes = [ctypes.c_ssize_t, ctypes.c_double, ctypes.c_double, *[ctypes.c_void_p] * 3]
+
+    def function(n: int, t: float, h: float, p: np.ndarray, q: np.ndarray, v: np.ndarray
+                 ) -> tuple[np.ndarray, np.ndarray]:
+        p, q, v = (np.array(x, kind, order="C", ndmin=1) for x in (p, q, v))
+        run(n, t, h, p.ctypes.data, q.ctypes.data, v.ctypes.data)
+        return q, v
+
     return function
 
 
@@ -89,7 +106,7 @@ def _text(described: scene_calls.Callable) -> str:
 def _many(library: ctypes.PyDLL, name: str, described: scene_calls.Callable,
           kind: np.dtype) -> Callable:
     """The function for any arguments: checked, cast, and broadcast."""
-    loop = getattr(_unlocked(library._name), f"{name}_many")
+    loop = getattr(_unlocked(library._name), f"many_{name}")
     loop.restype = None
     pointer, stride = ctypes.c_void_p, ctypes.c_ssize_t
     loop.argtypes = [stride, *[pointer, stride] * len(described.read),
@@ -109,7 +126,7 @@ def _many(library: ctypes.PyDLL, name: str, described: scene_calls.Callable,
             array, step = given[x], 0
             if array.ndim > len(shape):
                 array, step = np.broadcast_to(array, (*lead, *shape)), prod(shape)
-            kept.append(np.ascontiguousarray(array))
+            kept.append(np.require(array, None, ("C", "A")))
             words += [kept[-1].ctypes.data, step]
         loop(*words, *(x.ctypes.data for x in results))
         found = tuple(x[()] for x in results)

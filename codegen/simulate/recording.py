@@ -9,7 +9,7 @@ import numpy as np
 class Column:
     """One number that is recorded: its name as in a scene's `record`, and its unit."""
 
-    name: str  # q.elbow, pose.hand.03
+    name: str  # q.elbow, pose.hand.3
     unit: str
     quantity: str  # what it is one of: q, v, energy; columns of one are plotted together
 

@@ -65,14 +65,15 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
                 q, v = step(min(_AT_ONCE, count - i), start + i * h, h, q, v)
             taken += count
             finite = np.isfinite(q).all() and np.isfinite(v).all()
-            yield q, v, taken, "" if finite else _where(system, step, start, h, *before)
+            yield q, v, taken, "" if finite else _where(system, step, start, h, count, *before)
 
 
-def _where(system: System, step: Callable, start: float, h: float, q: np.ndarray,
+def _where(system: System, step: Callable, start: float, h: float, count: int, q: np.ndarray,
            v: np.ndarray) -> str:
-    """When, after how many steps from `start`, and in which joint the state stops being finite."""
-    i = 0
-    while not (lacking := system.lacking(q, v)):
+    """When, after how many of `count` steps from `start`, and in which joint the state stops being
+    finite."""
+    for i in range(count):
+        if lacking := system.lacking(q, v):
+            return f"not finite at t = {start + i * h:.9g} s: {lacking}"
         q, v = step(1, start + i * h, h, q, v)
-        i += 1
-    return f"not finite at t = {start + i * h:.9g} s: {lacking}"
+    return f"not finite at t = {start + count * h:.9g} s: {system.lacking(q, v)}"

@@ -10,7 +10,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from coscrew_codegen.scene_functions import Coordinate, SceneFunctions
+from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.dynamics.scene import Scene
 from coscrew_codegen.simulate.settings import refuse_settings
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
@@ -122,8 +122,3 @@ def system(kernels: object, precision: str, settings: Mapping[str, float] | None
     values = tuple((settings or {}).get(name, value) for name, value in functions.parameters)
     found = next(x for x in PRECISIONS if x.name == precision)
     return System(scene, functions, getattr(kernels, precision), found, values)
-
-
-def joint_of(functions: SceneFunctions, joint: str) -> Coordinate:
-    """The coordinate of this joint."""
-    return next(c for c in functions.coordinates if c.joint == joint)

@@ -1,8 +1,9 @@
 """The C between Python and a scene's functions: calls for one state, and loops over many.
 
-`…_call` takes Python objects and returns 0 unless they are arrays it can take as they are; `…_many`
+`call_…` takes Python objects and returns 0 unless they are arrays it can take as they are; `many_…`
 takes a pointer and a stride in numbers for each input (0: the same for all states), and for each
-output a pointer; `…_run` takes n steps of h in a row, from the time t on.  All work in Python without its headers.
+output a pointer; `run_…` takes n steps of h in a row, from the time t on.  All work in Python
+without its headers.
 """
 
 from dataclasses import dataclass
