@@ -248,6 +248,38 @@ def test_energies_are_those_of_the_pendulum(shown):
             assert float(text[:-2]) == pytest.approx(wanted, rel=1e-4, abs=1e-9), (name, t)
 
 
+def test_the_energies_have_ticks(shown):
+    """At the times and energies they say: lines and labels both."""
+    low, high = -texts.GRAVITY, texts.GRAVITY  # of the potential and of the kinetic energy
+    box = shown.find_element(By.ID, "energies").rect
+    for name, unit, count in (("energy-labels", "J", 3), ("time-labels", "s", 3)):
+        labels = shown.find_elements(By.CSS_SELECTOR, f"#{name} span")
+        assert len(labels) >= count, name
+        assert all(x.text.endswith(f" {unit}") and x.is_displayed() for x in labels)
+    lines = shown.execute_script("""
+        return [...document.querySelectorAll("#ticks line")].map(x =>
+          ["x1", "x2", "y1", "y2"].map(name => Number(x.getAttribute(name))));""")
+    levels = sorted((y1 for _, _, y1, y2 in lines if y1 == y2), reverse=True)
+    said = [float(x.text[:-2]) for x in shown.find_elements(By.CSS_SELECTOR,
+                                                            "#energy-labels span")]
+    assert said == sorted(said)
+    for y, value in zip(levels, said, strict=True):
+        assert y == pytest.approx(150 - 140 * (value - low) / (high - low), abs=1.5)
+    said = [float(x.text[:-2]) for x in shown.find_elements(By.CSS_SELECTOR, "#time-labels span")]
+    assert said[0] == 0 and said[-1] == 2
+    times = sorted(x1 for x1, x2, _, _ in lines if x1 == x2)
+    assert times == pytest.approx([8 + 624 * t / 2 for t in said])
+    assert all(x.rect["x"] + x.rect["width"] <= box["x"] + box["width"] + 1
+               for x in shown.find_elements(By.CSS_SELECTOR, "#time-labels span"))
+
+
+@pytest.mark.parametrize("low, high, wanted", (
+    ("0", "1.16", [0, 0.5, 1]), ("0", "2", [0, 0.5, 1, 1.5, 2]), ("-3", "7", [-2, 0, 2, 4, 6]),
+    ("0", "1e-3", [0, 2e-4, 4e-4, 6e-4, 8e-4, 1e-3]), ("5", "5", [5])))
+def test_ticks_are_round_numbers(shown, low, high, wanted):
+    assert shown.execute_script(f"return ticks({low}, {high});") == pytest.approx(wanted)
+
+
 def test_a_click_on_the_energies_moves_there(shown):
     figure = shown.find_element(By.ID, "energies")
     ActionChains(shown).move_to_element(figure).click().perform()
@@ -270,7 +302,7 @@ def test_a_run_that_stopped_says_so(runs, tmp_path):
     assert f'role="status">{found.trajectory.stopped}' in text
 
 
-def test_a_run_of_huge_numbers_is_shown_as_far_as_they_go(browser, tmp_path):
+def test_a_run_of_huge_numbers_is_shown_as_far_as_they_go(browser, runs, tmp_path):
     path = tmp_path / "unstable.toml"
     path.write_text(texts.UNSTABLE)
     (found,) = simulated(load_scene(path), Asked(precision="double"))
@@ -278,6 +310,11 @@ def test_a_run_of_huge_numbers_is_shown_as_far_as_they_go(browser, tmp_path):
     shown = opened(browser, tmp_path, "unstable")
     assert shown.get_log("browser") == []
     assert shown.execute_script("return poses.length > 0 && poses.every(Number.isFinite);")
+    ends = shown.execute_script("return end;")
+    assert ends < found.trajectory.t[-1]
+    assert shown.find_element(By.ID, "shown").text.startswith(
+        f"The playback ends at t = {ends:.6g} s: ")
+    assert 'id="shown"' not in (runs[1] / "pendulum.html").read_text()
 
 
 # what is drawn

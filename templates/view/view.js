@@ -155,6 +155,44 @@ function tick(now) {
   requestAnimationFrame(tick);
 }
 
+// Multiples of 1, 2 or 5 times a power of ten from low to high, at most six.
+function ticks(low, high) {
+  if (!(high > low)) return [low];
+  const decade = 10 ** Math.floor(Math.log10((high - low) / 5));
+  const step = decade * ([1, 2, 5].find(k => 5 * k * decade >= high - low) ?? 10);
+  const first = Math.ceil(low / step - 1e-9), last = Math.floor(high / step + 1e-9);
+  return Array.from({ length: last - first + 1 }, (_, i) => (first + i) * step);
+}
+
+function tickLine(ends) {
+  const line = document.createElementNS("http://www.w3.org/2000/svg", "line");
+  for (const [name, value] of Object.entries(ends)) line.setAttribute(name, value);
+  $("ticks").append(line);
+}
+
+function tickLabel(id, words, side, share) {
+  const label = document.createElement("span");
+  label.textContent = words;
+  label.style[side] = share;
+  $(id).append(label);
+  return label;
+}
+
+// Lines of equal energy and equal time, and what they stand for.
+function drawTicks(low, high) {
+  for (const value of ticks(low, high)) {
+    const y = plotBottom - (plotBottom - plotTop) * (value - low) / (high - low || 1);
+    tickLine({ x1: plotLeft, x2: plotRight, y1: y, y2: y });
+    tickLabel("energy-labels", `${written(value)} J`, "top", `${y}px`);
+  }
+  for (const value of ticks(0, end)) {
+    const x = plotLeft + (plotRight - plotLeft) * (end > 0 ? value / end : 0);
+    tickLine({ x1: x, x2: x, y1: plotTop, y2: plotBottom });
+    const label = tickLabel("time-labels", `${written(value)} s`, "left", `${100 * x / 640}%`);
+    label.classList.toggle("last", x > .95 * plotRight);
+  }
+}
+
 // The energies over time.  A click moves to its time.
 const plotLeft = 8, plotRight = 632, plotTop = 10, plotBottom = 150;
 
@@ -165,6 +203,7 @@ function drawEnergies() {
                             finite.reduce((a, b) => Math.max(a, b))] : [];
   });
   const low = Math.min(...all), high = Math.max(...all), span = high - low || 1;
+  drawTicks(low, high);
   const every = Math.max(1, Math.floor(times.length / 1500));
   for (const [name, values] of Object.entries(energies)) {
     const pairs = [];
