@@ -2,11 +2,13 @@
 
 import math
 import subprocess
+from dataclasses import replace
 from xml.etree import ElementTree
 
 import mpmath as mp
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
@@ -15,9 +17,9 @@ from coscrew_codegen.cost.exact_run import evaluate, exact_end
 from coscrew_codegen.cost.leaving_out import TELLING, parts
 from coscrew_codegen.cost.loops import ELEMENTS, compiled, text
 from coscrew_codegen.cost.measure import measure
-from coscrew_codegen.cost.plot import plot
+from coscrew_codegen.cost.plot import _accuracy, plot
 from coscrew_codegen.cost.table import table
-from coscrew_codegen.cost.work_precision import Reference, error, reference
+from coscrew_codegen.cost.work_precision import Point, Reference, error, reference
 from coscrew_codegen.report.variants import flops
 from coscrew_codegen.scene_layout import banner_of, c_files
 from coscrew_codegen.scene_files.toml_scene import read_scene
@@ -213,6 +215,48 @@ def test_the_figure_holds_a_bar_for_each_part_and_a_curve_for_each_integrator(co
     bars = [x for x in ids if x.endswith(("-double-ns", "-single-ns"))]
     assert sorted(bars) == sorted(f"{x.part}-{p.name}-ns" for x in costs.rows for p in PRECISIONS
                                   if x.function == "forward_dynamics")
+
+
+def point(integrator: str, seconds: float, error: float) -> Point:
+    return Point(integrator, "double", 1e-3, 100, seconds, error, "C")
+
+
+@pytest.fixture
+def rough(costs):
+    """Costs whose reference is good to 1e-9; two of four runs are better than that."""
+    truth = replace(costs.reference, error=1e-9)
+    return replace(costs, reference=truth, points=(
+        point("rk4", 1e-5, 1e-6), point("rk4", 2e-5, 3e-10), point("rk4", 4e-5, 2e-11),
+        point("dop853", 1e-4, 1e-7)))
+
+
+def test_runs_better_than_the_reference_are_not_called_best(rough):
+    rows = [x.split() for x in table(rough).splitlines() if x.startswith(("rk4 ", "dop853 "))]
+    assert [x[6:] for x in rows] == [["*"], ["<"], ["<"], []]
+
+
+def test_runs_better_than_the_reference_are_hollow(rough, tmp_path):
+    plot(rough, tmp_path / "costs.svg")
+    root = ElementTree.parse(tmp_path / "costs.svg").getroot()
+    groups = {x.get("id"): x for x in root.iter() if x.get("id")}
+    used = {name: len([x for x in groups[name].iter() if x.tag.endswith("}use")])
+            for name in ("rk4 double runs", "rk4 double hollow", "dop853 double runs")}
+    assert used == {"rk4 double runs": 1, "rk4 double hollow": 2, "dop853 double runs": 1}
+    fills = {name: next(x.get("style") for x in groups[name].iter() if x.tag.endswith("}use"))
+             for name in used}
+    assert "fill: #ffffff" in fills["rk4 double hollow"]
+    assert "fill: #ffffff" not in fills["rk4 double runs"]
+    assert "reference" in groups
+
+
+def test_the_legend_covers_no_curve(rough):
+    figure = Figure(figsize=(13, 4.6), layout="constrained")
+    axes = figure.subplots()
+    _accuracy(axes, rough)
+    figure.draw_without_rendering()
+    legend, panel = axes.get_legend().get_window_extent(), axes.get_window_extent()
+    assert legend.x0 >= panel.x1
+    assert legend.x1 <= figure.bbox.x1
 
 
 def test_the_command_prints_and_draws(tmp_path, capsys):

@@ -50,6 +50,10 @@ class Costs:
     reference: Reference | None
     points: tuple[Point, ...]
 
+    def known(self, point: Point) -> bool:
+        """Whether a run's error is above the reference's own: below, it may be anything less."""
+        return self.reference is not None and point.error > self.reference.error
+
 
 def measure(kernels: object, asked: Asked, digits: int | None) -> Costs:
     """Measure; with `digits` the reference is computed with that many.  Raises CostError."""

@@ -8,6 +8,8 @@ from coscrew_codegen.cost.leaving_out import TELLING
 from coscrew_codegen.cost.measure import Costs
 from coscrew_codegen.cost.work_precision import Point
 
+_MARKS = "* no run is faster and as accurate\n< as accurate as the reference: it cannot tell more"
+
 
 def table(costs: Costs) -> str:
     """What costs.svg shows, and more: functions, effects, accuracy."""
@@ -45,11 +47,17 @@ def _accuracy(costs: Costs) -> str:
             f"{truth.words}, good to about {truth.error:.1g}.\nSteps of emitted integrators, in C; "
             "tolerances of SciPy's, in Python.")
     rows = [(x.integrator, x.precision, x.step, x.steps, 1e6 * x.seconds,
-             x.error if math.isfinite(x.error) else "unstable", "*" if _best(x, costs) else "")
+             x.error if math.isfinite(x.error) else "unstable", _mark(x, costs))
             for x in costs.points]
     headers = ("integrator", "precision", "step, s, or rtol", "steps", "time, µs",
                "error, m or rad", "best")
-    return f"{head}\n{tabulate(rows, headers, floatfmt='.3g')}\n* no run is faster and as accurate"
+    return f"{head}\n{tabulate(rows, headers, floatfmt='.3g')}\n{_MARKS}"
+
+
+def _mark(point: Point, costs: Costs) -> str:
+    if not costs.known(point):
+        return "<"
+    return "*" if _best(point, costs) else ""
 
 
 def _best(point: Point, costs: Costs) -> bool:
