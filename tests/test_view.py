@@ -265,6 +265,12 @@ def test_the_energies_have_ticks(shown):
     assert said == sorted(said)
     for y, value in zip(levels, said, strict=True):
         assert y == pytest.approx(150 - 140 * (value - low) / (high - low), abs=1.5)
+    scale = box["height"] / 160  # labels stand on their lines
+    for y, label in zip(levels, shown.find_elements(By.CSS_SELECTOR, "#energy-labels span")):
+        below = label.rect["y"] + label.rect["height"]
+        assert 0 <= box["y"] + y * scale - below < 6
+    for label in shown.find_elements(By.CSS_SELECTOR, "#time-labels span"):
+        assert label.rect["y"] >= box["y"] + 150 * scale
     said = [float(x.text[:-2]) for x in shown.find_elements(By.CSS_SELECTOR, "#time-labels span")]
     assert said[0] == 0 and said[-1] == 2
     times = sorted(x1 for x1, x2, _, _ in lines if x1 == x2)

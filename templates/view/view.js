@@ -183,7 +183,7 @@ function drawTicks(low, high) {
   for (const value of ticks(low, high)) {
     const y = plotBottom - (plotBottom - plotTop) * (value - low) / (high - low || 1);
     tickLine({ x1: plotLeft, x2: plotRight, y1: y, y2: y });
-    tickLabel("energy-labels", `${written(value)} J`, "top", `${y}px`);
+    tickLabel("energy-labels", `${written(value)} J`, "top", `${100 * y / 160}%`);
   }
   for (const value of ticks(0, end)) {
     const x = plotLeft + (plotRight - plotLeft) * (end > 0 ? value / end : 0);
