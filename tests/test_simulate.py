@@ -363,7 +363,8 @@ eps = 1e-3
     ("mass = 2", "mass = -1.5", {"tool.mass": -1.5}), ("mass = 2", "mass = 0", {"tool.mass": 0}),
     ("mass = 2", "mass = 1e301", {"tool.mass": 1e301}),
     ("[0.01, 0.01, 0.01]", "[0.01, 0.01, 1]", {"tool.inertia.zz": 1}),
-    ("k = 3", "k = -3", {"spring.hinge.k": -3}), ("eps = 1e-3", "eps = 0", {"coulomb.hinge.eps": 0}),
+    ("k = 3", "k = -3", {"spring.hinge.k": -3}),
+    ("eps = 1e-3", "eps = 0", {"coulomb.hinge.eps": 0}),
     ("com = [0, 0, -0.5]\ninertia = [0.01, 0.01, 0.01]", "com = [0, 0, 0]",
      {"tool.com.z": 0, "tool.inertia.xx": 0, "tool.inertia.yy": 0, "tool.inertia.zz": 0})))
 def test_numbers_are_set_that_the_file_may_hold(tmp_path, key, given, settings):

@@ -8,7 +8,13 @@ from pathlib import Path
 from coscrew_codegen.dynamics.effect import Effect
 from coscrew_codegen.dynamics.model import Joint, Kind, Model
 from coscrew_codegen.dynamics.possible import unmoved_mass
-from coscrew_codegen.dynamics.quantities import QuantityError, carried, expected, followers, recorded
+from coscrew_codegen.dynamics.quantities import (
+    QuantityError,
+    carried,
+    expected,
+    followers,
+    recorded,
+)
 from coscrew_codegen.dynamics.rotations import unit
 from coscrew_codegen.dynamics.scene import Expectation, Run, Scene
 from coscrew_codegen.scene_files.effect_table import Use

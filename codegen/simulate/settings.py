@@ -1,4 +1,4 @@
-"""Values given for a scene's `runtime` parameters: refused where the scene's file would be for them."""
+"""Values of a scene's `runtime` parameters: refused where the scene's file would be."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
