@@ -5,6 +5,7 @@ from fractions import Fraction as F
 
 import pytest
 
+from coscrew_codegen.dynamics.constants import constant
 from coscrew_codegen.dynamics.formulas import Formula
 from coscrew_codegen.dynamics.model import Kind, Mimic, Parameter
 from coscrew_codegen.dynamics.names import did_you_mean, nearest
@@ -282,10 +283,24 @@ d = "model"
     assert applied(scene, "gravity")["", ""]["g"] == expected_parameters[2:5]
 
 
+def test_components_of_vectors_have_letters_and_numbers(read):
+    by_number = read('runtime = ["tool.com.2", "gravity.g.0"]\n', "[effects.gravity]\n")
+    by_letter = read('runtime = ["tool.com.z", "gravity.g.x"]\n', "[effects.gravity]\n")
+    assert by_number == by_letter
+    assert [parameter.name for parameter in by_number.parameters] == ["tool.com.z", "gravity.g.x"]
+
+
 @pytest.mark.parametrize("runtime, words", [
     ('["tool.mas"]', "did you mean 'tool.mass'?"),
     ('["tool.mass", "tool.mass"]', "'tool.mass' occurs twice"),
     ('["tool.com", "tool.com.x"]', "'tool.com.x' occurs twice"),
+    ('["elbow.damping"]', "no number 'elbow.damping'; no effect uses it: add [effects.viscous]; of "
+                          "joint 'elbow' there is none"),
+    ('["shoulder.velocity"]', "no effect uses it; of joint 'shoulder' there is none"),
+    ('["tool.weight"]', "no number 'tool.weight'; of body 'tool' there are tool.mass, tool.com, "
+                        "tool.inertia"),
+    ('["tool.com.3"]', "no number 'tool.com.3'; did you mean 'tool.com'?"),
+    ('["tool.com.x", "tool.com.0"]', "'tool.com.x' occurs twice"),
     ('["motor.shoulder.u"]', "is a formula"), ('["motor.shoulder.kp"]', "is not given"),
     ('["motor.shoulder.kind"]', "is a word"), ('["shoulder.damping"]', "no number"),
     ('"tool.mass"', "wanted a list of texts"), ("[1]", "wanted text")])
@@ -386,7 +401,9 @@ def test_other_texts_are_no_quantities(read, text, words):
     ('model = "arm.urdf"\n', "", "bodies", "wanted one of both"),
     ("", "[effects.gravty]", "effects.gravty", "did you mean 'gravity'?"),
     ("", "[effects.gravity]\ng = 9.81", "effects.gravity.g", "a list of 3 numbers"),
-    ("", "[effects.gravity]\ng = [0, 0, '9.81']", "effects.gravity.g", "the text '9.81'"),
+    ("", "[effects.gravity]\ng = [0, 0, 't']", "effects.gravity.g", "depends on t"),
+    ("", "[start]\nq.elbow = '2*t'", "start.q.elbow", "depends on t; wanted a constant"),
+    ("", "[start]\nq.elbow = 'exp(-(1e300**100*1e300))'", "start.q.elbow", "out of range"),
     ("", "[effects.gravity]\ng = [0, 0, nan]", "effects.gravity.g", "not finite"),
     ("", "[effects.gravity]\ng = [0, 0, -inf]", "effects.gravity.g", "not finite"),
     ("", "[effects.gravity]\nG = [0, 0, 1]", "effects.gravity.G", "did you mean 'g'?"),
@@ -412,7 +429,7 @@ def test_other_texts_are_no_quantities(read, text, words):
     ("", "[effects.viscous]\njoints = 'all'\nd = { rail = 1 }", "effects.viscous.d.shoulder",
      "missing"),
     ("", "[effects.viscous]\njoints = 'all'\nd = true", "effects.viscous.d", "the boolean true"),
-    ("", "[effects.viscous]\njoints = 'all'\nd = '0.1'", "effects.viscous.d", "or \"model\""),
+    ("", "[effects.viscous]\njoints = 'all'\nd = 'modle'", "effects.viscous.d", "or \"model\""),
     ("", "[effects.viscous]\njoints = 'all'\nd = -1", "effects.viscous.d", "wanted 0 or more"),
     ("", "[effects.viscous]\njoints = 'all'\nd = 1e999", "effects.viscous.d", "out of range"),
     ("", "[effects.viscous]\njoints = 'all'\nd = 1979-05-27", "effects.viscous.d", "the time"),
@@ -594,3 +611,18 @@ def test_without_likeness_what_there_is_is_listed():
     many = tuple(f"joint{i}" for i in range(21))
     assert did_you_mean("xyz", many) == "none of the 21 there are is like it"
     assert did_you_mean("xyz", ()) == "there are none"
+
+
+def test_numbers_may_be_constant_formulas(read):
+    """Rational ones exactly, others to 50 digits; right angles are right."""
+    model = MODEL.replace("rpy = [1.57079632679, 0, 0]", 'rpy = ["pi/2", 0, 0]').replace(
+        "lower = -1", 'lower = "-0.1*3"')
+    scene = read(model=model, tail='[effects.viscous.elbow]\nd = "1/3"\n[start.q]\n'
+                                   'shoulder = "pi/2"\nelbow = ["sin(pi)"]\n')
+    shoulder, elbow, _ = scene.model.joints
+    assert shoulder.lower == F(-3, 10)
+    assert elbow.placement.R == (1, 0, 0, 0, 0, -1, 0, 1, 0)
+    assert applied(scene, "viscous")["elbow", ""]["d"] == F(1, 3)
+    assert scene.start_q == {"shoulder": (math.pi / 2,), "elbow": (0.0,)}
+    assert 0 < abs(constant("sqrt(0.5)")**2 - F(1, 2)) < F(1, 10**49)
+    assert constant("sqrt(2)**2 - 2") == 0

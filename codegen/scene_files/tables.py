@@ -7,6 +7,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import NoReturn
 
+from coscrew_codegen.dynamics.constants import constant
 from coscrew_codegen.dynamics.names import did_you_mean, or_mean
 from coscrew_codegen.scene_files.decimals import bounded, decimal
 from coscrew_codegen.scene_files.errors import SceneError, shown
@@ -138,12 +139,14 @@ class Table:
         return texts
 
     def as_number(self, key: str, value: object) -> Fraction:
-        """A value as an exact number."""
+        """A value as an exact number; texts are formulas without t, such as "pi/2"."""
         try:
             if isinstance(value, Decimals):
                 return decimal(value.replace("_", ""))
             if isinstance(value, int) and not isinstance(value, bool):
                 return bounded(Fraction(value), "the number")
+            if isinstance(value, str):
+                return constant(value)
         except ValueError as error:
             self.refuse(key, str(error))
         self.refuse(key, f"{described(value)}; wanted a number")
