@@ -20,7 +20,8 @@ _Swap = Callable[[str, Scalar], Scalar]  # name, number → the number or its Pa
 
 
 def with_parameters(file: Table, model: Model, effects: tuple[Applied, ...],
-                    catalogue: tuple[Effect, ...]) -> tuple[Model, tuple[Applied, ...], tuple[Parameter, ...]]:
+                    catalogue: tuple[Effect, ...]
+                    ) -> tuple[Model, tuple[Applied, ...], tuple[Parameter, ...]]:
     """Model and effects with Parameters in place of the numbers that `runtime` names, and these.
 
     A vector gives one for each component: tool.com gives tool.com.x, tool.com.y, tool.com.z, which
