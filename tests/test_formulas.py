@@ -93,6 +93,8 @@ def test_equal_texts_are_equal_formulas():
     ("sinn(t)", "did you mean 'sin'?"),
     ("Sin(t)", "did you mean 'sin'?"),
     ("coss(t)", "did you mean 'cos'?"),
+    ("heaviside(t)", "'heaviside'; formulas know t, pi and the functions sin, cos, exp, tanh"),
+    ("2*omega", "'omega'; formulas know t, pi and the functions sin, cos, exp, tanh"),
     ("time", "unknown name 'time'"),
     ("x", "unknown name 'x'"),
     ("nan", "unknown name 'nan'"),

@@ -8,6 +8,7 @@ import ast
 import inspect
 import textwrap
 from collections.abc import Callable
+from fractions import Fraction
 from functools import cache, partial
 from types import FunctionType
 
@@ -129,7 +130,8 @@ def rows(operation: Operation, precision: Precision) -> list[Row]:
         spoiled = definite.copy()  # each in one pivot, the first that is not positive
         places = np.arange(len(A)) % A.shape[1]
         spoiled[np.arange(len(A)), places, places] = -1
-        groups = [(A, *others), (definite, *others), (spoiled, *others)]
+        singular = np.array([singular_at(k, M) for k, M in zip(places, definite, strict=True)])
+        groups = [(x, *others) for x in (A, definite, spoiled, singular)]
     sizes = np.cumsum([a.quantity.size for a in operation.inputs])
     units = np.vstack([np.zeros(sizes[-1]), np.eye(sizes[-1])])
     groups += [np.split(size * units, sizes[:-1], axis=1) for size in (1, 2.0**-70)]
@@ -140,6 +142,19 @@ def rows(operation: Operation, precision: Precision) -> list[Row]:
                plain_program(operation).counts else mp.inf for a in operation.inputs]
     return [row for row in found if all(abs(c) < limit for x, limit in zip(row, largest, strict=True)
                                         for c in x)]
+
+
+def singular_at(k: int, M: np.ndarray) -> np.ndarray:
+    """M without what couples its first k + 1 rows to the others, and with a pivot k that vanishes but
+    for the rounding of its diagonal entry: only the threshold for regular matrices refuses it."""
+    found = M.copy()
+    found[:k + 1, k + 1:] = found[k + 1:, :k + 1] = 0
+    rest = [[Fraction(x) for x in row[:k + 1]] for row in found[:k + 1].tolist()]
+    for i in range(k):
+        rest = [[x - row[0] * y / rest[0][0] for x, y in zip(row[1:], rest[0][1:], strict=True)]
+                for row in rest[1:]]
+    found[k, k] = float(Fraction(float(found[k, k])) - rest[0][0])
+    return found
 
 
 def differs(found: list[mp.mpf], wanted: list[mp.mpf]) -> bool:

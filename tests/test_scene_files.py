@@ -5,8 +5,10 @@ from fractions import Fraction as F
 
 import pytest
 
+from coscrew_codegen.dynamics.constants import constant
 from coscrew_codegen.dynamics.formulas import Formula
 from coscrew_codegen.dynamics.model import Kind, Mimic, Parameter
+from coscrew_codegen.dynamics.names import did_you_mean, nearest
 from coscrew_codegen.dynamics.quantities import QuantityError, coordinates, expected, recorded
 from coscrew_codegen.dynamics.scene import Expectation, Run
 from coscrew_codegen.scene_files.errors import SceneError
@@ -90,7 +92,10 @@ def test_what_is_not_given_has_defaults(read):
 @pytest.mark.parametrize("stem, name", [
     ("6-joint arm", "scene_6_joint_arm"), ("int", "scene_int"), ("class", "scene_class"),
     ("numpy", "scene_numpy"), ("été", "t"), ("--", "scene"), ("a.b", "a_b"), ("_x", "x"),
-    ("x" * 80, "x" * 34)])
+    ("x" * 80, "x" * 34),
+    *((name, f"scene_{name}") for name in (
+        "math", "Math", "string", "time", "tgmath", "float", "features", "strings", "random", "sys",
+        "tomllib", "imp", "threading"))])
 def test_names_of_files_become_identifiers(read, stem, name):
     assert read(name=f"{stem}.toml").name == name
 
@@ -162,6 +167,12 @@ def test_rotations_of_origins(read, origin, R):
 
 
 # effects
+
+def test_inertias_may_be_symmetric_matrices(read):
+    model = MODEL.replace("inertia = [0.02, 0.03, 0.04, 0.001, 0, -0.002]", """inertia = [
+        [0.02, 0.001, 0], [0.001, 0.03, -0.002], [0, -0.002, 0.04]]""")
+    assert model != MODEL and read(model=model).model == read().model
+
 
 def test_effects_come_in_the_order_of_catalogue_and_model(read):
     scene = read(tail="""
@@ -272,10 +283,24 @@ d = "model"
     assert applied(scene, "gravity")["", ""]["g"] == expected_parameters[2:5]
 
 
+def test_components_of_vectors_have_letters_and_numbers(read):
+    by_number = read('runtime = ["tool.com.2", "gravity.g.0"]\n', "[effects.gravity]\n")
+    by_letter = read('runtime = ["tool.com.z", "gravity.g.x"]\n', "[effects.gravity]\n")
+    assert by_number == by_letter
+    assert [parameter.name for parameter in by_number.parameters] == ["tool.com.z", "gravity.g.x"]
+
+
 @pytest.mark.parametrize("runtime, words", [
     ('["tool.mas"]', "did you mean 'tool.mass'?"), ('["tool"]', "did you mean 'tool.com'?"),
     ('["tool.mass", "tool.mass"]', "'tool.mass' occurs twice"),
     ('["tool.com", "tool.com.x"]', "'tool.com.x' occurs twice"),
+    ('["elbow.damping"]', "no number 'elbow.damping'; no effect uses it: add [effects.viscous]; of "
+                          "joint 'elbow' there is none"),
+    ('["shoulder.velocity"]', "no effect uses it; of joint 'shoulder' there is none"),
+    ('["tool.weight"]', "no number 'tool.weight'; of body 'tool' there are tool.mass, tool.com, "
+                        "tool.inertia"),
+    ('["tool.com.3"]', "no number 'tool.com.3'; did you mean 'tool.com'?"),
+    ('["tool.com.x", "tool.com.0"]', "'tool.com.x' occurs twice"),
     ('["motor.shoulder.u"]', "is a formula"), ('["motor.shoulder.kp"]', "is not given"),
     ('["motor.shoulder.kind"]', "is a word"), ('["shoulder.damping"]', "no number"),
     ('"tool.mass"', "wanted a list of texts"), ("[1]", "wanted text")])
@@ -339,6 +364,10 @@ def test_places_and_units_of_quantities(read):
     assert recorded("twist.tool.3", scene).units == ("rad/s",)
     assert recorded("reaction.elbow.2", scene).names == ("reaction.elbow.2",)
     assert expected("energy", scene).names == ("energy.total",)
+    for name, number in zip("xyz", "012", strict=True):
+        assert (recorded(f"position.tool.{name}", scene).places
+                == recorded(f"position.tool.{number}", scene).places == (int(number),))
+    assert recorded("position.tool.y", scene).names == ("position.tool.1",)
     with pytest.raises(QuantityError, match="3 components"):
         expected("q", scene)
 
@@ -356,7 +385,9 @@ def test_followers_have_no_coordinates(read):
     ("q.elbow.1", "no component '1'"), ("pose", "lacks its body"), ("pose.tool.12", "0 to 11"),
     ("pose.tol", "did you mean 'tool'?"), ("energy.kinetc", "kinetic, potential, total"),
     ("reaction.world", "no joint"), ("", "no quantity"), ("q.elbow.", "component"),
-    ("pose.tool.-1", "component"), ("momentum.6", "0 to 5"), ("q.elbow.0.0", "no joint")])
+    ("pose.tool.-1", "component"), ("momentum.6", "0 to 5"), ("momentum.x", "0 to 5"), ("energy.x", "kinetic"),
+    ("position.tool.w", "0 to 2, or x, y, z"), ("position.tol.x", "did you mean 'tool'?"),
+    ("q.elbow.0.0", "no joint")])
 def test_other_texts_are_no_quantities(read, text, words):
     scene = read()
     with pytest.raises(QuantityError) as caught:
@@ -373,11 +404,14 @@ def test_other_texts_are_no_quantities(read, text, words):
     ('base = "floating"\n', "", "base", "wanted one of fixed, free"),
     ('base = "free"\n', "", "base", "the root is the world"),
     ('name = "6dof"\n', "", "name", "scene_6dof"), ('name = "while"\n', "", "name", "word of C"),
+    ('name = "math"\n', "", "name", "scene_math"),
     ('name = ""\n', "", "name", "identifier"), ('name = true\n', "", "name", "the boolean true"),
     ('model = "arm.urdf"\n', "", "bodies", "wanted one of both"),
     ("", "[effects.gravty]", "effects.gravty", "did you mean 'gravity'?"),
     ("", "[effects.gravity]\ng = 9.81", "effects.gravity.g", "a list of 3 numbers"),
-    ("", "[effects.gravity]\ng = [0, 0, '9.81']", "effects.gravity.g", "the text '9.81'"),
+    ("", "[effects.gravity]\ng = [0, 0, 't']", "effects.gravity.g", "depends on t"),
+    ("", "[start]\nq.elbow = '2*t'", "start.q.elbow", "depends on t; wanted a constant"),
+    ("", "[start]\nq.elbow = 'exp(-(1e300**100*1e300))'", "start.q.elbow", "out of range"),
     ("", "[effects.gravity]\ng = [0, 0, nan]", "effects.gravity.g", "not finite"),
     ("", "[effects.gravity]\ng = [0, 0, -inf]", "effects.gravity.g", "not finite"),
     ("", "[effects.gravity]\nG = [0, 0, 1]", "effects.gravity.G", "did you mean 'g'?"),
@@ -403,7 +437,7 @@ def test_other_texts_are_no_quantities(read, text, words):
     ("", "[effects.viscous]\njoints = 'all'\nd = { rail = 1 }", "effects.viscous.d.shoulder",
      "missing"),
     ("", "[effects.viscous]\njoints = 'all'\nd = true", "effects.viscous.d", "the boolean true"),
-    ("", "[effects.viscous]\njoints = 'all'\nd = '0.1'", "effects.viscous.d", "or \"model\""),
+    ("", "[effects.viscous]\njoints = 'all'\nd = 'modle'", "effects.viscous.d", "or \"model\""),
     ("", "[effects.viscous]\njoints = 'all'\nd = -1", "effects.viscous.d", "wanted 0 or more"),
     ("", "[effects.viscous]\njoints = 'all'\nd = 1e999", "effects.viscous.d", "out of range"),
     ("", "[effects.viscous]\njoints = 'all'\nd = 1979-05-27", "effects.viscous.d", "the time"),
@@ -411,7 +445,12 @@ def test_other_texts_are_no_quantities(read, text, words):
      "effects.viscous.elbow", "given twice"),
     ("", "[effects.viscous.elbw]\nd = 1", "effects.viscous.elbw", "did you mean 'elbow'?"),
     ("", "[effects.viscous.elbow]\nD = 1", "effects.viscous.elbow.D", "did you mean 'd'?"),
-    ("", "[effects.viscous]\ndamp = 1", "effects.viscous.damp", "did you mean"),
+    ("", "[effects.viscous]\ndamp = 1", "effects.viscous.damp",
+     "unknown key; wanted one of d, elbow, joints, rail, shoulder"),
+    ("", "[effects.viscous]\njoints = 'all'\ndd = 1", "effects.viscous.dd",
+     "unknown key; did you mean 'd'?"),
+    ("", "[effects.viscous]\njoints = 'all'\ndd = { elbow = 1 }", "effects.viscous.dd",
+     "did you mean 'd'?"),
     ("", "[effects.stribeck]\ntau_c = { elbow = 1, rail = 2 }\ntau_s = { elbow = 1 }",
      "effects.stribeck.tau_s.rail", "missing"),
     ("", "[effects.stribeck.elbow]\ntau_c = 1\ntau_s = 1\neps = 0", "effects.stribeck.elbow.eps",
@@ -471,6 +510,16 @@ def test_errors_name_file_key_and_what_was_wanted(read, head, tail, where, words
     ("mass = 1.5", "mass = 0", "bodies.upper.mass", "positive"),
     ("mass = 1.5", "mas = 1.5", "bodies.upper.mas", "did you mean 'mass'?"),
     ("mass = 1.5\n", "", "bodies.upper.mass", "missing"),
+    ('type = "continuous"', 'typ = "continuous"', "joints.elbow.typ", "did you mean 'type'?"),
+    ("inertia = [0.1, 0.1, 0.01]", "inertia = 3", "bodies.upper.inertia",
+     "the number 3; wanted a list of 3 or 6 numbers: xx, yy, zz, xy, xz, yz; or a symmetric"),
+    ("inertia = [0.1, 0.1, 0.01]", "inertia = [[1, 0, 0], [0, 1, 0]]", "bodies.upper.inertia",
+     "a list of 2 with lists in it; wanted a list of 3 or 6 numbers"),
+    ("inertia = [0.1, 0.1, 0.01]", "inertia = [[1, 0, 0], [0, 1, 0], 1]", "bodies.upper.inertia",
+     "a list of 3 with lists in it"),
+    ("inertia = [0.1, 0.1, 0.01]",
+     "inertia = [[1, 0, 0.1], [0, 1, 0], [0.10000000000000001, 0, 1]]",
+     "bodies.upper.inertia", "xz is 0.1"),
     ("inertia = [0.1, 0.1, 0.01]", "inertia = [1, 2]", "bodies.upper.inertia", "a list of 2"),
     ("inertia = [0.1, 0.1, 0.01]", "inertia = [1, 1, 2.1]", "body 'upper'", "the sum of the other"),
     ("inertia = [0.1, 0.1, 0.01]", "inertia = [1, 1, -1]", "body 'upper'", "positive definite"),
@@ -479,8 +528,11 @@ def test_errors_name_file_key_and_what_was_wanted(read, head, tail, where, words
     ('child = "tool"', 'child = "upper"', "joint 'elbow'", "same body"),
     ('child = "slide"', 'child = "upper"', "body 'upper'", "two joints, 'shoulder' and 'rail'"),
     ('parent = "upper"', 'parent = "slide"', "joint 'elbow'", "loop"),
-    ('type = "continuous"', 'type = "hinge"', "joints.elbow.type", "wanted one of revolute"),
-    ('type = "continuous"', 'type = "ball"', "joints.elbow.type", "spherical"),
+    ('type = "continuous"', 'type = "hinge"', "joints.elbow.type", "did you mean 'revolute'?"),
+    ('type = "continuous"', 'type = "floating"', "joints.elbow.type", "did you mean 'free'?"),
+    ('type = "continuous"', 'type = "slider"', "joints.elbow.type", "did you mean 'prismatic'?"),
+    ('type = "continuous"', 'type = "weld"', "joints.elbow.type", "did you mean 'fixed'?"),
+    ('type = "continuous"', 'type = "ball"', "joints.elbow.type", "did you mean 'spherical'?"),
     ('type = "continuous"', 'type = "spherical"', "joints.elbow.axis", "'elbow' is spherical"),
     ("axis = [1, 0, 0]", "axis = [0, 0, 0]", "joints.elbow.axis", "is zero"),
     ("axis = [1, 0, 0]\n", "", "joints.elbow.axis", "missing"),
@@ -539,3 +591,50 @@ def test_without_a_joint_that_moves_there_is_no_scene(read):
 def test_reading_twice_gives_the_same(read):
     text = '[effects.viscous]\njoints = "all"\nd = "model"\n[effects.gravity]\n'
     assert read(tail=text) == read(tail=text)
+
+
+@pytest.mark.parametrize("text, words", [
+    ("[joints\n", "Expected ']' at the end of a table declaration (at line 1, column 8); wanted"),
+    ("a = 1\n" * 2, "Cannot overwrite a value (at line 2, column 6); wanted a TOML file"),
+    (f"[{'k' * 2000}]\n" * 2, "(at line 2, column 2002); wanted a TOML file")])
+def test_what_is_no_toml_is_told_with_line_and_column(read, text, words):
+    with pytest.raises(SceneError) as caught:
+        read(model=text)
+    assert words in str(caught.value) and len(caught.value.problem) < 350
+
+
+@pytest.mark.parametrize("came, known, near", [
+    ("elbw", ("elbow", "shoulder"), "elbow"), ("Elbow", ("elbow", "shoulder"), "elbow"),
+    ("foo", ("coulomb", "drag", "gravity", "viscous"), None),
+    ("half", ("both", "double", "single"), None), ("omega", ("max", "min"), None),
+    ("heaviside", ("abs", "cos", "sin", "t"), None),
+    ("euler", ("rk4", "semi-implicit-euler", "linear-implicit-euler"), "semi-implicit-euler"),
+    ("floating", ("continuous", "fixed", "free"), "free"), ("free", ("fixed", "floating"),
+                                                             "floating"),
+    ("weld", ("revolute", "fixed"), "fixed"), ("hinge", ("hinge1", "elbow"), "hinge1"),
+    ("dd", ("d", "joints"), "d"), ("x", (), None)])
+def test_suggestions_are_alike(came, known, near):
+    assert nearest(came, known) == near
+    assert (f"did you mean {near!r}?" == did_you_mean(came, known)) == (near is not None)
+
+
+def test_without_likeness_what_there_is_is_listed():
+    assert did_you_mean("foo", ("viscous", "drag")) == "wanted one of drag, viscous"
+    many = tuple(f"joint{i}" for i in range(21))
+    assert did_you_mean("xyz", many) == "none of the 21 there are is like it"
+    assert did_you_mean("xyz", ()) == "there are none"
+
+
+def test_numbers_may_be_constant_formulas(read):
+    """Rational ones exactly, others to 50 digits; right angles are right."""
+    model = MODEL.replace("rpy = [1.57079632679, 0, 0]", 'rpy = ["pi/2", 0, 0]').replace(
+        "lower = -1", 'lower = "-0.1*3"')
+    scene = read(model=model, tail='[effects.viscous.elbow]\nd = "1/3"\n[start.q]\n'
+                                   'shoulder = "pi/2"\nelbow = ["sin(pi)"]\n')
+    shoulder, elbow, _ = scene.model.joints
+    assert shoulder.lower == F(-3, 10)
+    assert elbow.placement.R == (1, 0, 0, 0, 0, -1, 0, 1, 0)
+    assert applied(scene, "viscous")["elbow", ""]["d"] == F(1, 3)
+    assert scene.start_q == {"shoulder": (math.pi / 2,), "elbow": (0.0,)}
+    assert 0 < abs(constant("sqrt(0.5)")**2 - F(1, 2)) < F(1, 10**49)
+    assert constant("sqrt(2)**2 - 2") == 0

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from decimal import Decimal
 from fractions import Fraction
 
-from coscrew_codegen.dynamics.names import did_you_mean
+from coscrew_codegen.dynamics.names import or_mean
 
 LENGTH = 1000  # characters
 NESTING = 50  # parentheses, signs and exponents in each other
@@ -27,6 +27,8 @@ _OPERATORS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.m
 _DECIMAL = re.compile(r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{1,4})?")
 _GLUED = re.compile(r"(?<![\w.])[0-9.]++(?:[eE][+-]?[0-9]+)?+[A-Za-z_]\w*")  # 2t
 _WANTED = f"numbers, t, pi, + - * / **, parentheses and {', '.join(FUNCTIONS)}"
+
+_KNOWN = f"formulas know t, pi and the functions {', '.join(FUNCTIONS)}"
 
 _DOUBLES = {"sin": math.sin, "cos": math.cos, "exp": math.exp, "tanh": math.tanh, "sqrt": math.sqrt,
             "abs": abs, "min": min, "max": max, "pi": math.pi, "number": float}
@@ -181,13 +183,14 @@ class _Reading:
             return _Step(name)
         if name in FUNCTIONS:
             raise self._error(f"{name!r} lacks its argument; wanted {name}(…)")
-        hint = did_you_mean(name, ("t", "pi", *FUNCTIONS))
-        raise self._error(f"unknown name {_short(name)!r}; {hint}")
+        hint = or_mean(name, ("t", "pi", *FUNCTIONS))
+        raise self._error(f"unknown name {_short(name)!r}{hint}; {_KNOWN}")
 
     def _call(self, node: ast.Call, nesting: int, power: int) -> Iterator[_Step]:
         name = self._part(node.func)
         if name not in FUNCTIONS:
-            raise self._error(f"unknown function {_short(name)!r}; {did_you_mean(name, FUNCTIONS)}")
+            hint = or_mean(name, FUNCTIONS)
+            raise self._error(f"unknown function {_short(name)!r}{hint}; {_KNOWN}")
         wanted, came = FUNCTIONS[name], len(node.args) + len(node.keywords)
         if node.keywords or came < wanted or (wanted == 1 and came > 1):
             count = "one argument" if wanted == 1 else "two arguments or more"

@@ -1,14 +1,55 @@
 """What a mistyped name was meant to be."""
 
 from collections.abc import Iterable
-from difflib import get_close_matches
+from difflib import SequenceMatcher
+
+LIKE = 0.55  # difflib's ratio from which names are alike: omega is not max (0.5), nor half both
+MANY = 20  # names that a message can still list
+_SHORT = 3  # letters below which one name within another says nothing: "d" in "heaviside"
+
+_SYNONYMS = (("revolute", "hinge", "pin", "rotary", "rotational"),
+             ("prismatic", "slider", "slide", "sliding", "translational"),
+             ("spherical", "ball", "socket"),
+             ("free", "floating", "freeflyer", "free_flyer", "free-flyer"),
+             ("fixed", "weld", "welded", "rigid"))
+"""Words of other tools for the same joint."""
+
+
+def nearest(name: str, known: Iterable[str]) -> str | None:
+    """The known name that is alike: a synonym, one that holds it or is held by it, or one of almost
+    the same letters in either case; None where there is none."""
+    names, low = sorted(known), name[:100].lower()
+    same = {word for words in _SYNONYMS if low in words for word in words}
+    best = max(names, key=lambda other: (other.lower() in same, _likeness(low, other.lower())),
+               default=None)
+    if best is None or best.lower() not in same and _likeness(low, best.lower()) < LIKE:
+        return None
+    return best
+
+
+def _likeness(a: str, b: str) -> float:
+    """From 0 to 1; at least LIKE if one name holds the other."""
+    ratio = SequenceMatcher(None, a, b).ratio()
+    held = min(len(a), len(b)) >= _SHORT and (a in b or b in a)
+    return (1 + ratio) / 2 if held else ratio
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """"did you mean 'elbow'?": the nearest of the known names; "" where there is none."""
+    """"did you mean 'elbow'?"; where no known name is alike, what there is, unless it is too much
+    to list."""
     names = sorted(known)
-    lowered = {}
-    for other in reversed(names):
-        lowered[other.lower()] = other
-    near = get_close_matches(name[:100].lower(), sorted(lowered), n=1, cutoff=0.0)
-    return f"did you mean {lowered[near[0]]!r}?" if near else ""
+    near = nearest(name, names)
+    if near is not None:
+        return f"did you mean {near!r}?"
+    if not names:
+        return "there are none"
+    if len(names) > MANY:
+        return f"none of the {len(names)} there are is like it"
+    return f"wanted {'one of ' if len(names) > 1 else ''}{', '.join(names)}"
+
+
+def or_mean(name: str, known: Iterable[str]) -> str:
+    """"; did you mean 'elbow'?" for the end of a message that lists what there is; "" if no known
+    name is alike."""
+    near = nearest(name, known)
+    return f"; did you mean {near!r}?" if near is not None else ""

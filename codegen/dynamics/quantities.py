@@ -5,7 +5,7 @@
     momentum, momentum.2      linear and angular, about the world's origin
     power                     what effects without potential energy feed in, in W
     pose.BODY                 its 12 numbers [R | t], row by row;  pose.BODY.3 one of them
-    position.BODY             its origin in the world
+    position.BODY             its origin in the world;  position.BODY.x is position.BODY.0
     twist.BODY                velocity and angular velocity in its own frame
     reaction.JOINT            force and moment it transmits, in its child's frame
 """
@@ -14,10 +14,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from coscrew_codegen.dynamics.model import Joint, Kind
-from coscrew_codegen.dynamics.names import did_you_mean
+from coscrew_codegen.dynamics.names import did_you_mean, or_mean
 from coscrew_codegen.dynamics.scene import Scene
 
 ENERGIES = ("kinetic", "potential", "total")
+XYZ = ("x", "y", "z")
+"""Other names of the components 0, 1 and 2 of what is a vector of three."""
 
 _UNITS = {"q": {"revolute": ("rad",), "prismatic": ("m",), "spherical": ("1",) * 4,
                 "free": ("m",) * 3 + ("1",) * 4},
@@ -64,8 +66,8 @@ def recorded(text: str, scene: Scene) -> Recorded:
     if quantity in _OF_JOINT:
         names = tuple(j.name for j in scene.model.joints if j.kind is not Kind.FIXED)
         return _of_target(text, quantity, rest, "joint", names, _OF_JOINT[quantity])
-    raise QuantityError(f"{text!r} is no quantity; wanted one of {', '.join(QUANTITIES)}; "
-                        f"{did_you_mean(quantity, QUANTITIES)}")
+    raise QuantityError(f"{text!r} is no quantity; wanted one of {', '.join(QUANTITIES)}"
+                        f"{or_mean(quantity, QUANTITIES)}")
 
 
 def expected(text: str, scene: Scene) -> Recorded:
@@ -144,7 +146,7 @@ def _target(text: str, rest: str, what: str, names: tuple[str, ...]) -> tuple[st
     name, _, index = rest.rpartition(".")
     if name in names:
         return name, index
-    near = did_you_mean(name if index.isdecimal() else rest, names)
+    near = did_you_mean(name if index.isdecimal() or index in XYZ else rest, names)
     if not rest:
         raise QuantityError(f"{text!r} lacks its {what}; wanted {text.rstrip('.')}.{what.upper()}; "
                             f"{near}")
@@ -156,7 +158,16 @@ def _picked(text: str, index: str, count: int, words: tuple[str, ...]) -> tuple[
         return tuple(range(count))
     if index in words:
         return (words.index(index),)
+    if count == 3 and not words and index in XYZ:
+        return (XYZ.index(index),)
     if len(index) < 4 and index.isascii() and index.isdecimal() and int(index) < count:
         return (int(index),)
-    wanted = f"one of {', '.join(words)}" if words else f"0 to {count - 1}" if count > 1 else "none"
+    wanted = f"one of {', '.join(words)}" if words else _numbered(count)
     raise QuantityError(f"{text!r}: no component {index!r}; wanted {wanted}")
+
+
+def _numbered(count: int) -> str:
+    """The components there are, by number."""
+    if count == 1:
+        return "none"
+    return f"0 to {count - 1}" + (f", or {', '.join(XYZ)}" if count == 3 else "")

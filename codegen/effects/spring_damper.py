@@ -27,7 +27,7 @@ def _forces(first, second, values: Values) -> tuple[Force, Force, Line]:
 
 
 EFFECT = Effect(
-    "spring_damper", "spring and damper between points of two bodies",
+    "spring_damper", "spring and damper between points of two bodies; no force where they meet",
     "f = [k (l - length) + d l'] x/l on the first, -f on the second", Place.PAIR,
     (ParameterOf("first", "m", "where it is fixed to the first body, in its frame", "vector",
                  (Fraction(0),) * 3),

@@ -32,7 +32,8 @@ def run(options: argparse.Namespace) -> int:
     known = {effect.name: effect for effect in EFFECTS}
     for name in options.names:
         if name not in known:
-            raise SceneError("coscrew effects", name, f"no such effect; {did_you_mean(name, known)}")
+            raise SceneError("coscrew effects", name,
+                             f"no such effect; {did_you_mean(name, known)}")
     chosen = [known[name] for name in options.names] or EFFECTS
     print("\n\n".join("\n".join(described(effect)) for effect in chosen))
     return 0
@@ -66,7 +67,8 @@ def _line(parameter: ParameterOf) -> str:
         notes.append(f"default {_written(parameter.default)}")
     elif not parameter.required:
         notes.append("may be left out")
-    return f"{parameter.name}{unit}: {parameter.words}" + (f" ({'; '.join(notes)})" if notes else "")
+    told = f" ({'; '.join(notes)})" if notes else ""
+    return f"{parameter.name}{unit}: {parameter.words}{told}"
 
 
 def _written(value: object) -> str:

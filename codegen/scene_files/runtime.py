@@ -4,32 +4,40 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
+from coscrew_codegen.dynamics.effect import Effect
 from coscrew_codegen.dynamics.formulas import Formula
 from coscrew_codegen.dynamics.model import Body, Model, Parameter, Scalar
+from coscrew_codegen.dynamics.names import nearest
+from coscrew_codegen.dynamics.quantities import XYZ
 from coscrew_codegen.dynamics.scene import Applied, Setting
+from coscrew_codegen.scene_files.errors import shown
 from coscrew_codegen.scene_files.tables import Table
+from coscrew_codegen.scene_files.unused import FIELDS, effect_using
 
-_XYZ = ("x", "y", "z")
 _MOMENTS = ("xx", "yy", "zz", "xy", "xz", "yz")
 _Numbers = dict[str, Fraction]
 _Swap = Callable[[str, Scalar], Scalar]  # name, number → the number or its Parameter
 
 
-def with_parameters(file: Table, model: Model, effects: tuple[Applied, ...]
+def with_parameters(file: Table, model: Model, effects: tuple[Applied, ...],
+                    catalogue: tuple[Effect, ...]
                     ) -> tuple[Model, tuple[Applied, ...], tuple[Parameter, ...]]:
     """Model and effects with Parameters in place of the numbers that `runtime` names, and these.
 
-    A vector gives one for each component: tool.com gives tool.com.x, tool.com.y, tool.com.z.
+    A vector gives one for each component: tool.com gives tool.com.x, tool.com.y, tool.com.z, which
+    may be called tool.com.0, tool.com.1, tool.com.2, too.
     Raises SceneError for names that mean nothing, occur twice, or mean no number."""
     names = file.texts("runtime", ())
     numbers, others = _candidates(model, effects)
     parameters: list[Parameter] = []
     for name in names:
-        found = [key for key in numbers if key == name or _whole(key) == name]
+        called = _by_letter(name)
+        found = [key for key in numbers if key in (name, called) or _vector(key) == name]
         if not found:
             if name in others:
                 file.refuse("runtime", f"{name!r} is {others[name]}; wanted a number")
-            whole = dict.fromkeys(_whole(key) for key in numbers if _whole(key))
+            _refuse_of_element(file, name, tuple(numbers), model, effects, catalogue)
+            whole = dict.fromkeys(_vector(key) for key in numbers if _vector(key))
             file.known("runtime", name, "number", (*numbers, *others, *whole))
         for key in found:
             if any(parameter.name == key for parameter in parameters):
@@ -44,10 +52,45 @@ def with_parameters(file: Table, model: Model, effects: tuple[Applied, ...]
             tuple(parameters))
 
 
-def _whole(key: str) -> str:
+def _by_letter(name: str) -> str:
+    """tool.com.x for tool.com.0."""
+    whole, _, last = name.rpartition(".")
+    return f"{whole}.{XYZ[int(last)]}" if last in ("0", "1", "2") else name
+
+
+def _vector(key: str) -> str:
     """The vector or inertia that a number is a component of: tool.com of tool.com.x; else ""."""
-    whole, _, part = key.rpartition(".")
-    return whole if part in (*_XYZ, *_MOMENTS) else ""
+    whole, _, last = key.rpartition(".")
+    return whole if last in (*XYZ, *_MOMENTS) else ""
+
+
+def _refuse_of_element(file: Table, name: str, names: tuple[str, ...], model: Model,
+                       effects: tuple[Applied, ...], catalogue: tuple[Effect, ...]) -> None:
+    """Refuse JOINT.FIELD and BODY.FIELD, if the name is one, with the numbers of the element.
+
+    A joint's own numbers are not in the dynamics: those of effects are, which may take them over."""
+    element, _, field = name.rpartition(".")
+    what = ("joint" if any(joint.name == element for joint in model.joints) else
+            "body" if any(body.name == element for body in model.bodies) else "")
+    if not what:
+        return
+    there = tuple(dict.fromkeys(_vector(key) or key for key in names if f".{element}." in f".{key}"))
+    problem = f"no number {shown(name)}"
+    near = nearest(field, [key.rpartition(".")[2] for key in there])
+    if near:
+        found = next(key for key in there if key.endswith(f".{near}"))
+        file.refuse("runtime", f"{problem}; did you mean {found!r}?")
+    if what == "joint" and field in FIELDS:
+        taken = [f"{applied.name}.{parameter.name}" for applied in effects
+                 if applied.on == element for parameter in applied.effect.parameters
+                 if parameter.model == field]
+        if taken and taken[0] in there:
+            file.refuse("runtime", f"{problem}; did you mean {taken[0]!r}?")
+        hint = effect_using(field, catalogue)
+        problem += "; no effect uses it" + (f": add [effects.{hint}]" if hint else "")
+    listed = ", ".join(there) if there else "none"
+    file.refuse("runtime", f"{problem}; of {what} {shown(element)} there "
+                           f"{'are' if len(there) > 1 else 'is'} {listed}")
 
 
 def _candidates(model: Model, effects: tuple[Applied, ...]) -> tuple[_Numbers, dict[str, str]]:
@@ -84,7 +127,7 @@ def _swapped_body(body: Body, swap: _Swap) -> Body:
     inertia = body.inertia
     return replace(body, inertia=replace(
         inertia, mass=swap(f"{body.name}.mass", inertia.mass),
-        com=_each(f"{body.name}.com", _XYZ, inertia.com, swap),
+        com=_each(f"{body.name}.com", XYZ, inertia.com, swap),
         moments=_each(f"{body.name}.inertia", _MOMENTS, inertia.moments, swap)))
 
 
@@ -99,7 +142,7 @@ def _swapped_value(name: str, value: Setting, swap: _Swap) -> Setting:
     if isinstance(value, Fraction):
         return swap(name, value)
     if isinstance(value, tuple) and all(isinstance(x, Fraction) for x in value):
-        return _each(name, _XYZ, value, swap)
+        return _each(name, XYZ, value, swap)
     return value
 
 

@@ -3,6 +3,7 @@
 import math
 from fractions import Fraction
 
+from coscrew_codegen.dynamics.constants import constant
 from coscrew_codegen.dynamics.effect import ParameterOf
 from coscrew_codegen.dynamics.formulas import Formula, FormulaError
 from coscrew_codegen.dynamics.model import WORLD
@@ -30,11 +31,18 @@ def setting(table: Table, parameter: ParameterOf, value: object, bodies: tuple[s
         return table.choice(key, parameter.choices)
     if kind == "body":
         return table.known(key, table.as_text(key, value), "body", (WORLD, *bodies))
-    if parameter.model and _is_text(value):
-        table.refuse(key, f'the text {shown(value)}; wanted a number, or "model"')
-    number = table.as_number(key, value)
+    number = _number(table, parameter, value)
     refuse_sign(table, parameter, number)
     return number
+
+
+def _number(table: Table, parameter: ParameterOf, value: object) -> Fraction:
+    if parameter.model and _is_text(value):
+        try:
+            return constant(value)
+        except FormulaError:
+            table.refuse(parameter.name, f'the text {shown(value)}; wanted a number, or "model"')
+    return table.as_number(parameter.name, value)
 
 
 def default(table: Table, parameter: ParameterOf) -> Setting:

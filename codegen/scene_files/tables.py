@@ -7,12 +7,14 @@ from fractions import Fraction
 from pathlib import Path
 from typing import NoReturn
 
-from coscrew_codegen.dynamics.names import did_you_mean
+from coscrew_codegen.dynamics.constants import constant
+from coscrew_codegen.dynamics.names import did_you_mean, or_mean
 from coscrew_codegen.scene_files.decimals import LARGEST, bounded, decimal
 from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.xml import read_bytes
 
 SIZE = 2**20  # bytes
+_MESSAGE = 300  # characters of a message of tomllib
 _DOTS = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){30}""")
 """Keys of keys of keys, on which tomllib spends quadratic time."""
 
@@ -74,8 +76,8 @@ class Table:
         """The text under a key, one of these."""
         text = self.text(key, default)
         if text not in choices:
-            self.refuse(key, f"{shown(text)}; wanted one of {', '.join(choices)}; "
-                             f"{did_you_mean(text, choices)}")
+            self.refuse(key, f"{shown(text)}; wanted one of {', '.join(choices)}"
+                             f"{or_mean(text, choices)}")
         return text
 
     def texts(self, key: str, default: tuple[str, ...] | None = None) -> tuple[str, ...]:
@@ -137,12 +139,14 @@ class Table:
         return texts
 
     def as_number(self, key: str, value: object) -> Fraction:
-        """A value as an exact number."""
+        """A value as an exact number; texts are formulas without t, such as "pi/2"."""
         try:
             if isinstance(value, Decimals):
                 return decimal(value.replace("_", ""))
             if isinstance(value, int) and not isinstance(value, bool):
                 return bounded(Fraction(value), "the number")
+            if isinstance(value, str):
+                return constant(value)
         except ValueError as error:
             self.refuse(key, str(error))
         self.refuse(key, f"{described(value)}; wanted a number")
@@ -178,7 +182,13 @@ def read_toml(path: Path) -> Table:
     except UnicodeDecodeError as error:
         raise SceneError(path, f"byte {error.start}", "is not UTF-8; wanted a TOML file") from None
     except ValueError as error:
-        raise SceneError(path, "", f"{shown(str(error))[1:-1]}; wanted TOML") from None
+        raise SceneError(path, "", f"{_whole(str(error))}; wanted a TOML file") from None
+
+
+def _whole(message: str) -> str:
+    """tomllib's message as one line: its end says where, so that keys in it are cut in the middle."""
+    line = "".join(c if c.isprintable() else repr(c)[1:-1] for c in message)
+    return line if len(line) <= _MESSAGE else f"{line[:_MESSAGE - 100]}…{line[-100:]}"
 
 
 def described(value: object) -> str:

@@ -46,12 +46,13 @@ def _on_several(reading: EffectTable) -> list[Applied]:
     table = reading.table
     plain = {key: value for key, value in table.values.items()
              if key in (*reading.parameters, reading.several)}
-    found = list(_on_named(reading, plain))
-    if not plain and len(table.values) == 0:
-        _refuse_nowhere(reading)
     for key, value in table.values.items():
-        if key not in plain:
-            found.append(_in_own_table(reading, key, value))
+        if key not in plain and not isinstance(value, dict):
+            _refuse_unknown(reading, key)
+    if not table.values:
+        _refuse_nowhere(reading)
+    found = [_in_own_table(reading, key) for key in table.values if key not in plain]
+    found += _on_named(reading, plain)
     order = {name: i for i, name in enumerate(reading.targets)}
     found.sort(key=lambda applied: (order[applied.on], applied.label))
     for one, next_one in zip(found, found[1:], strict=False):
@@ -61,12 +62,15 @@ def _on_several(reading: EffectTable) -> list[Applied]:
     return found
 
 
-def _in_own_table(reading: EffectTable, key: str, value: object) -> Applied:
+def _refuse_unknown(reading: EffectTable, key: str) -> None:
+    known = (*reading.parameters, reading.several)
+    near = did_you_mean(key, (*known, *reading.targets))
+    reading.table.refuse(key, f"unknown key; {near}")
+
+
+def _in_own_table(reading: EffectTable, key: str) -> Applied:
     """[effects.viscous.elbow], or under a label [effects.wrench.push] body = "tool"."""
     table = reading.table
-    if not isinstance(value, dict):
-        known = (*reading.parameters, reading.several, *reading.targets)
-        table.refuse(key, f"unknown key; {did_you_mean(key, known)}")
     own = table.table(key)
     if reading.what == "body" and "body" in own:
         if key in reading.targets:  # in `runtime`, its name would mean two effects

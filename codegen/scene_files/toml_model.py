@@ -18,7 +18,7 @@ from coscrew_codegen.dynamics.model import (
 )
 from coscrew_codegen.dynamics.possible import refuse_impossible
 from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.tables import Table
+from coscrew_codegen.scene_files.tables import Table, described
 
 TYPES = {"revolute": Kind.REVOLUTE, "continuous": Kind.REVOLUTE, "prismatic": Kind.PRISMATIC,
          "spherical": Kind.SPHERICAL, "free": Kind.FREE, "fixed": Kind.FIXED}
@@ -26,6 +26,7 @@ TYPES = {"revolute": Kind.REVOLUTE, "continuous": Kind.REVOLUTE, "prismatic": Ki
 _ZERO = (Fraction(0),) * 3
 _ENDS = ("type", "parent", "child", "origin")
 _OF_ONE_COORDINATE = ("axis", "limits", "damping", "friction", "mimic")
+_INERTIA = "a list of 3 or 6 numbers: xx, yy, zz, xy, xz, yz; or a symmetric 3×3 matrix"
 _TOLERANCE = Fraction(1, 10**6)  # of a quaternion's norm: six digits are written by hand
 
 
@@ -50,12 +51,30 @@ def _body(name: str, table: Table) -> Body:
             table.missing("mass", "the mass in kg")
         return Body(name)
     mass = table.positive("mass", Fraction(0))
-    moments = table.numbers("inertia", (3, 6), _ZERO)
-    com = table.numbers("com", (3,), _ZERO)
-    return Body(name, Inertia(mass, com, moments if len(moments) == 6 else (*moments, *_ZERO)))
+    return Body(name, Inertia(mass, table.numbers("com", (3,), _ZERO), _moments(table)))
+
+
+def _moments(table: Table) -> tuple[Fraction, ...]:
+    """xx, yy, zz, xy, xz, yz from three or six numbers in this order, or from a symmetric matrix."""
+    rows = table.values.get("inertia", [0, 0, 0])
+    if isinstance(rows, list) and any(isinstance(row, list) for row in rows):
+        if [len(row) if isinstance(row, list) else 0 for row in rows] != [3, 3, 3]:
+            table.refuse("inertia", f"a list of {len(rows)} with lists in it; wanted {_INERTIA}")
+        (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = (table.as_numbers("inertia", row, (3,))
+                                                    for row in rows)
+        for name, above, below in (("xy", xy, yx), ("xz", xz, zx), ("yz", yz, zy)):
+            if above != below:
+                table.refuse("inertia", f"{name} is {float(above):.17g} above the diagonal and "
+                                        f"{float(below):.17g} below; wanted {_INERTIA}")
+        return xx, yy, zz, xy, xz, yz
+    if not isinstance(rows, list) or len(rows) not in (3, 6):
+        table.refuse("inertia", f"{described(rows)}; wanted {_INERTIA}")
+    moments = table.as_numbers("inertia", rows, (3, 6))
+    return moments if len(moments) == 6 else (*moments, *_ZERO)
 
 
 def _joint(name: str, table: Table) -> Joint:
+    table.only(*_ENDS, *_OF_ONE_COORDINATE)
     word = table.choice("type", tuple(TYPES))
     kind = TYPES[word]
     ends = table.text("parent", WORLD), table.text("child")
@@ -63,9 +82,7 @@ def _joint(name: str, table: Table) -> Joint:
         for key in _OF_ONE_COORDINATE:
             if key in table:
                 table.refuse(key, f"is for revolute and prismatic joints; {name!r} is {word}")
-        table.only(*_ENDS)
         return Joint(name, kind, *ends, _placement(table))
-    table.only(*_ENDS, *_OF_ONE_COORDINATE)
     return Joint(name, kind, *ends, _placement(table), _direction(table, "axis"),
                  **_limits(table.table("limits"), word == "continuous"),
                  damping=table.nonnegative("damping"), friction=table.nonnegative("friction"),

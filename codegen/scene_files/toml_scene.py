@@ -74,7 +74,7 @@ def _scene(file: Table, catalogue: tuple[Effect, ...]) -> Scene:
                     every=float(outputs.positive("every", Fraction(1, 100))),
                     expectations=_expectations(file, scene))
     effects = with_reactions(scene, catalogue)
-    model, effects, parameters = with_parameters(file, model, effects)
+    model, effects, parameters = with_parameters(file, model, effects, catalogue)
     return replace(scene, model=model, effects=effects, parameters=parameters)
 
 

@@ -3,7 +3,7 @@
 from coscrew_codegen.dynamics.effect import Effect
 from coscrew_codegen.dynamics.model import Joint, Kind, Model
 
-_FIELDS = ("damping", "friction", "effort", "velocity", "lower", "upper")
+FIELDS = ("damping", "friction", "effort", "velocity", "lower", "upper")
 
 
 def unused(model: Model, used: set[tuple[str, str]], catalogue: tuple[Effect, ...]
@@ -13,13 +13,13 @@ def unused(model: Model, used: set[tuple[str, str]], catalogue: tuple[Effect, ..
     Damping and friction of zero are nothing to use."""
     lines = []
     for joint in model.joints:
-        for name in _FIELDS:
+        for name in FIELDS:
             number = getattr(joint, name)
             if number is None or (joint.name, name) in used:
                 continue
             if number or name not in ("damping", "friction"):
                 what = f"{name} {float(number):g} {_unit(joint, name)}"
-                lines.append(_line(joint, what, _effect_using(name, catalogue)))
+                lines.append(_line(joint, what, effect_using(name, catalogue)))
         if joint.mimic and (joint.name, "mimic") not in used:
             mimic = joint.mimic
             what = (f"mimic of {mimic.joint} (multiplier {float(mimic.multiplier):g}, "
@@ -34,7 +34,8 @@ def _line(joint: Joint, what: str, effect: str) -> str:
     return f"joint {joint.name}: {what} is not used{hint}"
 
 
-def _effect_using(field: str, catalogue: tuple[Effect, ...]) -> str:
+def effect_using(field: str, catalogue: tuple[Effect, ...]) -> str:
+    """The name of the first effect that takes this field of joints; "" if none does."""
     return next((effect.name for effect in catalogue
                  if any(parameter.model == field for parameter in effect.parameters)), "")
 

@@ -23,7 +23,7 @@ from coscrew_codegen.dynamics.model import (
     Model,
     Placement,
 )
-from coscrew_codegen.dynamics.names import did_you_mean
+from coscrew_codegen.dynamics.names import or_mean
 from coscrew_codegen.dynamics.possible import refuse_impossible
 from coscrew_codegen.scene_files.decimals import decimal
 from coscrew_codegen.scene_files.errors import SceneError, shown
@@ -121,7 +121,7 @@ class _Urdf:
         word = self._text(joint, "type", element)
         if word not in TYPES:
             wanted = ", ".join(TYPES)
-            hint = "" if word == "planar" else f"; {did_you_mean(word, TYPES)}"
+            hint = "" if word == "planar" else or_mean(word, TYPES)
             self._refuse(joint, element, f"type {shown(word)} is not supported; wanted one of "
                                          f"{wanted}{hint}")
         return TYPES[word]
