@@ -7,9 +7,9 @@ the inputs and the δ, and the roundings are tracked through it exactly up to se
 - second order, where the first cancels (compensated programs): <= c2 u² S,
 
 S being the sum of the absolute values of the terms of the expanded polynomial.  The last rounding
-is kept apart, since it is relative to the result: |x̂ - x| <= u |x̂| + c1 u S (1 + O(u)).  The exact
-errors of sums and products that compensated programs compute are themselves terms in δ, so what they
-correct cancels here as it does there.
+is kept apart, since it is relative to the result: |x̂ - x| <= u |x̂| + c1 u S (1 + O(u)).  The
+exact errors of sums and products that compensated programs compute are themselves terms in δ, so
+what they correct cancels here as it does there.
 
 A wide program computes single-precision results in double, whose u is 2^-5 u² of single's: its
 first order counts as second.  Valid barring overflow and underflow.
@@ -52,7 +52,7 @@ class _Series:
 
 @cache  # every language, and every precision of a program that is the same in both, asks again
 def bounds_of(program: Program) -> tuple[Bound, ...] | None:
-    """One bound per result component; None where the program is not polynomial in exact constants."""
+    """A bound per result component; None where the program is not polynomial in exact constants."""
     values: dict[str, _Series] = {}
     for number, step in enumerate(program.instructions):
         if step.op not in _RULES or any(map(_is_rounded_constant, step.operands)):
@@ -96,7 +96,7 @@ def _by_part(program: Program, constants: list[Fraction]) -> str:
 
 
 def _last_rounding(result: Operand, program: Program) -> int | None:
-    """The number of the instruction that rounded the result last; negating and scaling are exact."""
+    """Number of the instruction that rounded the result last; negating and scaling are exact."""
     steps = {step.name: (number, step) for number, step in enumerate(program.instructions)}
     while isinstance(result, Ref):
         number, step = steps[result.name]

@@ -31,9 +31,9 @@ class Truth:
     """The results of many rows of inputs, (rows, components), as pairs: x = near + rest · unit.
 
     `near` is x as the nearest double, `unit` what errors are counted in, `rest` what is missing, so
-    that differences are exact to a few 2^-53 of themselves.  Where the formula divides by zero, `near`
-    is NaN.  `terms` is S, the sum of the absolute values of the polynomial's terms; NaN where the
-    formula is no polynomial.  Where `overflows`, numbers on the way may be too large."""
+    that differences are exact to a few 2^-53 of themselves.  Where the formula divides by zero,
+    `near` is NaN.  `terms` is S, the sum of the absolute values of the polynomial's terms; NaN
+    where the formula is no polynomial.  Where `overflows`, numbers on the way may be too large."""
 
     near: np.ndarray
     rest: np.ndarray

@@ -1,4 +1,4 @@
-"""The sources of the extension modules: one for plain kernels, one for each tier that Python has."""
+"""The extension modules' sources: one for plain kernels, one for each tier that Python has."""
 
 import hashlib
 

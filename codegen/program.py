@@ -84,7 +84,7 @@ class Instruction:
 
 
 def scales(step: Instruction) -> bool:
-    """Whether this is a product with a constant power of two: exact, barring over- and underflow."""
+    """Whether this is a product with a constant power of two: exact barring over- and underflow."""
     return step.op is Op.MUL and any(
         isinstance(x, Constant) and x.double == x.single and x.double > 0
         and all(n & (n - 1) == 0 for n in x.double.as_integer_ratio()) for x in step.operands)

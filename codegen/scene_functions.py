@@ -19,10 +19,10 @@ class Coordinate:
 class Function:
     """A function of a scene.
 
-    The program's inputs are, of those it has, in this order: t, h (scalars), p (parameters), q, v, then
-    a, tau or phi; its outputs follow in C and are returned in Python.  `headings` are
-    (index of an instruction, words that stand above it): sections per body.  `internal` ones serve
-    the steps and are not declared in the header.
+    The program's inputs are, of those it has, in this order: t, h (scalars), p (parameters), q, v,
+    then a, tau or phi; its outputs follow in C and are returned in Python.  `headings` are (index
+    of an instruction, words that stand above it): sections per body.  `internal` ones serve the
+    steps and are not declared in the header.
     """
 
     name: str  # inverse_dynamics, jacobian_hand

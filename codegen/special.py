@@ -54,7 +54,7 @@ def _series(v: matrix, first: int) -> matrix:
 
 
 def _quaternion(R: matrix) -> matrix:
-    """The eigenvector to the largest eigenvalue of the matrix whose quadratic form is tr R(q)^T R."""
+    """The eigenvector to the largest eigenvalue of the matrix with quadratic form tr R(q)^T R."""
     trace = R[0, 0] + R[1, 1] + R[2, 2]
     K = mpmath.zeros(4)
     K[0, 0] = trace

@@ -58,7 +58,8 @@ class Writer:
     def function(self, name: str, words: str, outputs: tuple[Argument, ...],
                  results: list[str | int | Operand], internal: bool = False) -> Function:
         """The function that returns these results."""
-        program = Program(name, self.inputs, outputs, tuple(self.steps), tuple(map(number, results)))
+        program = Program(name, self.inputs, outputs, tuple(self.steps),
+                          tuple(map(number, results)))
         return Function(name, words, program, tuple(self.headings), internal)
 
 
@@ -90,7 +91,8 @@ def slider() -> SceneFunctions:
 
     w = Writer(t, p, q, v, argument("a", 2))
     net, masses = forces(w), (w.at("p", 0), number(2))
-    tau = [w.do(f"tau_{i}", Op.SUB, w.do(f"tau_{i}a", Op.MUL, m, w.at("a", i), of=f"tau_{i}"), net[i])
+    tau = [w.do(f"tau_{i}", Op.SUB,
+                w.do(f"tau_{i}a", Op.MUL, m, w.at("a", i), of=f"tau_{i}"), net[i])
            for i, m in enumerate(masses)]
     inverse = w.function("inverse_dynamics", "τ = M a - f in N", (argument("tau", 2),), tau)
     w = Writer(t, p, q, v, argument("tau", 2))
@@ -230,8 +232,9 @@ def robot(joints: int, steps: int) -> SceneFunctions:
                 w.heading(f"link {i // 100}")
             op = draw.choice((Op.MUL, Op.ADD, Op.MUL, Op.SUB))
             scaled = draw.random() < 0.1
-            operands = [Fraction(draw.randrange(1, 999), 1000) if scaled else draw.choice(pool[-60:]),
-                        draw.choice(pool[-60:])]
+            operands = [
+                Fraction(draw.randrange(1, 999), 1000) if scaled else draw.choice(pool[-60:]),
+                draw.choice(pool[-60:])]
             operands = [Constant(x, x) if isinstance(x, Fraction) else x for x in operands]
             pool.append(w.do(f"link{i // 100}_{i % 100}", op, *operands, of=f"link{i // 3}"))
         return w.function(name, "numbers", (argument(out, n),), pool[-n:])

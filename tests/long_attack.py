@@ -1,8 +1,8 @@
 """Attacks the proven bounds at length: a million outputs per operation, precision and tier.
 
-`python -m tests.long_attack [--outputs N] [--operation NAME …] [--seed N] [--processes N]`, or `make
-attack`, tries the hard cases, random rows, rows in which a result nearly cancels, and rows next to
-those with the largest errors so far, and prints how close errors come to their bounds.
+`python -m tests.long_attack [--outputs N] [--operation NAME …] [--seed N] [--processes N]`, or
+`make attack`, tries the hard cases, random rows, rows in which a result nearly cancels, and rows
+next to those with the largest errors so far, and prints how close errors come to their bounds.
 
 That it is rigorous: for each row all tiers share one truth, enclosed in a radius that is proved
 (tests.wide), and S from the same polynomial.  |result - truth| + radius is compared to the bound,
@@ -42,7 +42,8 @@ from tests.wide import IS_WIDE, WIDE, Enclosed, enclosed, linear
 
 BATCH = 12_000  # rows
 PARENTS = 8  # of each tier: the rows with the largest errors, which others are varied from
-SPREAD = {"double": 40, "single": 8}  # sizes of components: 2^±spread, varied ones half as far again
+# Sizes of components: 2^±spread, varied ones half as far again.
+SPREAD = {"double": 40, "single": 8}
 UNSAFE = WIDE(1 - 2.0**-40)
 
 Ways = dict[str, Implementation]
@@ -76,7 +77,8 @@ def attack_at_length(operation: Operation, precision: Precision, ways: Ways, out
         for tier, way in ways.items():
             _attack(operation, precision, tier, way, rows, truth, found[tier])
         if "certified" in ways:
-            extreme = joined(extreme_rows(operation, precision, size // 8, int(rng.integers(2**30))))
+            extreme = joined(
+                extreme_rows(operation, precision, size // 8, int(rng.integers(2**30))))
             extreme = extreme[np.isfinite(extreme).all(axis=1)]
             _attack(operation, precision, "certified", ways["certified"], extreme,
                     enclosed(plain_program(operation), precision, extreme), found["certified"],

@@ -96,7 +96,8 @@ def vector_of(q: Matrix) -> Matrix:
 def product(p: Matrix, q: Matrix) -> Matrix:
     """The product of quaternions."""
     v = p[0] * q[1:4] + q[0] * p[1:4] + skew(p[1:4]) * q[1:4]
-    return mp.matrix([p[0] * q[0] - mp.fsum(x * y for x, y in zip(p[1:4], q[1:4], strict=True)), *v])
+    w = p[0] * q[0] - mp.fsum(x * y for x, y in zip(p[1:4], q[1:4], strict=True))
+    return mp.matrix([w, *v])
 
 
 def conjugate(q: Matrix) -> Matrix:

@@ -1,8 +1,8 @@
 """Emitted text and kernels evaluated in 60 digits, with their constants as emitted.
 
-In exact arithmetic the corrections of rounding errors vanish, and with them any mistake in them.  So,
-where asked for, roots, quotients, sums with GRID and squares of numbers as large are rounded as in
-the kernel's precision; all else never is.
+In exact arithmetic the corrections of rounding errors vanish, and with them any mistake in them.
+So, where asked for, roots, quotients, sums with GRID and squares of numbers as large are rounded as
+in the kernel's precision; all else never is.
 """
 
 import operator
@@ -156,7 +156,8 @@ class Evaluator:
         if x.is_Rational:
             return self.rules.constant(x)
         if isinstance(x, sp.Piecewise):
-            return next(self(value) for value, test in x.args if test == sp.true or self.holds(test))
+            return next(self(value) for value, test in x.args
+                        if test == sp.true or self.holds(test))
         if x.is_Pow or x.is_Mul:
             return self._product(x)
         if isinstance(x, sp.ITE):
@@ -190,4 +191,6 @@ class Evaluator:
 
     def _power(self, base: sp.Expr, exponent: sp.Rational) -> Number:
         x = self(base)
-        return x.sqrt() if exponent == sp.Rational(1, 2) else reduce(operator.mul, [x] * int(exponent))
+        if exponent == sp.Rational(1, 2):
+            return x.sqrt()
+        return reduce(operator.mul, [x] * int(exponent))

@@ -1,7 +1,7 @@
 """The robots of example-robot-data, which comes with Pinocchio, in both libraries.
 
-Ours snaps entries of rotations within 1e-11 of 0 and ±1, so Pinocchio gets the files with right angles
-written in full: 1.57079632679 as 1.5707963267948966.
+Ours snaps entries of rotations within 1e-11 of 0 and ±1, so Pinocchio gets the files with right
+angles written in full: 1.57079632679 as 1.5707963267948966.
 """
 
 import re
@@ -120,7 +120,8 @@ def robot(file: str, free: bool, mimics: bool) -> Robot:
     """The robot in both libraries."""
     scene = scene_of(file, free, mimics)
     functions = derive(scene)
-    arguments = (_in_full(path_of(file).read_text()), *([pin.JointModelFreeFlyer()] if free else []))
+    arguments = (_in_full(path_of(file).read_text()),
+                 *([pin.JointModelFreeFlyer()] if free else []))
     theirs = pin.buildModelFromXML(*arguments)
     theirs.gravity.linear = np.array([0, 0, -9.81])
     follow, offset = np.zeros((theirs.nv, functions.nv)), np.zeros(theirs.nv)

@@ -8,8 +8,8 @@ from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place
 from coscrew_codegen.effects import EFFECTS
 from coscrew_codegen.scene_files.catalogue import described
 
-NAMES = ("actuator", "armature", "buoyancy", "coulomb", "drag", "gravity", "limit", "mimic", "reaction",
-         "spring", "spring_damper", "stribeck", "viscous", "wrench")
+NAMES = ("actuator", "armature", "buoyancy", "coulomb", "drag", "gravity", "limit", "mimic",
+         "reaction", "spring", "spring_damper", "stribeck", "viscous", "wrench")
 
 
 def test_the_catalogue_holds_the_effects_and_each_fills_a_slot():

@@ -28,7 +28,8 @@ def test_rates_of_displacements_are_right_to_third_order(kind: Kind) -> None:
     """d/dt integrated(q, φ + t u) is d/dt integrated(integrated(q, φ), t v), but for |φ|⁴."""
     f = evaluated(kind)
     v = [mpf(x) for x in (3, -1, 2, 1, 4, -2)[-f.functions.nv:]]
-    q, far, t = turned(f), [mpf(x) / 10 for x in (2, 1, -3, 2, -2, 1)[-f.functions.nv:]], mpf(10)**-5
+    far = [mpf(x) / 10 for x in (2, 1, -3, 2, -2, 1)[-f.functions.nv:]]
+    q, t = turned(f), mpf(10)**-5
 
     def apart(phi: list[mpf]) -> mpf:
         u = f("chart_rate", v=v, phi=phi)

@@ -169,8 +169,8 @@ def imported_modules(node: ast.AST) -> list[str]:
 def test_imports_run_one_way():
     """algebra < quantity < operations < kernel < passes < program < bounds < tiers < … < emit."""
     order = ["algebra", "quantity", "operations", "kernel", "passes", "program", "scene_functions",
-             "bounds", "tiers", "render", "targets", "special", "exact", "selection", "extension", "layout",
-             "documentation", "emit", "report", "dynamics", "effects", "scene_files",
+             "bounds", "tiers", "render", "targets", "special", "exact", "selection", "extension",
+             "layout", "documentation", "emit", "report", "dynamics", "effects", "scene_files",
              "scene_layout", "simulate", "cost", "command_line", "__main__"]
     package = ROOT / "codegen"
     allowed_elsewhere = {"build"}  # runs inside setuptools, on its own
@@ -187,7 +187,8 @@ def test_imports_run_one_way():
         for node in ast.walk(ast.parse(path.read_text())):
             for module in imported_modules(node):
                 name, _, rest = module.partition(".")
-                assert name != "coscrew" or here in ("report", "simulate"), f"{path} imports what is generated"
+                assert name != "coscrew" or here in ("report", "simulate"), (
+                    f"{path} imports what is generated")
                 if name == "coscrew_codegen":
                     assert order.index(rest.split(".")[0]) <= order.index(here), f"{path}: {module}"
                 if name == "sympy":
@@ -199,6 +200,15 @@ def test_imports_run_one_way():
 def test_templates_hold_shapes_only():
     for path in (ROOT / "templates").rglob("*.jinja"):
         assert len(path.read_text().splitlines()) <= 80, path.name
+
+
+def test_no_hand_written_line_is_over_100_characters():
+    over = [f"{path.relative_to(ROOT)}:{number}: {len(line)} characters"
+            for folder in ("codegen", "examples", "templates", "tests")
+            for path in sorted((ROOT / folder).rglob("*.py"))
+            for number, line in enumerate(path.read_text(encoding="utf-8").split("\n"), 1)
+            if len(line) > 100]
+    assert not over, "\n".join(over)
 
 
 def test_pyproject_compiles_every_family():

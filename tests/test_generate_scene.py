@@ -59,7 +59,8 @@ def test_files_are_written_and_checked(folder: Path, capsys: pytest.CaptureFixtu
     assert main(["generate", "arm.toml", "-o", "out"]) == 0
     said = capsys.readouterr()
     assert said.out == "out: 6 files, 6 changed\n"
-    assert said.err.startswith("arm.toml: joint shoulder: damping 0.3") and said.err.count("\n") == 1
+    assert said.err.startswith("arm.toml: joint shoulder: damping 0.3")
+    assert said.err.count("\n") == 1
     assert generated(folder / "out") == FILES
     assert main(["generate", "arm.toml", "--output", "out"]) == 0
     assert capsys.readouterr().out == "out: 6 files, 0 changed\n"
@@ -76,7 +77,8 @@ def test_files_are_written_and_checked(folder: Path, capsys: pytest.CaptureFixtu
 def test_what_an_earlier_generator_made_is_removed_and_nothing_else(folder: Path):
     package = folder / "out" / "arm"
     package.mkdir(parents=True)
-    (package / "half.py").write_text("# Made by `coscrew generate arm.toml`; changes are overwritten.\n")
+    (package / "half.py").write_text(
+        "# Made by `coscrew generate arm.toml`; changes are overwritten.\n")
     (package / "mine.py").write_text("# by hand\n")
     (folder / "out" / "other.h").write_text("/* Made by `coscrew generate other.toml`; … */\n")
     assert main(["generate", "arm.toml", "-o", "out"]) == 0
@@ -96,7 +98,8 @@ def test_files_name_no_folder(folder: Path):
     assert main(["generate", str(folder / "arm.toml"), "-o", str(folder / "out")]) == 0
     for file in FILES:
         text = (folder / "out" / file).read_text(encoding="utf-8")
-        assert "Made by `coscrew generate arm.toml`; changes are overwritten." in text.split("\n")[0]
+        first = text.split("\n")[0]
+        assert "Made by `coscrew generate arm.toml`; changes are overwritten." in first
         assert str(folder) not in text
 
 
@@ -160,7 +163,7 @@ def test_bodies_and_joints_may_be_called_anything(folder: Path):
 
 @pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 def test_derived_dynamics_have_the_same_bits_in_c_and_numpy(folder: Path, precision):
-    """At angle 0 of the shoulder, where sine and cosine are exact; the wrist's quaternions are any."""
+    """At shoulder angle 0, where sine and cosine are exact; the wrist's quaternions are any."""
     kernels = load_scene("arm.toml")
     package = imported(kernels.functions, folder / "out")
     transcendental = ("integrated", *(f"step_{name}" for name in kernels.functions.steps))

@@ -122,7 +122,8 @@ def test_no_alloc_leaves_out_the_heap(header, compiler, tmp_path):
 
 @dialects
 @pytest.mark.parametrize("header", ["headers", "amalgamation"])
-@pytest.mark.parametrize("flag", ["-ffast-math", "-Ofast", "-freciprocal-math", "-ffinite-math-only"])
+@pytest.mark.parametrize("flag", ["-ffast-math", "-Ofast", "-freciprocal-math",
+                                  "-ffinite-math-only"])
 def test_fast_math_is_refused_unless_allowed(flag, header, compiler, language, tmp_path):
     source = _source(tmp_path, "user", _included(header))
     command = (compiler, *language, flag, "-fsyntax-only", "-I", INCLUDE, source)

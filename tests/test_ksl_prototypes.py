@@ -1,4 +1,4 @@
-"""Every function shared with KSL (Kinematics Subroutine Library) has KSL's parameters, in its order.
+"""Every function shared with KSL (Kinematics Subroutine Library) has its parameters, in its order.
 
 The table holds the prototypes of KSL's headers in short: `R(D, c)` style letters for types, outputs
 behind the arrow.  A C compiler compares them with ours, in both precisions.

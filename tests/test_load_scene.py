@@ -42,7 +42,8 @@ def counted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, cache: Path):
 
 
 @pytest.fixture(params=("compiled", "NumPy"))
-def kernels(request: pytest.FixtureRequest, cache: Path, monkeypatch: pytest.MonkeyPatch) -> Kernels:
+def kernels(request: pytest.FixtureRequest, cache: Path,
+            monkeypatch: pytest.MonkeyPatch) -> Kernels:
     """The slider's kernels, compiled and not."""
     if request.param == "compiled":
         return kernels_of(slider())
@@ -268,8 +269,8 @@ def test_importing_the_package_loads_nothing_heavy():
     program = ("import sys, coscrew_codegen\n"
                "print(sorted({'sympy', 'numpy', 'jinja2'} & set(sys.modules)))\n"
                "print(callable(coscrew_codegen.load_scene))\n")
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True,
-                          env=dict(os.environ))
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True,
+                          check=True, env=dict(os.environ))
     assert done.stdout.splitlines() == ["[]", "True"]
     with pytest.raises(AttributeError, match="'load_scenes'"):
         coscrew_codegen.load_scenes

@@ -113,7 +113,8 @@ def close(a: np.ndarray, b: np.ndarray, bound: float) -> None:
     size = np.abs(b).max(axis=lead) if lead else np.abs(b)
     error = np.abs(a - b).max(axis=lead) if lead else np.abs(a - b)
     worst = np.argmax(error - bound * u * size)
-    assert error[worst] <= bound * u * size[worst], (error[worst] / size[worst] / u, a[worst], b[worst])
+    assert error[worst] <= bound * u * size[worst], (
+        error[worst] / size[worst] / u, a[worst], b[worst])
 
 
 @pytest.fixture(params=PRECISIONS, ids=lambda p: p.name)
@@ -201,7 +202,7 @@ def test_interpolation_starts_ends_and_keeps_its_speed(draw):
     largest = np.maximum(np.abs(D1[..., 3]).max(axis=1), np.abs(D2[..., 3]).max(axis=1))
     u = np.finfo(number).eps / 2
     assert (np.abs(end - D2)[..., 3].max(axis=1) <= 40 * u * largest).all()
-    q1, q2 = coscrew.quaternion_from_mat3x3(D1[..., :3]), coscrew.quaternion_from_mat3x3(D2[..., :3])
+    q1, q2 = (coscrew.quaternion_from_mat3x3(D[..., :3]) for D in (D1, D2))
     steps = [coscrew.quaternion_slerp(q1, q2, number(k)) for k in (0, 0.25, 0.5, 0.75, 1)]
     close(steps[0], q1, 12)
     assert (np.minimum(np.abs(steps[4] - q2), np.abs(steps[4] + q2)) <= 24 * u).all()
@@ -231,8 +232,9 @@ def test_no_rotation_at_all_raises_no_flag(operation: Operation, precision: Prec
     """At zero and identity, and next to them, nothing is invalid, nothing over- or underflows."""
     still = {(): 0.0, (3,): np.zeros(3), (3, 3): np.eye(3), (3, 4): np.eye(3, 4), (6,): np.zeros(6),
              (4,): np.eye(4)[0]}
-    inputs = tuple(np.asarray(still[a.quantity.shape], precision.numpy_type) if a.name != "axis" else
-                   np.eye(3, dtype=precision.numpy_type)[1] for a in operation.inputs)
+    inputs = tuple(
+        np.asarray(still[a.quantity.shape], precision.numpy_type) if a.name != "axis" else
+        np.eye(3, dtype=precision.numpy_type)[1] for a in operation.inputs)
     with np.errstate(all="raise"):
         for evaluate in (gufunc, twin):
             for found in evaluate(operation, precision, inputs):

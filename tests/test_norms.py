@@ -18,7 +18,7 @@ from tests.c_harness import COMPILERS, EXACT, call, harness
 
 KINDS = {"vec3": (slice(0, 3), slice(0, 3)), "quaternion": (slice(0, 4), slice(0, 4)),
          "screw": (slice(3, 6), slice(0, 3)), "coscrew": (slice(0, 3), slice(3, 6))}
-"""The part whose norm it is; the other, taken where every component of it is below the threshold."""
+"""The part whose norm it is; the other, taken where all its components are below the threshold."""
 NAMES = tuple(op.name for op in OPERATIONS
               if op.name.partition("_")[2] in ("norm", "l2norm", "normalized", "normalize")
               and op.name.partition("_")[0] in KINDS)
@@ -32,13 +32,15 @@ Evaluate = Callable[[Operation, Precision, np.ndarray], np.ndarray]
 def rows(kind: str, precision: Precision) -> np.ndarray:
     """Sizes over the whole range, components of one size or of very different ones."""
     rng, info = np.random.default_rng(len(kind)), np.finfo(precision.numpy_type)
-    n, least = KINDS[kind][1].stop if kind in ("vec3", "quaternion") else 6, info.minexp - info.nmant
+    n = KINDS[kind][1].stop if kind in ("vec3", "quaternion") else 6
+    least = info.minexp - info.nmant
     x = rng.uniform(0.5, 1, (ROWS, n)) * rng.choice((-1, 1), (ROWS, n))
     sizes = np.linspace(least + 1, info.maxexp, ROWS).round().astype(int)[:, None]
     apart = rng.choice((0, 3, info.nmant, 4 * info.nmant), (ROWS, 1))
     with np.errstate(under="ignore", over="ignore"):
         x = np.ldexp(x, (sizes - (rng.uniform(0, 1, (ROWS, n)) * apart).astype(int)))
-        return x.astype(precision.numpy_type)[np.isfinite(x.astype(precision.numpy_type)).all(axis=1)]
+        x = x.astype(precision.numpy_type)
+        return x[np.isfinite(x).all(axis=1)]
 
 
 def truth(name: str, row: list[float], precision: Precision) -> list[mp.mpf]:

@@ -1,4 +1,4 @@
-"""What emitted functions that no symbolic comparison reaches compute, in C and Python: in 60 digits.
+"""What emitted functions beyond symbolic comparison compute, in C and Python: in 60 digits.
 
 Their text equals their kernel, to the last of 50 digits; their text, with constants as emitted but
 nothing else rounded, is their truth but for a fraction of u.
@@ -140,8 +140,8 @@ def rows(operation: Operation, precision: Precision) -> list[Row]:
     # Of the sine of larger angles 60 digits do not hold enough.
     largest = [mp.mpf(10)**6 if a.name in ("v", "s", "k", "angle") and Op.SIN in
                plain_program(operation).counts else mp.inf for a in operation.inputs]
-    return [row for row in found if all(abs(c) < limit for x, limit in zip(row, largest, strict=True)
-                                        for c in x)]
+    return [row for row in found
+            if all(abs(c) < limit for x, limit in zip(row, largest, strict=True) for c in x)]
 
 
 def singular_at(k: int, M: np.ndarray) -> np.ndarray:

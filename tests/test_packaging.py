@@ -1,4 +1,4 @@
-"""The package as a user installs it: without a compiler, with a stale extension, with its headers."""
+"""The package as users install it: without a compiler, with a stale extension, with its headers."""
 
 import os
 import shutil
@@ -34,8 +34,8 @@ def without_compiler(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def run(program: str, site: Path) -> str:
-    """What the program prints, warnings being errors, with coscrew from `site` and the other packages
-    from where they are: without -S, an editable coscrew there would lend its extension."""
+    """What the program prints, warnings being errors, with coscrew from `site` and the other
+    packages from where they are: without -S, an editable coscrew there would lend its extension."""
     path = os.pathsep.join((str(site), sysconfig.get_paths()["purelib"]))
     done = subprocess.run([sys.executable, "-S", "-W", "error", "-c", program], cwd=site, text=True,
                           capture_output=True, env={**os.environ, "PYTHONPATH": path})
@@ -81,7 +81,8 @@ def test_the_wheel_holds_the_headers(without_compiler, tmp_path):
 
 
 def test_functions_can_be_pickled_without_a_compiler(without_compiler):
-    program = ("import pickle, coscrew, coscrew.accurate; from coscrew_codegen.operations import *\n"
+    program = ("import pickle, coscrew, coscrew.accurate; "
+               "from coscrew_codegen.operations import *\n"
                "for op in OPERATIONS:\n"
                "    for module in (coscrew, coscrew.double, coscrew.accurate):\n"
                "        f = getattr(module, op.name, None)\n"

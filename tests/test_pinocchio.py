@@ -1,7 +1,7 @@
 """Every function of a scene equals Pinocchio's, on real robots in random states.
 
-Robots are read from the same URDF files.  Coordinates that follow others are projected out of Pinocchio's
-full model.
+Robots are read from the same URDF files.  Coordinates that follow others are projected out
+of Pinocchio's full model.
 """
 
 import numpy as np
@@ -39,7 +39,8 @@ ROBOTS = (
 )
 
 
-ALL = pytest.mark.parametrize("file, free, mimics", ROBOTS, ids=[r[0].split("/")[-1] for r in ROBOTS])
+ALL = pytest.mark.parametrize("file, free, mimics", ROBOTS,
+                              ids=[r[0].split("/")[-1] for r in ROBOTS])
 
 
 def _ours(x: Robot, name: str, *arguments: np.ndarray, dtype=np.float64) -> np.ndarray:
@@ -90,8 +91,8 @@ def test_mass_matrix_and_forward_dynamics_are_pinocchios(file, free, mimics):
 
 @ALL
 def test_single_precision_is_within_its_condition(file, free, mimics):
-    """The error of single precision, from states that single precision can hold: RNEA within 100 u of
-    the largest torque, ABA within 100 u |M^-1| (|tau| + |bias|)."""
+    """The error of single precision, from states that single precision can hold: RNEA within 100 u
+    of the largest torque, ABA within 100 u |M^-1| (|tau| + |bias|)."""
     x = robot(file, free, mimics)
     q, v, a = (y.astype(np.float32).astype(np.float64) for y in x.states(STATES, 2))
     exact = _ours(x, "inverse_dynamics", q, v, a)

@@ -77,6 +77,7 @@ def test_every_extra_named_exists():
              *(path.read_text() for folder in ("codegen", "templates", "tests/benchmarks")
                for path in sorted((ROOT / folder).rglob("*")) if path.suffix in (".py", ".jinja"))]
     named = re.findall(r"""["'](?:\.|coscrew)\[(\w[\w,-]*)\]""", "\n".join(texts))
-    assert {"codegen", "report", "test", "peers"} <= {x for names in named for x in names.split(",")}
+    each = {x for names in named for x in names.split(",")}
+    assert {"codegen", "report", "test", "peers"} <= each
     for names in named:
         assert set(names.split(",")) <= set(extras), names

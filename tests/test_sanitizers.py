@@ -32,8 +32,8 @@ TIER_NAMES = ("", *(tier.name for tier in TIERS))
 BUILDS = (*((name, SANITIZERS) for name in COMPILERS if _links(name)),
           *((name, ("-O2",)) for name in COMPILERS))
 
-# The tiers' kernels are written by the same printer as plain's: one compiler with sanitizers, one that
-# optimises, for each.
+# The tiers' kernels are written by the same printer as plain's: one compiler with sanitizers, one
+# that optimises, for each.
 RUNS = (*(("", *build) for build in BUILDS),
         *((tier, *build) for tier in TIER_NAMES[1:] for build in (BUILDS[0], BUILDS[-1])))
 

@@ -43,12 +43,14 @@ def test_what_python_calls_compiles_without_a_warning(case, compiler: str, tmp_p
     written(case, tmp_path)
     (tmp_path / "calls.c").write_text(scene_calls.source(case))
     flags = [x for x in STRICT if x != "-pedantic"]
-    run([compiler, *C11, *flags, "-O2", "-fPIC", "-c", tmp_path / "calls.c", "-o", tmp_path / "x.o"])
+    run([compiler, *C11, *flags, "-O2", "-fPIC",
+         "-c", tmp_path / "calls.c", "-o", tmp_path / "x.o"])
 
 
 def test_fast_math_is_refused_unless_allowed(tmp_path: Path):
     written(CASES["slider"](), tmp_path)
-    command = [COMPILERS[0], *C11, "-ffast-math", "-c", tmp_path / "slider.c", "-o", tmp_path / "x.o"]
+    command = [COMPILERS[0], *C11, "-ffast-math",
+               "-c", tmp_path / "slider.c", "-o", tmp_path / "x.o"]
     with pytest.raises(pytest.fail.Exception, match="SLIDER_ALLOW_FAST_MATH"):
         run(command)
     run([*command, "-DSLIDER_ALLOW_FAST_MATH"])

@@ -46,7 +46,8 @@ def test_lines_are_short_and_clean(texts: dict[str, str]):
 
 def test_text_is_the_same_in_every_process():
     program = ("import sys; from tests.generated_scenes import *; "
-               "sys.stdout.write(''.join(''.join(files(made()).values()) for made in CASES.values()))")
+               "sys.stdout.write(''.join(''.join(files(made()).values()) "
+               "for made in CASES.values()))")
     found = set()
     for seed in ("0", "1", "4711"):
         done = subprocess.run(
@@ -94,7 +95,8 @@ def test_operations_are_counted_above_each_function():
 def test_headings_stand_above_their_bodies():
     text = files(CASES["slider"]())["slider.c"]
     body = text[text.index("slider_forward_dynamics"):]
-    places = [body.index(x) for x in ("/* carriage */", "speed_0 =", "/* load: its spring", "late =")]
+    places = [body.index(x)
+              for x in ("/* carriage */", "speed_0 =", "/* load: its spring", "late =")]
     assert places == sorted(places)
 
 

@@ -1,4 +1,4 @@
-"""Symmetric solvers: nothing singular gets an answer, nothing regular is refused, errors are as stated."""
+"""Symmetric solvers: singular matrices get no answer, regular ones do, errors are as stated."""
 
 from functools import cache
 
@@ -115,5 +115,6 @@ def test_comments_state_them(kind, n):
     assert f"<= {FACTOR[n]} u sqrt(a_ii a_jj)" in stated[f"{kind}_ldl"]
     for name in ("solve", "ldl_solve"):
         assert f"<= {BACKWARD} u Σ_j sqrt(a_ii a_jj)" in stated[f"{kind}_{name}"]
-        assert stated[f"{kind}_{name}"] in " ".join(getattr(coscrew, f"{kind}_{name}").__doc__.split())
+        documented = " ".join(getattr(coscrew, f"{kind}_{name}").__doc__.split())
+        assert stated[f"{kind}_{name}"] in documented
     assert stated["inertia_com"] == "Error <= u |result|, barring over- and underflow."

@@ -1,7 +1,8 @@
 """How accurate exponentials, logarithms and Jacobians are over all angles: errors in u, swept.
 
-The angle runs from 1e-30 to π, logarithmically, evenly, and towards π; axes are random, aligned and
-nearly aligned.  Logarithms are given exponentials rounded once, and must find where those came from.
+The angle runs from 1e-30 to π, logarithmically, evenly, and towards π; axes are random,
+aligned and nearly aligned.  Logarithms are given exponentials rounded once, and must
+find where those came from.
 """
 
 from functools import cache
@@ -70,4 +71,5 @@ def test_swept_errors_are_within_the_targets(name: str, precision: Precision):
                 "SE3_leftJacobianInverse": lambda: (motion_jacobian(start)**-1, x)}[name]()
             pairs = list(zip(np.ravel(x).tolist(), list(truth), strict=True))
             error = max(abs(mp.mpf(a) - b) for a, b in pairs) / max(abs(b) for _, b in pairs)
-            assert error <= TARGETS[name] * u, (float(error / u), [c.hex() for c in s[row].tolist()])
+            assert error <= TARGETS[name] * u, (
+                float(error / u), [c.hex() for c in s[row].tolist()])

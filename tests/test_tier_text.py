@@ -1,10 +1,10 @@
 """What the emitted text of each tier computes is identically its operation's truth.
 
-In exact arithmetic rounding errors are zero, so a compensated kernel must reduce to the formula; and
-when each result whose error it computes is off by some h, its own must be off by h² only.  A sum
-hi + lo, which makes up for its own error whatever it is, must have none to make up for besides.  A
-certified bound must be C S, and C count the roundings, but for what covers underflow.  C is read here
-as the few forms it has: `const double a = …, b = …;`, `out->m0 = …;`, `return …;`.
+In exact arithmetic rounding errors are zero, so a compensated kernel must reduce to the formula;
+and when each result whose error it computes is off by some h, its own must be off by h² only.  A
+sum hi + lo, which makes up for its own error whatever it is, must have none to make up for besides.
+A certified bound must be C S, and C count the roundings, but for what covers underflow.  C is read
+here as the few forms it has: `const double a = …, b = …;`, `out->m0 = …;`, `return …;`.
 """
 
 import random
@@ -90,7 +90,8 @@ def evaluated(text: str, operation: Operation, inputs: Sequence[object],
         if statement.startswith("return "):
             result = eval(statement.removeprefix("return "), memory)
             continue
-        for assignment in re.split(r", (?=\w+ = )", re.sub(r"^const (double|float) ", "", statement)):
+        assigned = re.sub(r"^const (double|float) ", "", statement)
+        for assignment in re.split(r", (?=\w+ = )", assigned):
             exec(assignment.lstrip("*"), memory)
             name = assignment.split(" ")[0]
             if name in compensated and name not in exact:
@@ -136,8 +137,8 @@ class Size:
 @precisions
 @operations
 def test_a_certified_bound_is_a_multiple_of_the_terms(operation: Operation, precision: Precision):
-    """C S for τ = 0; C / u is plain's c1 and the last rounding, and hardly more.  Where products are
-    summed, something is left for all inputs 0."""
+    """C S for τ = 0; C / u is plain's c1 and the last rounding, and hardly more.  Where products
+    are summed, something is left for all inputs 0."""
     u = sp.Rational(1, {"double": 2**53, "single": 2**24}[precision.name])
     symbols = [symbol for a in operation.inputs for symbol in a.symbols]
     found = evaluated(body(operation, precision, "certified"), made(operation, "certified"),
@@ -151,7 +152,8 @@ def test_a_certified_bound_is_a_multiple_of_the_terms(operation: Operation, prec
             continue
         C = sp.cancel(sp.expand(bound.value.subs(TAU, 0)) / S)
         roundings = sp.Rational(plain.c1.numerator, plain.c1.denominator) + 1
-        scalings = 2 * any(map(scales, plain_program(operation).instructions))  # counted as roundings
+        # Scalings are counted as roundings.
+        scalings = 2 * any(map(scales, plain_program(operation).instructions))
         most = sp.ceiling(roundings) + scalings  # c1 may be a mean over equal monomials
         assert C.is_Rational and roundings * u < C < most * u * (1 + 16 * u)
         assert bound.value.has(TAU) or all(len(m) == 1 for m in plain.terms)
@@ -206,7 +208,8 @@ def test_a_flipped_sign_is_noticed(operation: Operation, tier: str):
 @operations
 def test_python_is_its_truth(operation: Operation, precision: Precision,
                              monkeypatch: pytest.MonkeyPatch):
-    kernel: Callable = getattr(getattr(coscrew.accurate, precision.name), operation.name).__wrapped__
+    kernels = getattr(coscrew.accurate, precision.name)
+    kernel: Callable = getattr(kernels, operation.name).__wrapped__
     for name in ("product_error", "product_rest"):
         if name in kernel.__globals__:
             monkeypatch.setitem(kernel.__globals__, name, EXACTLY[f"ksl_{name}"])

@@ -75,8 +75,8 @@ def test_one_ulp_is_proved_to_condition_1e14(operation: Operation):
 
 def test_shares_of_a_sum_are_exact():
     """What the accurate tier takes for granted: s = a + b and t = s - a rounded, then u = s - t,
-    a - u and b - t are exact, and a - u + b - t is the error.  In half precision, in which numbers of
-    any sizes meet, against double, which holds all of it exactly."""
+    a - u and b - t are exact, and a - u + b - t is the error.  In half precision, in which numbers
+    of any sizes meet, against double, which holds all of it exactly."""
     rng = np.random.default_rng(4)
     a, b = rng.integers(0, 2**16, (2, 4_000_000), np.uint16).view(np.float16)
     with np.errstate(all="ignore"):
@@ -127,8 +127,9 @@ def same_bits(got: Arrays, want: Arrays) -> bool:
                          ids=lambda module: module.__name__)
 def test_c_gufunc_and_numpy_agree_in_bits(tier: ModuleType, operation: Operation,
                                           precision: Precision, folder: Path):
-    """With an fma instruction and, at -O0 and in gufuncs, without: both compute the same exact errors.
-    The certified tier's bits agree for any numbers, the accurate tier's within the safe range."""
+    """With an fma instruction and, at -O0 and in gufuncs, without: both compute the same
+    exact errors.  The certified tier's bits agree for any numbers, the accurate tier's
+    within the safe range."""
     name = tier.__name__.removeprefix("coscrew.")
     inputs = tuple(np.concatenate([x] * 20) for x in rows(operation, precision, ROWS, SEED + 1))
     rng = np.random.default_rng(3)

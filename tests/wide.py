@@ -1,8 +1,8 @@
 """Polynomial programs in arithmetic so wide that their own errors hardly count, on whole batches.
 
 Numbers of single precision are computed with in long double, of double precision in pairs of long
-doubles hi + lo, |lo| <= ulp(hi)/2.  With w = 2^-64, long double's u, each operation is off by at most
-w, or 8 w², of its result: sums of pairs by 3 w² + 13 w³ (AccurateDWPlusDW), products by 5 w²
+doubles hi + lo, |lo| <= ulp(hi)/2.  With w = 2^-64, long double's u, each operation is off by at
+most w, or 8 w², of its result: sums of pairs by 3 w² + 13 w³ (AccurateDWPlusDW), products by 5 w²
 (DWTimesDW1).  Source: M. Joldes, J.-M. Muller, V. Popescu, ACM TOMS 44 (2017) 15; J.-M. Muller,
 L. Rideau, ACM TOMS 48 (2022) 9.  So the analysis that counts a program's roundings bounds what it
 computes here, too: |found - x| <= (c1 + 1) e S (1 + O(e)), e = w or 8 w².  Long double reaches from
@@ -77,7 +77,8 @@ def _evaluated(program: Program, precision: Precision, columns: np.ndarray) -> l
             return Wide(WIDE(float(precision.value(x))))
         return values[x.name]
 
-    rules = {Op.ADD: total, Op.SUB: lambda a, b: total(a, -b), Op.MUL: product, Op.NEG: Wide.__neg__}
+    rules = {Op.ADD: total, Op.SUB: lambda a, b: total(a, -b), Op.MUL: product,
+             Op.NEG: Wide.__neg__}
     for step in program.instructions:
         values[step.name] = rules[step.op](*map(value, step.operands))
     return [value(x) for x in program.results]

@@ -1,10 +1,11 @@
-"""What a scene's effects do to a motion: torques at joints, forces on links, energies and powers."""
+"""What a scene's effects do to a motion: torques at joints, forces on links, energies, powers."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
 from coscrew_codegen.dynamics import numbers as n
+from coscrew_codegen.dynamics.effect import Effect, Force, Line, Torque
 from coscrew_codegen.dynamics.folding import constant_pi
 from coscrew_codegen.dynamics.formulas import Formula
 from coscrew_codegen.dynamics.model import Parameter
@@ -13,7 +14,6 @@ from coscrew_codegen.dynamics.numbers import Number, Vector, add, cross, dot, ne
 from coscrew_codegen.dynamics.record import Recorder
 from coscrew_codegen.dynamics.scene import Applied, Scene, Setting
 from coscrew_codegen.dynamics.states import BodyState, JointState
-from coscrew_codegen.dynamics.effect import Effect, Force, Line, Torque
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,8 @@ class Acting:
         values = settings(self.recorder, applied.values, self.t)
         if effect.joint_torque:
             link = self.motion.tree.links.index(self.motion.tree.link_of(applied.on))
-            state = JointState(self.motion.coordinates(link)[0], self.motion.speeds(link)[0], self.t)
+            state = JointState(self.motion.coordinates(link)[0], self.motion.speeds(link)[0],
+                               self.t)
             self.torques.setdefault(link, []).append(effect.joint_torque(state, values))
         if effect.body_force:
             state = self._body(applied.on)

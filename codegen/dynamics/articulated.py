@@ -1,7 +1,8 @@
 """Forward dynamics by articulated bodies (ABA), on top of inverse dynamics without acceleration.
 
-The wrenches of the motion with a = 0 are known from inverse dynamics; what remains is linear: each link
-answers an acceleration of its frame with its articulated inertia, and no term holds a velocity.
+The wrenches of the motion with a = 0 are known from inverse dynamics; what remains is
+linear: each link answers an acceleration of its frame with its articulated inertia, and
+no term holds a velocity.
 """
 
 from collections.abc import Sequence
@@ -112,8 +113,8 @@ def opened(motion: Motion, number: int, body: Articulated, own: Sequence[Number]
 
 def accelerations(motion: Motion, bodies: Sequence[Articulated], wrenches: Sequence[Wrench],
                   torques: Sequence[Number], own: Sequence[Number]) -> list[Number]:
-    """a of every speed: bodies the links' inertias, wrenches those of the motion with a = 0, torques
-    what acts at the joints, `own` the inertia of every freedom alone."""
+    """a of every speed: bodies the links' inertias, wrenches those of the motion with a = 0,
+    torques what acts at the joints, `own` the inertia of every freedom alone."""
     links, body, wrench = motion.tree.links, list(bodies), list(wrenches)
     joints: list[tuple[Opened, list[Number]]] = []
     for number in reversed(range(len(links))):

@@ -65,8 +65,9 @@ def _seated(recorder: Recorder, seat: Seat, inertia: Inertia) -> tuple[Number, .
 def net_force(body: Rigid, curl: Sequence[Number], acceleration: Vector) -> tuple[Vector, Vector]:
     """Force and moment about the origin that give a body this motion.
 
-    F = m a + U h; N = h × a + ∫ r × U r dm, where U = ω'~ + ω~ ω~ maps points to their accelerations
-    beyond the origin's a.  The integral takes 15 products, against 24 of I ω' + ω × I ω.
+    F = m a + U h; N = h × a + ∫ r × U r dm, where U = ω'~ + ω~ ω~ maps points to
+    their accelerations beyond the origin's a.  The integral takes 15 products,
+    against 24 of I ω' + ω × I ω.
     """
     xx, yy, zz, xy, xz, yz = body.second
     Uxx, Uxy, Uxz, Uyx, Uyy, Uyz, Uzx, Uzy, Uzz = curl

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from coscrew_codegen.dynamics.model import Kind
-from coscrew_codegen.dynamics.numbers import (Number, add, cross, dot, rotated, scaled)
+from coscrew_codegen.dynamics.numbers import Number, add, cross, dot, rotated, scaled
 from coscrew_codegen.dynamics.record import Recorder
 from coscrew_codegen.dynamics.tree import Tree
 

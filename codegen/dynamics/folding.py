@@ -1,7 +1,8 @@
 """What an instruction folds to: exact rules on constants, zeros, ones and signs.
 
-A sum takes signs up (a + (-b) is a - b), a product hands them on ((-a) b is -(a b)), so that none is
-left but where a result needs it.  Rules change no value but the sign of zero, and NaN times zero.
+A sum takes signs up (a + (-b) is a - b), a product hands them on ((-a) b is -(a b)), so
+that none is left but where a result needs it.  Rules change no value but the sign of
+zero, and NaN times zero.
 """
 
 from collections.abc import Mapping
@@ -10,7 +11,6 @@ from fractions import Fraction
 from functools import cache
 
 import mpmath
-
 from coscrew_codegen.program import Constant, Instruction, Op, Operand, Ref
 
 DIGITS = 60

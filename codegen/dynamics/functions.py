@@ -2,10 +2,9 @@
 
 from collections.abc import Callable, Sequence
 
-from coscrew_codegen.dynamics import (composite, coordinates, energies, forward, frames, inverse)
+from coscrew_codegen.dynamics import composite, coordinates, energies, forward, frames, inverse
 from coscrew_codegen.dynamics.acting import Acting
 from coscrew_codegen.dynamics.formulas import Formula
-from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.dynamics.identifiers import identifiers
 from coscrew_codegen.dynamics.numbers import Number, row_by_row
 from coscrew_codegen.dynamics.record import Recorder, array, headings
@@ -13,6 +12,7 @@ from coscrew_codegen.dynamics.recording import Recording
 from coscrew_codegen.dynamics.scene import Scene
 from coscrew_codegen.dynamics.tree import Tree, tree_of
 from coscrew_codegen.quantity import Argument
+from coscrew_codegen.scene_functions import Function, SceneFunctions
 
 STEPS = ("semi_implicit_euler", "linear_implicit_euler", "rk4")
 
@@ -86,7 +86,8 @@ class _Derivation:
                   compute: Callable[[Recording], Sequence[Sequence[Number]]],
                   dynamic: bool = True, acted: bool = False, internal: bool = False) -> Function:
         """A function of these inputs, with p if it is of the dynamics, t if effects act in it."""
-        given = [*(["t"] if acted and self.timed else []), *(["h"] if "h" in inputs.split() else []),
+        given = [*(["t"] if acted and self.timed else []),
+                 *(["h"] if "h" in inputs.split() else []),
                  *(["p"] if dynamic and self.scene.parameters else []),
                  *(x for x in inputs.split() if x != "h")]
         recorder = Recorder([self.inputs[x] for x in given])
@@ -103,8 +104,9 @@ class _Derivation:
             return [x.torques(motion, Acting(self.scene, motion).act())]
 
         return self._function(
-            "inverse_dynamics", "tau = M(q) a + bias_torques(q, v): what the joints must supply for "
-            "the accelerations a, beside the effects", "q v a", [self._tau()], compute, acted=True)
+            "inverse_dynamics", "tau = M(q) a + bias_torques(q, v): what the joints must supply "
+            "for the accelerations a, beside the effects", "q v a", [self._tau()], compute,
+            acted=True)
 
     def _bias(self) -> Function:
         def compute(x: Recording):
@@ -112,8 +114,8 @@ class _Derivation:
             return [x.torques(motion, Acting(self.scene, motion).act())]
 
         return self._function(
-            "bias_torques", "tau = inverse_dynamics(q, v, 0): Coriolis, centrifugal, gravity and all "
-            "effects' torques", "q v", [self._tau()], compute, acted=True)
+            "bias_torques", "tau = inverse_dynamics(q, v, 0): Coriolis, centrifugal, gravity and "
+            "all effects' torques", "q v", [self._tau()], compute, acted=True)
 
     def _gravity(self) -> Function:
         def compute(x: Recording):
@@ -142,9 +144,9 @@ class _Derivation:
                                           x.recorder.argument("h")[0])]
 
         return self._function(
-            "implicit_acceleration", "a with (M + h d + h^2 k) a = -bias_torques(q, v) - h k v, where "
-            "d, k are how the effects' torques fall with v and q", "h q v", [self.inputs["a"]],
-            compute, acted=True, internal=True)
+            "implicit_acceleration", "a with (M + h d + h^2 k) a = -bias_torques(q, v) - h k v, "
+            "where d, k are how the effects' torques fall with v and q", "h q v",
+            [self.inputs["a"]], compute, acted=True, internal=True)
 
     def _mass(self) -> Function:
         def compute(x: Recording):
@@ -159,11 +161,13 @@ class _Derivation:
         def compute(x: Recording):
             motion = x.motion(accelerating=False)
             acting = Acting(self.scene, motion).act()
-            return [[energies.kinetic(x, motion), energies.potential(x, motion) + acting.potential()]]
+            return [[energies.kinetic(x, motion),
+                     energies.potential(x, motion) + acting.potential()]]
 
         return self._function(
-            "energy", "e = (kinetic, potential) energy; of gravity zero where centres of mass are at "
-            "the world's origin", "q v", [array("e", (2,), "energies in J")], compute, acted=True)
+            "energy", "e = (kinetic, potential) energy; of gravity zero where centres of mass are "
+            "at the world's origin", "q v", [array("e", (2,), "energies in J")], compute,
+            acted=True)
 
     def _power(self) -> Function:
         def compute(x: Recording):
@@ -171,16 +175,16 @@ class _Derivation:
             return [[Acting(self.scene, motion).act().power()]]
 
         return self._function(
-            "power", "P, what effects without potential energy feed in; negative where they dissipate",
-            "q v", [array("P", (), "power in W")], compute, acted=True)
+            "power", "P, what effects without potential energy feed in; negative where they "
+            "dissipate", "q v", [array("P", (), "power in W")], compute, acted=True)
 
     def _momentum(self) -> Function:
         def compute(x: Recording):
             return [energies.momentum(x, x.motion(accelerating=False))]
 
         return self._function(
-            "momentum", "c = (p; L): linear momentum, angular momentum about the world's origin, in the "
-            "world's frame", "q v", [array("c", (6,), "in kg m/s, kg m^2/s")], compute)
+            "momentum", "c = (p; L): linear momentum, angular momentum about the world's origin, "
+            "in the world's frame", "q v", [array("c", (6,), "in kg m/s, kg m^2/s")], compute)
 
     def _poses(self) -> Function:
         def compute(x: Recording):
@@ -189,9 +193,10 @@ class _Derivation:
                 found += row_by_row(*frames.pose(x, motion, body))
             return [found]
 
-        return self._function("body_poses", "D[i] = [R | t] of each body in the world, row by row", "q",
-                              [array("D", (len(self.bodies), 3, 4), "displacements, t in m")],
-                              compute, dynamic=False)
+        return self._function(
+            "body_poses", "D[i] = [R | t] of each body in the world, row by row", "q",
+            [array("D", (len(self.bodies), 3, 4), "displacements, t in m")], compute,
+            dynamic=False)
 
     def _twists(self) -> Function:
         def compute(x: Recording):
@@ -235,7 +240,8 @@ class _Derivation:
 
         return self._function(
             "integrated", "qo = q moved by phi: by exponentials where there are quaternions, else "
-            "q + phi", "q phi", [array("qo", (self.tree.nq,), "coordinates")], compute, dynamic=False)
+            "q + phi", "q phi", [array("qo", (self.tree.nq,), "coordinates")], compute,
+            dynamic=False)
 
     def _chart(self) -> Function:
         def compute(x: Recording):

@@ -2,9 +2,9 @@
 
 from dataclasses import replace
 
+from coscrew_codegen.dynamics.assembly import ModelError
 from coscrew_codegen.dynamics.model import Joint, Kind, Mimic, Model
 from coscrew_codegen.dynamics.names import did_you_mean
-from coscrew_codegen.dynamics.assembly import ModelError
 
 
 def without_chains(model: Model) -> Model:

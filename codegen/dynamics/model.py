@@ -93,8 +93,8 @@ class Mimic:
 class Joint:
     """Lets the body `child` move in the body `parent` (or WORLD).
 
-    `placement` is the child's frame in the parent's while all coordinates are zero.  Limits, damping
-    and friction are what the file says of them: effects may take them over.
+    `placement` is the child's frame in the parent's while all coordinates are zero.  Limits,
+    damping and friction are what the file says of them: effects may take them over.
     """
 
     name: str
@@ -114,7 +114,7 @@ class Joint:
 
 @dataclass(frozen=True)
 class Model:
-    """Bodies and joints; every body is the child of just one joint, and parents' joints come first."""
+    """Bodies and joints; every body is the child of just one joint, parents' joints come first."""
 
     name: str
     bodies: tuple[Body, ...]

@@ -1,7 +1,8 @@
-"""Motion of a tree's links: frames, velocities and accelerations, each computed when first asked for.
+"""Motion of a tree's links: frames, velocities, accelerations, each computed when first asked for.
 
-All vectors of a link are in its own frame.  Accelerations are those of points (not of screws), so that
-linear velocities enter only where points slide: a prismatic joint, a free one, an effect that asks.
+All vectors of a link are in its own frame.  Accelerations are those of points (not of
+screws), so that linear velocities enter only where points slide: a prismatic joint, a free
+one, an effect that asks.
 """
 
 from collections.abc import Callable, Sequence
@@ -17,7 +18,7 @@ Rotation = tuple[Number, ...]  # nine, row by row
 
 
 def _of_link(compute: Callable[["Motion", int], object]) -> Callable[["Motion", int], object]:
-    """Computed once a link, its instructions named after link and method, below the link's heading."""
+    """Computed once a link, instructions named after link and method, below the link's heading."""
     title = compute.__name__
 
     @wraps(compute)

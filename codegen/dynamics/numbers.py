@@ -1,4 +1,4 @@
-"""Numbers of a recording: what a scene's equations are written with, and vectors of three of them."""
+"""Numbers of a recording, which a scene's equations are written with, and vectors of three."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

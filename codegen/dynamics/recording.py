@@ -22,7 +22,8 @@ class Recording:
     names: tuple[str, ...]
     recorder: Recorder
 
-    def motion(self, moving: bool = True, accelerating: bool = True, falling: bool = True) -> Motion:
+    def motion(self, moving: bool = True, accelerating: bool = True,
+               falling: bool = True) -> Motion:
         """The motion for the function's inputs; `falling`: in the scene's gravity."""
         down = gravity(self.scene, self.recorder) if falling else None
         return Motion(self.recorder, self.tree, self.names, down, moving, accelerating)

@@ -11,9 +11,10 @@ import mpmath
 DIGITS = 50
 
 SNAP = Fraction(1, 10**11)
-"""How near to 0 or ±1 an entry counts as that.  Files write right angles as 1.57079632679, which is
-4.9e-12 off, and matrices computed in doubles hold residues such as 6e-17: a kernel that multiplied
-by these would cost as much as one for slanted axes.  1e-11 rad moves a point at 100 m by a nanometre."""
+"""How near to 0 or ±1 an entry counts as that.  Files write right angles as 1.57079632679,
+which is 4.9e-12 off, and matrices computed in doubles hold residues such as 6e-17: a kernel
+that multiplied by these would cost as much as one for slanted axes.  1e-11 rad moves a point
+at 100 m by a nanometre."""
 
 IDENTITY = tuple(Fraction(i % 4 == 0) for i in range(9))
 

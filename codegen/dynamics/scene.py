@@ -4,9 +4,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 
+from coscrew_codegen.dynamics.effect import Effect
 from coscrew_codegen.dynamics.formulas import Formula
 from coscrew_codegen.dynamics.model import Model, Parameter, Scalar
-from coscrew_codegen.dynamics.effect import Effect
 
 Setting = Scalar | tuple[Scalar | Formula, ...] | tuple[str, str] | Formula | str | None
 

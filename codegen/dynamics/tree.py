@@ -6,8 +6,8 @@ Links are numbered so that parents come first; link -1 is the world.
 from dataclasses import dataclass
 from fractions import Fraction
 
-from coscrew_codegen.scene_functions import Coordinate
 from coscrew_codegen.dynamics.model import HERE, WORLD, Body, Joint, Kind, Model, Placement
+from coscrew_codegen.scene_functions import Coordinate
 
 
 @dataclass(frozen=True)

@@ -2,8 +2,8 @@
 
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.dynamics.numbers import absolute, maximum, minimum
 from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place, Torque, Values
+from coscrew_codegen.dynamics.numbers import absolute, maximum, minimum
 
 if TYPE_CHECKING:
     from coscrew_codegen.dynamics.numbers import Number

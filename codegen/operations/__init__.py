@@ -13,7 +13,8 @@ OPERATIONS: tuple[Operation, ...] = tuple(op for module in _MODULES for op in mo
 
 _names = [op.name for op in OPERATIONS]
 if len(set(_names)) < len(_names):
-    raise ValueError(f"operations named twice: {sorted({n for n in _names if _names.count(n) > 1})}")
+    raise ValueError("operations named twice: "
+                     f"{sorted({n for n in _names if _names.count(n) > 1})}")
 
 
 def family_title(family: str) -> str:

@@ -1,7 +1,7 @@
 """Exponentials and logarithms of rotations and displacements, their Jacobians, interpolation.
 
-A rotation vector v = θ a turns by the angle θ about the unit axis a; exp s of a screw s = (v; ω) is the
-displacement by the motion s in unit time.
+A rotation vector v = θ a turns by the angle θ about the unit axis a; exp s of a screw s = (v; ω) is
+the displacement by the motion s in unit time.
 """
 
 from functools import partial
@@ -94,8 +94,8 @@ _NEWTON = "the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3
 _ROTATIONS = (
     _op("SO3_exp", "R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|", (_v,), (_R,),
         _exp, _bound_exp, (("R", 5),)),
-    _op("SO3_log", "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as "
-        "much as R", (_R,), (_vo,), _log_of,
+    _op("SO3_log", "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by "
+        "as much as R", (_R,), (_vo,), _log_of,
         lambda let, R: _log(let, R)[0], (("vo", 5),)),
     *(_op(f"SO3_{side}Jacobian", f"R = J_{side[0]}(v) = I {'+-'[sign < 0]} (1 - cos θ)/θ^2 v~ + "
           "(θ - sin θ)/θ^3 v~^2, θ = |v|", (_v,), (_R,), partial(_jacobian, sign),
@@ -105,7 +105,8 @@ _ROTATIONS = (
           "(1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π but 0", (_v,), (_R,),
           partial(_jacobian_inverse, sign), partial(_bound_jacobian_inverse, sign), (("R", 5),))
       for side, sign in (("left", 1), ("right", -1))),
-    _op("mat3x3_from_axis_angle", f"R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; {UNIT_AXIS}",
+    _op("mat3x3_from_axis_angle",
+        f"R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; {UNIT_AXIS}",
         (_axis, _angle), (_R,), lambda a, t: _matrix(a, sp.sin(t), 1 - sp.cos(t)), _bound_turn,
         (("R", 8),)),
     _op("axis_angle_from_mat3x3", f"angle and axis of the rotation R; {ANGLE}", (_R,),
@@ -130,7 +131,8 @@ def _bound_move(let: Let, s: sp.Matrix) -> sp.Matrix:
     across, g1, g2, g3 = Angle.of(let, w).g(0, 1, 2, 3)
     turned = let("turned", g2 * let("u", w.cross(v)))
     along = let("along", let("pitch", g3 * let("wv", w.dot(v))) * w)
-    return displacement(rodrigues(let, w, g1, g2, across), g1 * v + let("across_axis", turned + along))
+    return displacement(rodrigues(let, w, g1, g2, across),
+                        g1 * v + let("across_axis", turned + along))
 
 
 def _screw_of(D: sp.Matrix) -> sp.Matrix:
@@ -149,9 +151,9 @@ def _bound_screw_of(let: Let, D: sp.Matrix) -> sp.Matrix:
 
 def _rate(let: Let, s: sp.Matrix, alpha: sp.Expr, alpha_rate: sp.Expr, beta: sp.Expr,
           beta_rate: sp.Expr) -> sp.Matrix:
-    """The rate of I + α ω~ + β ω~² where v is that of ω, and with d = v·ω those of α and β are these
-    times d: α v~ + α' d ω~ + β (v ω^T + ω v^T - 2 d I) + β' d ω~².  Since ad(s) is ω~ + ε v~ with
-    ε² = 0, it is what couples v to ω in any power series of ad(s)."""
+    """The rate of I + α ω~ + β ω~² where v is that of ω, and with d = v·ω those of α and β are
+    these times d: α v~ + α' d ω~ + β (v ω^T + ω v^T - 2 d I) + β' d ω~².  Since ad(s) is ω~ + ε v~
+    with ε² = 0, it is what couples v to ω in any power series of ad(s)."""
     v, w = lin(s), ang(s)
     d = let("vw", v.dot(w))
     turn, bend = let("turn", alpha_rate * d), let("bend", -beta_rate * d)

@@ -1,7 +1,7 @@
 """Spatial inertias of rigid bodies: mass, first moment, second moments about the origin.
 
-In these ten numbers an inertia is linear: inertias of joined bodies add up, momentum is their product
-with a screw.  As an operator [[m 1, -h~], [h~, I]] it maps screws to coscrews (momenta).
+In these ten numbers an inertia is linear: inertias of joined bodies add up, momentum is their
+product with a screw.  As an operator [[m 1, -h~], [h~, I]] it maps screws to coscrews (momenta).
 """
 
 import sympy as sp
@@ -81,7 +81,8 @@ def _shifted(let: Let, t: sp.Matrix, B: sp.Matrix) -> sp.Matrix:
     own = let("own", sp.Matrix([2 * let(f"tn{i}", t[i] * n[i]) for i in range(3)]))
     pairs = let("pairs", sp.Matrix([own[1] + own[2], own[0] + own[2], own[0] + own[1],
                                     *(t[i] * n[j] + n[i] * t[j] for i, j in _UPPER[3:])]))
-    second = [x + y if i < 3 else x - y for i, (x, y) in enumerate(zip(B[4:, :], pairs, strict=True))]
+    second = [x + y if i < 3 else x - y
+              for i, (x, y) in enumerate(zip(B[4:, :], pairs, strict=True))]
     return sp.Matrix([m, *let("moved", h + mt), *second])
 
 
@@ -127,8 +128,8 @@ def _consistency(let: Let, B: sp.Matrix) -> sp.Expr:
 OPERATIONS = (
     *(op for op in linear_space(FAMILY, INERTIA, "B")
       if op.name in ("inertia_copy", "inertia_scale", "add_BB", "subtract_BB")),
-    _op("inertia_from_com", "Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of "
-        "the symmetric matrix the upper triangle): h = m com, I = Ic - m com~ com~",
+    _op("inertia_from_com", "Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; "
+        "of the symmetric matrix the upper triangle): h = m com, I = Ic - m com~ com~",
         (_m, _com, _Ic), (_Bo,), lambda *x: _from_com(unnamed, *x), _from_com),
     _op("inertia_com", "vo = h / m, the centre of mass in m", (_B,), (_vo,),
         lambda B: _first(B) / B[0],
@@ -138,15 +139,14 @@ OPERATIONS = (
     _op("inertia_matrix", "Mo = [[m 1, -h~], [h~, I]]", (_B,), (_Mo,), _operator),
     _op("product_Bs", "co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves "
         "with s", (_B, _s), (_co,), _momentum),
-    _op("inertia_energy", "s·B s / 2, the kinetic energy in J of a body that moves with s", (_B, _s),
-        (_energy,), lambda B, s: s.dot(_momentum(B, s)) / 2,
-        _energy_of),
+    _op("inertia_energy", "s·B s / 2, the kinetic energy in J of a body that moves with s",
+        (_B, _s), (_energy,), lambda B, s: s.dot(_momentum(B, s)) / 2, _energy_of),
     _op("inertia_shifted", "Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~", (_t, _B),
         (_Bo,), lambda t, B: _shifted(unnamed, t, B), _shifted),
-    _op("inertia_transformed", "Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own "
-        "to", (_D, _B), (_Bo,), lambda D, B: _transformed(unnamed, D, B), _transformed),
-    _op("inertia_consistency", "the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part "
-        "of its diagonal entry: positive exactly if a body of positive density has this inertia",
-        (_B,), (_pivot,), 
+    _op("inertia_transformed", "Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its "
+        "own to", (_D, _B), (_Bo,), lambda D, B: _transformed(unnamed, D, B), _transformed),
+    _op("inertia_consistency", "the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a "
+        "part of its diagonal entry: positive exactly if a body of positive density has this "
+        "inertia", (_B,), (_pivot,),
         lambda B: smallest_pivot(*lower_triangle(_pseudo_inertia(unnamed, B))), _consistency),
 )

@@ -12,7 +12,7 @@ Value = sp.Matrix | sp.Expr
 # Below it every component counts as zero when a norm chooses between linear and angular part.
 NORM_THRESHOLD = sp.Symbol("norm_threshold", positive=True)
 
-# Between these, squares neither over- nor underflow; beyond them a power of two brings numbers back.
+# Between these, squares neither over- nor underflow; beyond them powers of two bring numbers back.
 SMALL, LARGE, ENLARGING, REDUCING = sp.symbols("small large enlarging reducing", positive=True)
 
 # x + GRID - GRID is x rounded so that squares of such numbers below 8, and their sums, are exact.

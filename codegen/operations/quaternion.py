@@ -51,7 +51,8 @@ def _rotated(let: Let, q: sp.Matrix, v: sp.Matrix) -> sp.Matrix:
 _PRODUCTS = (
     _op("quaternion_setIdentity", "self = (1; 0)", (_self,), (_self,),
         lambda q: sp.Matrix([1, 0, 0, 0])),
-    _op("quaternion_conjugated", "qo = (w; -v), the inverse of q if |q| = 1", (_q,), (_qo,), conjugate),
+    _op("quaternion_conjugated", "qo = (w; -v), the inverse of q if |q| = 1", (_q,), (_qo,),
+        conjugate),
     _op("quaternion_norm", "|q| = sqrt(w^2 + v·v)", (_q,), (_norm,), l2, safe_norm),
     _op("quaternion_normalize", "self = self / |self|; zero stays zero", (_self,), (_self,),
         _normalized, _bound_normalized),
@@ -72,8 +73,8 @@ _PRODUCTS = (
 
 
 def _matrix_of(let: Let, q: sp.Matrix) -> sp.Matrix:
-    """Of the squares a, b, c, d both the diagonal's entries and q·q are made: where an entry is near
-    1, their roundings cancel."""
+    """Of the squares a, b, c, d both the diagonal's entries and q·q are made: where an entry is
+    near 1, their roundings cancel."""
     w, x, y, z = q
     a, b, c, d = let("squares", sp.Matrix([w * w, x * x, y * y, z * z]))
     pairs = let("pairs", sp.Matrix([a + b, c + d, a + c, b + d, a + d, b + c]))
@@ -96,8 +97,8 @@ def _of_axis_angle(let: Let, axis: sp.Matrix, angle: sp.Expr) -> sp.Matrix:
 
 
 def axis_angle(let: Let, q: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
-    """2 atan2(|v|, w), v / |v| of any multiple of a quaternion.  What is divided is v and |v| times a
-    power of two: a subnormal |v| has too few digits for a direction."""
+    """2 atan2(|v|, w), v / |v| of any multiple of a quaternion.  What is divided is v and |v| times
+    a power of two: a subnormal |v| has too few digits for a direction."""
     q = upper(let, q)
     of_v = prefixed(let, "v")
     s = power_of_two(of_v, "s", tuple(q[1:, :]))
@@ -136,14 +137,15 @@ _CONVERSIONS = (
         "neither over- nor underflows", (_q,), (_R,), lambda q: _matrix_of(unnamed, q), _matrix_of,
         (("R", 5),)),
     _op("quaternion_from_mat3x3", "qo with R(qo) = R and w >= 0; of an R that is not quite a "
-        "rotation, off by as much as R", (_R,), (_qo,), lambda R: vector(special.quaternion_of, 4, *R),
-        _of_matrix, (("qo", 5),)),
+        "rotation, off by as much as R", (_R,), (_qo,),
+        lambda R: vector(special.quaternion_of, 4, *R), _of_matrix, (("qo", 5),)),
     _op("quaternion_from_axis_angle", f"qo = (cos angle/2; axis sin angle/2); {UNIT_AXIS}",
         (_axis, _angle), (_qo,), lambda a, angle: _of_axis_angle(unnamed, a, angle),
         _of_axis_angle, (("qo", 3),)),
     _op("axis_angle_from_quaternion", f"angle = 2 atan2(|v|, |w|), axis = ±v / |v|; {ANGLE}; any "
         "multiple of a quaternion", (_q,), (_angle, _axis),
-        lambda q: axis_and_angle(vector(special.quaternion_log, 3, *q)), axis_angle, (("angle", 5), ("axis", 4))),
+        lambda q: axis_and_angle(vector(special.quaternion_log, 3, *q)), axis_angle,
+        (("angle", 5), ("axis", 4))),
     _op("quaternion_exp", "qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the "
         "rotation vector v", (_v,), (_qo,), _exp,
         lambda let, v: versor(let, let("h", v / 2)), (("qo", 7),)),

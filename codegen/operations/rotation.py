@@ -42,7 +42,7 @@ def quaternion_of(let: Let, R: sp.Matrix) -> sp.Matrix:
     p = let("p", sp.Matrix([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]))
     s = let("s", sp.Matrix([R[2, 1] + R[1, 2], R[0, 2] + R[2, 0], R[1, 0] + R[0, 1]]))
     first, less = let("first", sp.Matrix([1 + a, 1 - a])), let("others", sp.Matrix([b + c, b - c]))
-    # 1 + a + b + c, 1 + a - b - c, …: in pairs, so that the one that is 1 or more is off by 3 u of 1.
+    # 1 + a + b + c, 1 + a - b - c, …: paired, so that the one that is 1 or more is off by 3 u of 1.
     w, x, y, z = let("d", sp.Matrix([first[0] + less[0], first[0] - less[0],
                                      first[1] + less[1], first[1] - less[1]]))
 

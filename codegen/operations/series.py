@@ -3,8 +3,9 @@
     g(k, θ²) = Σ (-θ²)^j / (2j + k)!      b(θ²) = (1 - θ/2 cot θ/2) / θ²
 
 g(1) = sin θ / θ, g(2) = (1 - cos θ) / θ², g(3) = (θ - sin θ) / θ³; g(k + 2) = (1/k! - g(k)) / θ².
-Up to θ = 1 (g(1), g(2)) or 2 they are their series, beyond it closed forms in sin θ and cos θ, which
-are called only there.  Where v is the rate of ω, that of g(k, ω·ω) is 2 g'(k) v·ω, and so for b.
+Up to θ = 1 (g(1), g(2)) or 2 they are their series, beyond it closed forms in sin θ and
+cos θ, which are called only there.  Where v is the rate of ω, that of g(k, ω·ω) is
+2 g'(k) v·ω, and so for b.
 """
 
 from dataclasses import dataclass
@@ -14,9 +15,9 @@ import sympy as sp
 from coscrew_codegen.operations.norm import Let
 from coscrew_codegen.operations.operation import GRID
 
-_NEAR = sp.Integer(1)  # θ² where the series of g(1), g(2) end, which the closed forms lose no digit of
+_NEAR = sp.Integer(1)  # θ² where the series of g(1), g(2) end, of which closed forms lose no digit
 _MIDDLE = sp.Integer(4)  # θ² where the others end
-_LATE = sp.Integer(9)  # θ² where those of 2 g'(2), 2 g'(3) end, whose closed forms cancel most of it
+_LATE = sp.Integer(9)  # θ² where those of 2 g'(2), 2 g'(3) end, whose closed forms cancel most
 _TAYLOR_TERMS, _BERNOULLI_TERMS = 13, 17  # what is left out is below u / 4 there, in double
 
 
@@ -96,7 +97,8 @@ class Angle:
         """2 b' = ((1 + cot² θ/2) / 4 - (2 - θ/2 cot θ/2) / θ²) / θ²."""
         let, x, cotangent = self.let, self.square, self.cotangent
         divisor = let("b_rate_divisor", beyond(x, x, _MIDDLE))
-        across = let("b_rate_across", (2 - let("b_rate_half", self.angle * cotangent / 2)) / divisor)
+        across = let("b_rate_across",
+                     (2 - let("b_rate_half", self.angle * cotangent / 2)) / divisor)
         rest = let("b_rate_rest", let("b_rate_square", (1 + cotangent**2) / 4) - across)
         return let("b_rate", beyond(x, let("closed_b_rate", rest / divisor), _bernoulli_rate(x)))
 

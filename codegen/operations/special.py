@@ -1,4 +1,4 @@
-"""Functions that formulas are written in where mathematics has no polynomial or closed form for them.
+"""Functions that formulas are written in where mathematics has no polynomial or closed form.
 
 `codegen/special.py` evaluates them to any number of digits.
 """
@@ -15,11 +15,11 @@ class b(sp.Function):
 
 
 class quaternion_of(sp.Function):
-    """quaternion_of(i, R00, R01, …): component i of the quaternion, w >= 0, of the nearest rotation."""
+    """quaternion_of(i, R00, R01, …): component i of the nearest rotation's quaternion, w >= 0."""
 
 
 class quaternion_log(sp.Function):
-    """quaternion_log(i, w, x, y, z): component i of the rotation vector of a quaternion's multiple."""
+    """quaternion_log(i, w, x, y, z): component i of a quaternion multiple's rotation vector."""
 
 
 class slerp(sp.Function):

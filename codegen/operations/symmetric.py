@@ -23,8 +23,8 @@ def lower_triangle(A: sp.Matrix) -> list[sp.Expr]:
 
 
 def factored(let: Let, A: sp.Matrix) -> tuple[sp.Matrix, list[sp.Expr]]:
-    """Unit lower triangular L and the diagonal of D.  Where a pivot is not positive, 1 divides in its
-    place: what follows from it means nothing."""
+    """Unit lower triangular L and the diagonal of D.  Where a pivot is not positive, 1 divides in
+    its place: what follows from it means nothing."""
     n, D = A.rows, []
     L, U = sp.eye(n), sp.zeros(n, n)  # U = L D
     for j in range(n):
@@ -120,18 +120,20 @@ def _operations(matrix: Quantity, right: Quantity, left: Quantity) -> tuple[Oper
 
     op = partial(Operation, family=FAMILY)
     return (
-        op(name=f"{matrix.name}_ldl", statement="L, D with L D L^T = A: unit lower triangular L, D on "
-           "its diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not "
-           "positive definite, and L means nothing", inputs=(A,), outputs=(pivot, L), formula=ldl,
-           derivation=bound_ldl, rounding=f"|L D L^T - A|_ij <= {FACTOR[n]} u sqrt(a_ii a_jj) where the "
-           "pivot is positive, barring over- and underflow."),
+        op(name=f"{matrix.name}_ldl", statement="L, D with L D L^T = A: unit lower triangular L, D "
+           "on its diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is "
+           "not positive definite, and L means nothing", inputs=(A,), outputs=(pivot, L),
+           formula=ldl, derivation=bound_ldl,
+           rounding=f"|L D L^T - A|_ij <= {FACTOR[n]} u sqrt(a_ii a_jj) where the pivot is "
+           "positive, barring over- and underflow."),
         op(name=f"{matrix.name}_ldl_solve", statement=f"x = A^-1 b, L of {matrix.name}_ldl with a "
            "positive pivot", inputs=(L, b), outputs=(x,), formula=partial(by_factor, unnamed),
            derivation=by_factor, rounding=_backward("of A = L D L^T")),
-        op(name=f"{matrix.name}_solve", statement="x = A^-1 b with one step of refinement; returns the "
-           "smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A "
-           "is not positive definite), it is not positive, and x not a number", inputs=(A, b),
-           outputs=(pivot, x), formula=solved, derivation=_solve, rounding=_backward("of A")),
+        op(name=f"{matrix.name}_solve", statement="x = A^-1 b with one step of refinement; returns "
+           "the smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u "
+           "diag A is not positive definite), it is not positive, and x not a number",
+           inputs=(A, b), outputs=(pivot, x), formula=solved, derivation=_solve,
+           rounding=_backward("of A")),
     )
 
 

@@ -4,7 +4,8 @@ import sympy as sp
 
 from coscrew_codegen.algebra import unit
 from coscrew_codegen.operations.linear import linear_space
-from coscrew_codegen.operations.norm import divided, l2, nonzero, power_of_two, safe_norm, safe_normalized
+from coscrew_codegen.operations.norm import (divided, l2, nonzero, power_of_two, safe_norm,
+                                             safe_normalized)
 from coscrew_codegen.operations.operation import Operation, scaled
 from coscrew_codegen.quantity import SCALAR, VEC3, Argument
 

@@ -54,9 +54,9 @@ def accuracy(operation: Operation, variant: Variant, benign: Sample, hard: Sampl
              evaluate: Evaluate) -> Accuracy:
     """The errors of a variant of the operation; further outputs it may have are left out.
 
-    Hard are only results whose condition is below 0.1/u: beyond it no digit is promised.  Nothing is
-    promised either where there is no truth, where something overflows, or where a kernel that may
-    refuse its inputs returns NaN."""
+    Hard are only results whose condition is below 0.1/u: beyond it no digit is promised.  Nothing
+    is promised either where there is no truth, where something overflows, or where a kernel that
+    may refuse its inputs returns NaN."""
     found = [_results(operation, variant, sample, evaluate) for sample in (benign, hard)]
     errors = [sample.truth.errors(results)
               for sample, results in zip((benign, hard), found, strict=True)]

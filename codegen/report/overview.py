@@ -110,7 +110,8 @@ def _bounds(report: Report) -> Iterator[str]:
     over = [entry for entry in proven if entry.bound.worst_ratio > 1]
     if over:
         yield (f"{_counted(len(over), 'kernel')} of the {len(proven):,} with a proven bound "
-               f"exceeded it: {', '.join(map(entry_name, over[:5]))}{', …' if len(over) > 5 else ''}.")
+               f"exceeded it: {', '.join(map(entry_name, over[:5]))}"
+               f"{', …' if len(over) > 5 else ''}.")
     elif proven:
         nearest = max(proven, key=lambda entry: entry.bound.worst_ratio)
         yield (f"All {len(proven):,} kernels with a proven bound kept it; the nearest, "

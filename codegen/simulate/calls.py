@@ -1,4 +1,4 @@
-"""Compiled functions as Python calls them: arrays in, arrays out, broadcasting over leading axes."""
+"""Compiled functions as Python calls them: arrays in, arrays out, broadcast over leading axes."""
 
 import ctypes
 import functools
@@ -83,8 +83,8 @@ def _repeated(library: ctypes.PyDLL, name: str, kind: np.dtype) -> Callable:
 
 
 def _text(described: scene_calls.Callable) -> str:
-    """The text of a function: with arguments spelled out, it takes half a microsecond less than with
-    *values, and Python itself refuses missing and unknown ones."""
+    """The text of a function: with arguments spelled out, it takes half a microsecond less than
+    with *values, and Python itself refuses missing and unknown ones."""
     given = [x for x, _ in described.inputs]
     made = [f"array({x})" if described.moved else f"empty({shape}, kind)"
             for x, shape in described.outputs]  # copies, which a step moves; or results' room

@@ -1,4 +1,4 @@
-"""load_scene: from a scene to callable kernels of both precisions, compiled where that is possible."""
+"""load_scene: from a scene to callable kernels of both precisions, compiled where possible."""
 
 from __future__ import annotations
 
@@ -86,8 +86,8 @@ def load_scene(scene: Scene | Path | str) -> Kernels:
     header.
 
     They are generated and compiled with the system's C compiler, $CC if set; libraries are kept in
-    $XDG_CACHE_HOME or ~/.cache.  Without a compiler that works, which a warning tells, the generated
-    Python runs.  Raises TypeError for what is neither, and what reading the scene raises.
+    $XDG_CACHE_HOME or ~/.cache.  Without a compiler that works, which a warning tells, the
+    generated Python runs.  Raises TypeError for what is neither, and what reading the scene raises.
     """
     if isinstance(scene, (str, Path)):
         from coscrew_codegen.scene_files.toml_scene import read_scene

@@ -17,9 +17,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from shutil import which
 
-# Straight-line code gains nothing from more: of clang's levels, -O1 compiles a third faster than -O3
-# and runs as fast or, on 35 joints, faster (2.0 for 2.6 us); gcc at -O1 is 5 % slower, and without
-# -ftree-ter, which lengthens live ranges, its registers are assigned in three quarters of the time.
+# Straight-line code gains nothing from more: of clang's levels, -O1 compiles a third faster
+# than -O3 and runs as fast or, on 35 joints, faster (2.0 for 2.6 us); gcc at -O1 is 5 %
+# slower, and without -ftree-ter, which lengthens live ranges, its registers are assigned in
+# three quarters of the time.
 _LEVELS = {"clang": ("-O1",), "Free Software Foundation": ("-O2", "-fno-tree-ter"), "": ("-O2",)}
 _FLAGS = ("-std=c11", "-march=native", "-ffp-contract=off", "-fPIC")
 _LINK = ("-undefined", "dynamic_lookup") if platform.system() == "Darwin" else ()
@@ -84,8 +85,8 @@ def library(units: Mapping[str, Sequence[str]], files: Mapping[str, str],
 
 
 def cache_folder() -> Path:
-    """$XDG_CACHE_HOME/coscrew or ~/.cache/coscrew; where neither can be written to, a folder of this
-    process."""
+    """$XDG_CACHE_HOME/coscrew or ~/.cache/coscrew; where neither can be written to, a
+    folder of this process."""
     base = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
     folder = Path(base) / "coscrew"
     try:
@@ -159,7 +160,8 @@ def _run(using: Compiler, words: Sequence[str], work: Path) -> None:
     """Run the compiler; where it does not know -march=native, without."""
     try:
         for given in (words, [word for word in words if word != "-march=native"]):
-            done = subprocess.run([*using.command, *given], cwd=work, capture_output=True, text=True)
+            done = subprocess.run([*using.command, *given], cwd=work, capture_output=True,
+                                  text=True)
             if not done.returncode:
                 return
     except OSError as error:

@@ -30,8 +30,8 @@ SPELLING = {
 }
 CALLS = 4
 
-NUMPY_NAMES = {Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SIN: "sin", Op.COS: "cos", Op.ATAN2: "arctan2",
-          Op.EXP: "exp", Op.TANH: "tanh", Op.SELECT: "where"}
+NUMPY_NAMES = {Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SIN: "sin", Op.COS: "cos",
+               Op.ATAN2: "arctan2", Op.EXP: "exp", Op.TANH: "tanh", Op.SELECT: "where"}
 _EXACT = {Op.PRODUCT_ERROR: "product_error", Op.PRODUCT_REST: "product_rest"}
 
 
@@ -150,7 +150,7 @@ class _Writer:
         return listed("(", names, f") = {argument.name}", WIDTH - 4)
 
     def _shorten(self, step: Instruction) -> None:
-        """While the assignment is too wide, give the widest expression nested in it its own line."""
+        """While the assignment is too wide, give the widest expression nested in it a line."""
         while len(self._assigned(step)) > WIDTH - 4 and (inner := self._nested_in(step)):
             widest = max(inner, key=lambda x: min(len(self._expression(x)[0]), WIDTH // 2))
             del self.nested[widest.name]

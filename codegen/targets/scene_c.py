@@ -52,9 +52,9 @@ def _about(scene: SceneFunctions) -> list[str]:
     return [
         f"{scene.name}: dynamics of a scene, in double and (names that end in f) single precision.",
         "SI units.  Arrays are plain, matrices row by row.  Pointers must be valid and "
-        "quaternions of norm 1; numbers that are not finite give results that are not.  Outputs may "
-        "alias inputs, also in part.  No heap, no state: every function may run in many threads at "
-        "once.",
+        "quaternions of norm 1; numbers that are not finite give results that are not.  Outputs "
+        "may alias inputs, also in part.  No heap, no state: every function may run in many "
+        "threads at once.",
         *scene_text.order_in_words(scene)]
 
 

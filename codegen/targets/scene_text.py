@@ -22,17 +22,17 @@ _UNITS = {
             "velocity in rad/s, both in the body's frame",
 }
 
-_C = """auto break case char const continue default do double else enum extern float for goto if inline
-int long register restrict return short signed sizeof static struct switch typedef union unsigned
-void volatile while"""
-_CPP = """alignas alignof and and_eq asm bitand bitor bool catch char16_t char32_t char8_t class compl
-concept const_cast consteval constexpr constinit co_await co_return co_yield decltype delete
+_C = """auto break case char const continue default do double else enum extern float for goto if
+inline int long register restrict return short signed sizeof static struct switch typedef union
+unsigned void volatile while"""
+_CPP = """alignas alignof and and_eq asm bitand bitor bool catch char16_t char32_t char8_t class
+compl concept const_cast consteval constexpr constinit co_await co_return co_yield decltype delete
 dynamic_cast explicit export false friend mutable namespace new noexcept not not_eq nullptr operator
 or or_eq private protected public reinterpret_cast requires static_assert static_cast template this
 thread_local throw true try typeid typename using virtual wchar_t xor xor_eq linux unix"""
-_CALLED = """fabs sqrt sin cos atan2 exp tanh fma fabsf sqrtf sinf cosf atan2f expf tanhf fmaf memcpy
-NAN absolute arctan2 where nan float32 float64 np errstate arrays array zeros_like newaxis range
-lead"""
+_CALLED = """fabs sqrt sin cos atan2 exp tanh fma fabsf sqrtf sinf cosf atan2f expf tanhf fmaf
+memcpy NAN absolute arctan2 where nan float32 float64 np errstate arrays array zeros_like newaxis
+range lead"""
 RESERVED = frozenset((*_C.split(), *_CPP.split(), *_CALLED.split(), *keyword.kwlist))
 """Names that no instruction may have: keywords of C, C++ and Python, and what kernels call."""
 
@@ -54,8 +54,8 @@ class Step:
 
 STEPS = {
     "semi_implicit_euler": Step(
-        "v' = v + h a(t, q, v); q' = q ⊕ h v': one step of the semi-implicit Euler method, of first "
-        "order, with a of forward_dynamics at tau = 0", "euler"),
+        "v' = v + h a(t, q, v); q' = q ⊕ h v': one step of the semi-implicit Euler method, of "
+        "first order, with a of forward_dynamics at tau = 0", "euler"),
     "linear_implicit_euler": Step(
         "v' = v + h a(t, q, v); q' = q ⊕ h v': one step of the linearly implicit Euler method, of "
         "first order, with a from dynamics in which damping and stiffness of joints act at the "
@@ -84,7 +84,7 @@ def outputs(function: Function) -> tuple[Argument, ...]:
 
 
 def step_inputs(scene: SceneFunctions) -> tuple[str, ...]:
-    """The names of what a step takes: t where forces depend on it, h, p where there are any, q, v."""
+    """Names of what a step takes: t where forces depend on it, h, p where there are any, q, v."""
     return (*(["t"] if scene.timed else []), "h", *(["p"] if scene.parameters else []), "q", "v")
 
 
@@ -169,7 +169,7 @@ def cost(function: Function) -> str:
 
 
 def order_in_words(scene: SceneFunctions) -> list[str]:
-    """The order of q and v joint by joint, units by kind of joint, bodies, parameters: paragraphs."""
+    """Order of q and v joint by joint, units by kind of joint, bodies, parameters: paragraphs."""
     rows = [(_places("q", x.q), _places("v", x.v), x.kind, printable(x.joint))
             for x in scene.coordinates]
     widths = [max(len(row[i]) for row in rows) for i in range(3)] if rows else []

@@ -1,14 +1,15 @@
-"""The accurate tier in double precision: the plain program with every intermediate result carried as
-hi + lo, rounded to hi + lo at the end.  First-order errors cancel; what remains is of order u² S.
+"""The accurate tier in double precision: the plain program with every intermediate result
+carried as hi + lo, rounded to hi + lo at the end.  First-order errors cancel; what
+remains is of order u² S.
 
 Operands of quotients, roots and arctangents are first made non-overlapping, hi the rounded hi + lo,
 so that terms of order lo² do not matter however much has cancelled.  Residuals of quotients and
 roots, a - q b and a - s s, are exact numbers; an arctangent's own rounding is the only one that
 stays.  Where lo is not a number (0/0, an infinite hi), hi stands.
 
-Where a polynomial's bound would be too large to prove one ulp up to condition 1e14, the sums that are
-multiplied are made non-overlapping, too: one rounding is left in hi of all that led to it, so that
-fewer meet the roundings of lo.
+Where a polynomial's bound would be too large to prove one ulp up to condition 1e14, the sums that
+are multiplied are made non-overlapping, too: one rounding is left in hi of all that led to it, so
+that fewer meet the roundings of lo.
 """
 
 from dataclasses import replace
@@ -49,8 +50,8 @@ def _compensated(program: Program, compensator: "_Accurate") -> Program:
 
 
 class _Accurate(Compensator):
-    """Sums and products as its base has them, and everything else a program may hold.  `overlapping`
-    names the results that are made non-overlapping before they are multiplied."""
+    """Sums and products as its base has them, and everything else a program may hold.
+    `overlapping` names the results that are made non-overlapping before they are multiplied."""
 
     def __init__(self, overlapping: frozenset[str] = frozenset()) -> None:
         super().__init__()
@@ -64,7 +65,7 @@ class _Accurate(Compensator):
         }
 
     def compensate(self, step: Instruction) -> None:
-        """hi of one plain instruction under its name; lo, or what lo is made of where it is used."""
+        """hi of a plain instruction under its name; lo, or what lo is made of where it is used."""
         known = (self._normal.get(getattr(x, "name", ""), x) for x in step.operands)
         step = replace(step, operands=tuple(known))
         if step.op not in self._rules:
@@ -88,7 +89,8 @@ class _Accurate(Compensator):
         low = self.low(step, operand)
         if low is None or operand in self._normal.values():
             return operand
-        at = replace(step, name=f"{step.name}_of_{operand.name}", op=Op.ADD, operands=(operand, low))
+        at = replace(step, name=f"{step.name}_of_{operand.name}", op=Op.ADD,
+                     operands=(operand, low))
         self.steps.append(at)
         total = Ref(at.name)
         right = self.issue(at, Op.SUB, (total, operand), "right")

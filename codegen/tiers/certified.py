@@ -1,7 +1,7 @@
 """The certified tier: the plain result, bit for bit, and a bound of its error that always holds.
 
-Beside every value x̂ (exactly x) of the plain program a size s is computed, of absolute values by sums
-and products alone, such that, with the proof's own constants g (growth) and h (slack):
+Beside every value x̂ (exactly x) of the plain program a size s is computed, of absolute values by
+sums and products alone, such that, with the proof's own constants g (growth) and h (slack):
 
     |x̂| <= s,    |x̂ - x| <= g (s + h).
 
@@ -14,12 +14,13 @@ Rounding is monotonic, hence the first.  u is the unit roundoff, η half the lea
     c = a b              s = fl(s_a s_b), 1 + g = (1 + u) (1 + g_a) (1 + g_b), h = 2 η / u,
                          once h_a = h_b = 0
 
-What h stands for, underflow, would be multiplied by the other factor; so a factor is padded first:
-s' = fl(s + τ), τ the least normal number / u.  If 2 h <= τ, then s + h <= (1 + 4 u h / τ) s', and h = 0
-from there on: below s = τ / 4u the rounding of s' loses less than τ / 2, above it h is that small a
-part of s <= s'.  At the end the bound is fl(C s'), C >= (1 + u) g, rounded up; C s' > u τ is a normal
-number, so this product cannot underflow.  Sums of inputs alone are not padded: their error is a
-multiple of the least subnormal, and where C s is subnormal so is fl(C s), which is no smaller.
+What h stands for, underflow, would be multiplied by the other factor; so a factor is padded
+first: s' = fl(s + τ), τ the least normal number / u.  If 2 h <= τ, then
+s + h <= (1 + 4 u h / τ) s', and h = 0 from there on: below s = τ / 4u the rounding of s' loses
+less than τ / 2, above it h is that small a part of s <= s'.  At the end the bound is fl(C s'),
+C >= (1 + u) g, rounded up; C s' > u τ is a normal number, so this product cannot underflow.
+Sums of inputs alone are not padded: their error is a multiple of the least subnormal, and where
+C s is subnormal so is fl(C s), which is no smaller.
 
 Where something overflows, s is infinite or NaN, the bound with it, and says nothing.
 """
@@ -37,7 +38,7 @@ _ZERO = Constant(Fraction(0), Fraction(0))
 
 @dataclass(frozen=True)
 class Format:
-    """A binary floating-point format: its significant bits, the exponent of its least normal number."""
+    """A binary floating-point format: significant bits, exponent of the least normal number."""
 
     digits: int
     least_exponent: int
@@ -140,7 +141,8 @@ class _Certifier:
         return self._issue(name, Op.MUL, (_constant(constant), self._s(size, name)), name)
 
     def _size(self, x: Operand) -> _Size:
-        if isinstance(x, Constant) and not x.double == x.single == self._number.rounded_up(x.double):
+        if (isinstance(x, Constant)
+                and not x.double == x.single == self._number.rounded_up(x.double)):
             raise ValueError(f"{x} is rounded: no bound is known")
         return self._sizes.get(x, _Size(x))
 

@@ -23,7 +23,7 @@ class Compensator:
         self._products: dict[str, Instruction] = {}  # whose own error is not in _low
 
     def compensate(self, step: Instruction) -> None:
-        """hi of one plain instruction under its name; lo, or what lo is made of where it is used."""
+        """hi of a plain instruction under its name; lo, or what lo is made of where it is used."""
         if step.op is Op.MUL:
             self._product(step)
         elif step.op is Op.NEG:

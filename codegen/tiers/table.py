@@ -79,10 +79,12 @@ ACCURATE = Tier("accurate", "Accurate tier: double compensated, single computed 
 The accurate tier: float64 compensated, intermediate results carried as hi + lo; float32 computed in
 float64 and rounded once.  The same bits as the C kernels while nothing over- or underflows.""",
                 operations=COMPENSATED)
-CERTIFIED = Tier("certified", "Certified tier: plain results, and bounds of their errors that hold.",
+CERTIFIED = Tier("certified",
+                 "Certified tier: plain results, and bounds of their errors that hold.",
                  "ksl_types", partial(certified, number=DOUBLE), partial(certified, number=SINGLE),
                  certified_operation, """\
 The certified tier: every operation returns the plain result, bit for bit, and a bound of each
-component's error, whatever the numbers are, under- and overflow included: (result, bound).  Where the
+component's error, whatever the numbers are, under- and overflow included: (result, bound).  \
+Where the
 bound is infinite or NaN, something overflowed, and it says nothing.""")
 TIERS = (FUSED, ACCURATE, CERTIFIED)

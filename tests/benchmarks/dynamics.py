@@ -54,8 +54,8 @@ def main() -> None:
     print("\nFrom Python, µs a call; ratio: time of Pinocchio's / ours")
     print(tabulate([row for name, x in kernels.items() for row in _from_python(name, x)],
                    ("robot", "function", "ours", "pinocchio", "ratio"), floatfmt=".2f"))
-    print("\nA step of 1 ms, µs, semi-implicit under gravity alone, linearly implicit with damping and "
-          "armature, too;\nMuJoCo: mj_step without contacts")
+    print("\nA step of 1 ms, µs, semi-implicit under gravity alone, linearly implicit with damping "
+          "and armature, too;\nMuJoCo: mj_step without contacts")
     print(tabulate([_step(name, effects) for name in ("ur5", "panda") for effects in ((), PASSIVE)],
                    ("robot", "effects", "ours", "mujoco", "ratio"), floatfmt=".2f"))
 
