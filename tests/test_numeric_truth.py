@@ -145,8 +145,9 @@ def rows(operation: Operation, precision: Precision) -> list[Row]:
 
 
 def singular_at(k: int, M: np.ndarray) -> np.ndarray:
-    """M without what couples its first k + 1 rows to the others, and with a pivot k that vanishes but
-    for the rounding of its diagonal entry: only the threshold for regular matrices refuses it."""
+    """M without what couples its first k + 1 rows to the others, and with a pivot k that vanishes
+    but for the rounding of its diagonal entry: only the threshold for regular matrices refuses
+    it."""
     found = M.copy()
     found[:k + 1, k + 1:] = found[k + 1:, :k + 1] = 0
     rest = [[Fraction(x) for x in row[:k + 1]] for row in found[:k + 1].tolist()]

@@ -385,7 +385,8 @@ def test_followers_have_no_coordinates(read):
     ("q.elbow.1", "no component '1'"), ("pose", "lacks its body"), ("pose.tool.12", "0 to 11"),
     ("pose.tol", "did you mean 'tool'?"), ("energy.kinetc", "kinetic, potential, total"),
     ("reaction.world", "no joint"), ("", "no quantity"), ("q.elbow.", "component"),
-    ("pose.tool.-1", "component"), ("momentum.6", "0 to 5"), ("momentum.x", "0 to 5"), ("energy.x", "kinetic"),
+    ("pose.tool.-1", "component"), ("momentum.6", "0 to 5"), ("momentum.x", "0 to 5"),
+    ("energy.x", "kinetic"),
     ("position.tool.w", "0 to 2, or x, y, z"), ("position.tol.x", "did you mean 'tool'?"),
     ("q.elbow.0.0", "no joint")])
 def test_other_texts_are_no_quantities(read, text, words):

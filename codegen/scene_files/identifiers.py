@@ -12,17 +12,17 @@ return short signed sizeof static struct switch template this thread_local throw
 typedef typeid typename typeof union unsigned using virtual void volatile wchar_t while""".split()
 _PACKAGES = ("coscrew", "coscrew_codegen", "numpy", "scipy")  # that scenes' own packages import
 _HEADERS = frozenset("""assert complex ctype errno fenv float inttypes iso646 limits locale math
-setjmp signal stdalign stdarg stdatomic stdbit stdbool stdckdint stddef stdint stdio stdlib stdmchar
-stdnoreturn string tgmath threads time uchar wchar wctype
-alloca dirent dlfcn elf endian fcntl features getopt glob grp libgen libintl libio link malloc memory
-monetary netdb nl_types poll pthread pwd regex sched semaphore spawn stdc_predef strings syscall
-syslog termios ucontext unistd utime wait values xlocale
-availabilitymacros corecrt crtdefs intrin io process sal vadefs vcruntime windows""".split())
-"""Headers of C, and of systems, which include each other: with a scene's folder on the include path,
-its math.h would be taken for <math.h>.  In lower case: on some systems Math.h is math.h."""
-_ONCE = frozenset("""annotationlib asynchat asyncore audioop binhex cgi cgitb chunk compression crypt
-distutils formatter imghdr imp lib2to3 mailcap msilib nis nntplib ossaudiodev parser pipes smtpd
-sndhdr spwd string sunau symbol telnetlib uu xdrlib""".split())
+setjmp signal stdalign stdarg stdatomic stdbit stdbool stdckdint stddef stdint stdio stdlib
+stdmchar stdnoreturn string tgmath threads time uchar wchar wctype alloca dirent dlfcn elf
+endian fcntl features getopt glob grp libgen libintl libio link malloc memory monetary netdb
+nl_types poll pthread pwd regex sched semaphore spawn stdc_predef strings syscall syslog termios
+ucontext unistd utime wait values xlocale availabilitymacros corecrt crtdefs intrin io process
+sal vadefs vcruntime windows""".split())
+"""Headers of C, and of systems, which include each other: with a scene's folder on the include
+path, its math.h would be taken for <math.h>.  In lower case: on some systems Math.h is math.h."""
+_ONCE = frozenset("""annotationlib asynchat asyncore audioop binhex cgi cgitb chunk compression
+crypt distutils formatter imghdr imp lib2to3 mailcap msilib nis nntplib ossaudiodev parser pipes
+smtpd sndhdr spwd string sunau symbol telnetlib uu xdrlib""".split())
 """Modules of some versions of Python: a scene has the same name with each."""
 _TAKEN = frozenset((*_C, *_PACKAGES, *keyword.kwlist, *keyword.softkwlist, *_ONCE,
                     *sys.stdlib_module_names))

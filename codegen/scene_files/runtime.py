@@ -68,13 +68,15 @@ def _refuse_of_element(file: Table, name: str, names: tuple[str, ...], model: Mo
                        effects: tuple[Applied, ...], catalogue: tuple[Effect, ...]) -> None:
     """Refuse JOINT.FIELD and BODY.FIELD, if the name is one, with the numbers of the element.
 
-    A joint's own numbers are not in the dynamics: those of effects are, which may take them over."""
+    A joint's own numbers are not in the dynamics; those of effects are, which may be taken from
+    it."""
     element, _, field = name.rpartition(".")
     what = ("joint" if any(joint.name == element for joint in model.joints) else
             "body" if any(body.name == element for body in model.bodies) else "")
     if not what:
         return
-    there = tuple(dict.fromkeys(_vector(key) or key for key in names if f".{element}." in f".{key}"))
+    there = tuple(dict.fromkeys(_vector(key) or key for key in names
+                                if f".{element}." in f".{key}"))
     problem = f"no number {shown(name)}"
     near = nearest(field, [key.rpartition(".")[2] for key in there])
     if near:

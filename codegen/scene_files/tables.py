@@ -186,7 +186,7 @@ def read_toml(path: Path) -> Table:
 
 
 def _whole(message: str) -> str:
-    """tomllib's message as one line: its end says where, so that keys in it are cut in the middle."""
+    """tomllib's message as one line: its end says where, so keys in it are cut in the middle."""
     line = "".join(c if c.isprintable() else repr(c)[1:-1] for c in message)
     return line if len(line) <= _MESSAGE else f"{line[:_MESSAGE - 100]}…{line[-100:]}"
 

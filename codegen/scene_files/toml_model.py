@@ -55,7 +55,7 @@ def _body(name: str, table: Table) -> Body:
 
 
 def _moments(table: Table) -> tuple[Fraction, ...]:
-    """xx, yy, zz, xy, xz, yz from three or six numbers in this order, or from a symmetric matrix."""
+    """xx, yy, zz, xy, xz, yz, from three or six numbers in this order or a symmetric matrix."""
     rows = table.values.get("inertia", [0, 0, 0])
     if isinstance(rows, list) and any(isinstance(row, list) for row in rows):
         if [len(row) if isinstance(row, list) else 0 for row in rows] != [3, 3, 3]:
