@@ -4,6 +4,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from gmpy2 import mpq
 
 import coscrew
 import coscrew.accurate
@@ -83,14 +84,18 @@ def test_nothing_that_is_no_number_gets_an_answer(kind, n):
 
 
 def residual_in_u(A: np.ndarray, b: np.ndarray, x: np.ndarray, u: float) -> float:
-    """The largest |b - A x|_i / Σ_j sqrt(a_ii a_jj) |x_j|, in long double."""
-    A, b, x = (a.astype(np.longdouble) for a in (A, b, x))
-    roots = np.sqrt(np.einsum("kii->ki", A))
-    residual = np.abs(b - np.einsum("kij,kj->ki", A, x))
-    return float((residual / (roots * (roots * np.abs(x)).sum(axis=1)[:, None])).max() / u)
+    """The largest |b - A x|_i / Σ_j sqrt(a_ii a_jj) |x_j|, the residual exactly."""
+    residual = np.abs(rational(b) - (rational(A) * rational(x)[:, None, :]).sum(axis=2))
+    roots = np.sqrt(np.einsum("kii->ki", A.astype(float)))
+    size = roots * (roots * np.abs(x.astype(float))).sum(axis=1)[:, None]
+    return float((residual.astype(float) / size).max() / u)
 
 
-@pytest.mark.skipif(np.finfo(np.longdouble).nmant < 63, reason="long double is no wider here")
+def rational(x: np.ndarray) -> np.ndarray:
+    """Floats, or rationals, as exact rationals."""
+    return np.vectorize(lambda c: c if isinstance(c, mpq) else mpq(float(c)), otypes=[object])(x)
+
+
 @each_kind
 @each_precision
 def test_backward_errors_are_as_stated(kind, n, precision):
@@ -98,12 +103,12 @@ def test_backward_errors_are_as_stated(kind, n, precision):
     _, x = getattr(coscrew, f"{kind}_solve")(A, b)
     _, packed = getattr(coscrew, f"{kind}_ldl")(A)
     y = getattr(coscrew, f"{kind}_ldl_solve")(packed, b)
-    packed = packed.astype(np.longdouble)
-    D = np.einsum("kii->ki", packed)
-    L = np.tril(packed, -1) + np.eye(n)
-    product = np.einsum("kij,kj,klj->kil", L, D, L)
-    roots = np.sqrt(np.einsum("kii->ki", A.astype(np.longdouble)))
-    factor = np.abs(product - A) / (roots[:, :, None] * roots[:, None, :])
+    D = rational(np.einsum("kii->ki", packed))
+    L = rational(np.tril(packed, -1) + np.eye(n))
+    product = ((L * D[:, None, :])[:, :, None, :] * L[:, None, :, :]).sum(axis=3)
+    roots = np.sqrt(np.einsum("kii->ki", A.astype(float)))
+    defect = np.abs(product - rational(A)).astype(float)
+    factor = defect / (roots[:, :, None] * roots[:, None, :])
     assert FACTOR[n] / 4 < factor.max() / u <= FACTOR[n]
     for found in (residual_in_u(A, b, x, u), residual_in_u(product, b, y, u)):
         assert BACKWARD / 4 < found <= BACKWARD
