@@ -188,6 +188,26 @@ def solution(i: Number, *numbers: Number) -> Number:
     return _number(_determinant(replaced) / _determinant(A))
 
 
+@_once
+def _jacobi(*numbers: Number) -> tuple[matrix, matrix]:
+    A, V = (matrix([numbers[i:i + 3] for i in range(start, start + 9, 3)]) for start in (0, 9))
+    A = matrix([[A[max(i, j), min(i, j)] for j in range(3)] for i in range(3)])
+    for p, q in ((0, 1), (0, 2), (1, 2)):
+        angle = mpmath.atan2(2 * A[p, q], A[q, q] - A[p, p]) / 2
+        if abs(angle) > mpmath.pi / 4:
+            angle -= mpmath.sign(angle) * mpmath.pi / 2
+        J = mpmath.eye(3)
+        J[p, p] = J[q, q] = mpmath.cos(angle)
+        J[p, q], J[q, p] = mpmath.sin(angle), -mpmath.sin(angle)
+        A, V = J.T * A * J, V * J
+    return A, V
+
+
+def jacobi(k: Number, i: Number, j: Number, *numbers: Number) -> Number:
+    """Of J^T A J and V J, J turning by half the angle of (A_qq - A_pp, 2 A_pq), at most π/4."""
+    return _jacobi(*numbers)[int(k)][int(i), int(j)]
+
+
 def rational(x: Number) -> mpq:
     """The number itself: mpmath's numbers are binary fractions."""
     return mpq(*mpmath.libmp.to_rational(x._mpf_))
@@ -199,4 +219,4 @@ def _number(x: mpq) -> Number:
 
 SPECIAL: dict[str, Callable[..., Number]] = {
     f.__name__: f for f in (g, b, quaternion_of, quaternion_log, slerp, interpolated, factor,
-                            smallest_pivot, solution)}
+                            smallest_pivot, solution, jacobi)}

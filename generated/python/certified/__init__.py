@@ -11,7 +11,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "320b72fa83a99156")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "ed95864f9a2cb56a")
 
 if COMPILED:
     from coscrew.certified._gufunc import (
@@ -33,7 +33,10 @@ if COMPILED:
         add_vvyinv,
         add_vvz,
         add_vvzinv,
+        vec4_scale,
+        vec4_scaled,
         mat3x3_determinant,
+        mat3x3_setFromAxisDC,
         SE3_invert,
         SE3_inverted,
         product_drv,
@@ -106,6 +109,8 @@ if COMPILED:
         cross_sst,
         hsra,
         hsta,
+        hsrainv,
+        hstainv,
         coscrew_scale,
         axpy_cc,
         xpy_cc,
@@ -182,7 +187,10 @@ else:
         add_vvyinv,
         add_vvz,
         add_vvzinv,
+        vec4_scale,
+        vec4_scaled,
         mat3x3_determinant,
+        mat3x3_setFromAxisDC,
         SE3_invert,
         SE3_inverted,
         product_drv,
@@ -255,6 +263,8 @@ else:
         cross_sst,
         hsra,
         hsta,
+        hsrainv,
+        hstainv,
         coscrew_scale,
         axpy_cc,
         xpy_cc,
@@ -332,7 +342,10 @@ __all__ = [
     "add_vvyinv",
     "add_vvz",
     "add_vvzinv",
+    "vec4_scale",
+    "vec4_scaled",
     "mat3x3_determinant",
+    "mat3x3_setFromAxisDC",
     "SE3_invert",
     "SE3_inverted",
     "product_drv",
@@ -405,6 +418,8 @@ __all__ = [
     "cross_sst",
     "hsra",
     "hsta",
+    "hsrainv",
+    "hstainv",
     "coscrew_scale",
     "axpy_cc",
     "xpy_cc",

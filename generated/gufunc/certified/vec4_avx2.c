@@ -1,0 +1,8 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* The loops of the vec4 operations, compiled for AVX2 where there is such a thing. */
+#if defined(__x86_64__) && defined(__GNUC__)
+#define COSCREW_FOR_AVX2
+#include "vec4.c"
+#else
+typedef int nothing_to_compile;
+#endif
