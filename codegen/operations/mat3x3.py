@@ -3,9 +3,9 @@
 import sympy as sp
 
 from coscrew_codegen.algebra import I3, skew
-from coscrew_codegen.operations import eigen, euler
-from coscrew_codegen.operations.norm import (Let, divided, l2, nonzero, prefixed, safe_normalized,
-                                             unnamed)
+from coscrew_codegen.operations import eigen, euler, special
+from coscrew_codegen.operations.norm import (Let, divided, l2, nonzero, prefixed,
+                                             safe_normalized)
 from coscrew_codegen.operations.operation import DEPENDENT, INDISTINCT, SPOILED, Operation
 from coscrew_codegen.quantity import DC, MAT3X3, SCALAR, VEC3, Argument
 
@@ -20,6 +20,10 @@ _det = Argument("det", SCALAR)
 def _op(name, statement, inputs, outputs, formula, derivation=None, order=(), rounding=""):
     return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation, order,
                      rounding=rounding)
+
+
+def _entries(function: type[sp.Function], R: sp.Matrix) -> sp.Matrix:
+    return sp.Matrix(3, 3, lambda i, j: function(i, j, *R))
 
 
 def _about(axis: sp.Matrix, dc: sp.Matrix) -> sp.Matrix:
@@ -90,14 +94,14 @@ OPERATIONS = (
         lambda let, R: R[:, 0].dot(let("n", R[:, 1].cross(R[:, 2])))),
     _op("mat3x3_inverse", "Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told "
         "from 0 (|det R| <= 8 u times the sum of its terms' sizes), and Ro = NaN", (_R,),
-        (_det, _Ro), lambda R: _inverse(unnamed, R), _inverse,
+        (_det, _Ro), lambda R: (R.det(), _entries(special.inverse, R)), _inverse,
         rounding="Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p "
         "the sums of the sizes of the terms of the cofactor and of det R; barring over- and "
         "underflow."),
     _op("mat3x3_normalize", f"self = {_GRAM_SCHMIDT}", (_self,), (_self,),
-        lambda R: _orthonormal_rows(unnamed, R), _orthonormal_rows, rounding=_ROWS),
+        lambda R: _entries(special.orthonormal_rows, R), _orthonormal_rows, rounding=_ROWS),
     _op("mat3x3_normalized", f"Ro = {_GRAM_SCHMIDT}", (_R,), (_Ro,),
-        lambda R: _orthonormal_rows(unnamed, R), _orthonormal_rows, rounding=_ROWS),
+        lambda R: _entries(special.orthonormal_rows, R), _orthonormal_rows, rounding=_ROWS),
     _op("mat3x3_setFromAxisDC", "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, "
         "dc = (sin θ, cos θ)", (_axis, _dc), (_R,), _about, _bound_about, ("R", "axis", "dc")),
     *euler.OPERATIONS, *eigen.OPERATIONS,

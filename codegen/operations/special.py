@@ -42,6 +42,14 @@ class solution(sp.Function):
     """solution(i, b0, b1, …, a00, a10, a11, …): component i of A^-1 b."""
 
 
+class inverse(sp.Function):
+    """inverse(i, j, R00, R01, …): entry of R^-1."""
+
+
+class orthonormal_rows(sp.Function):
+    """orthonormal_rows(i, j, R00, R01, …): entry of Gram and Schmidt's rows of R, in order."""
+
+
 class jacobi(sp.Function):
     """jacobi(k, i, j, A…, V…): entry of A, or of V (k = 0, 1), after one cycle of rotations."""
 
