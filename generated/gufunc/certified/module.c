@@ -72,7 +72,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "320b72fa83a99156") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "65ad763f3e7556c1") < 0) {
     Py_DECREF(module);
     return NULL;
   }
