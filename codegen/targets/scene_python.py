@@ -18,6 +18,7 @@ from coscrew_codegen.targets.numpy import NUMPY_NAMES
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from coscrew_codegen.targets.scene_expressions import Expressions
 from coscrew_codegen.targets.scene_text import INTEGRATED, RATE, STEPS, function_named
+from coscrew_codegen.version import VERSION
 
 
 def package(scene: SceneFunctions, banner: str) -> dict[str, str]:
@@ -25,7 +26,8 @@ def package(scene: SceneFunctions, banner: str) -> dict[str, str]:
     about = [row for line in scene_text.order_in_words(scene)
              for row in wrap(_quoted(line), WIDTH, subsequent_indent="    ")]
     head = render(
-        "scene/package.py", banner=banner, name=scene.name, about=about, nq=scene.nq, nv=scene.nv,
+        "scene/package.py", banner=banner, name=scene.name, about=about, version=VERSION, nq=scene.nq,
+        nv=scene.nv,
         tables=[_tuple("JOINTS", [x.joint for x in scene.coordinates]),
                 _tuple("BODIES", scene.bodies), _dictionary("PARAMETERS", scene.parameters),
                 _tuple("NEUTRAL_Q", scene.neutral)])

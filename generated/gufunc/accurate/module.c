@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* The extension module coscrew.accurate._gufunc: registers every gufunc. */
 #include "_gufunc.h"
 
@@ -73,7 +75,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "5640a92ad27816a2") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "5cea1634ee8ed6de") < 0) {
     Py_DECREF(module);
     return NULL;
   }
