@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* The extension module coscrew.certified._gufunc: registers every gufunc. */
 #include "_gufunc.h"
 
@@ -73,7 +75,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "ed95864f9a2cb56a") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "b5bffeaf57e366ba") < 0) {
     Py_DECREF(module);
     return NULL;
   }
