@@ -215,19 +215,16 @@ def orthonormal_rows(i: Number, j: Number, *R: Number) -> Number:
 def _jacobi(*numbers: Number) -> tuple[matrix, matrix]:
     A, V = (matrix([numbers[i:i + 3] for i in range(start, start + 9, 3)]) for start in (0, 9))
     A = matrix([[A[max(i, j), min(i, j)] for j in range(3)] for i in range(3)])
-    for p, q in ((0, 1), (0, 2), (1, 2)):
-        angle = mpmath.atan2(2 * A[p, q], A[q, q] - A[p, p]) / 2
-        if abs(angle) > mpmath.pi / 4:
-            angle -= mpmath.sign(angle) * mpmath.pi / 2
-        J = mpmath.eye(3)
-        J[p, p] = J[q, q] = mpmath.cos(angle)
-        J[p, q], J[q, p] = mpmath.sin(angle), -mpmath.sin(angle)
-        A, V = J.T * A * J, V * J
-    return A, V
+    angle = mpmath.atan2(2 * A[0, 1], A[1, 1] - A[0, 0]) / 2
+    if abs(angle) > mpmath.pi / 4 or angle == -mpmath.pi / 4:
+        angle -= mpmath.sign(angle) * mpmath.pi / 2
+    s, c = mpmath.sin(angle), mpmath.cos(angle)
+    J = matrix([[s, 0, c], [c, 0, -s], [0, 1, 0]])  # its columns: y, z, x
+    return J.T * A * J, V * J
 
 
 def jacobi(k: Number, i: Number, j: Number, *numbers: Number) -> Number:
-    """Of J^T A J and V J, J turning by half the angle of (A_qq - A_pp, 2 A_pq), at most π/4."""
+    """Of J^T A J and V J, J turning by half the angle of (A_yy - A_xx, 2 A_xy), at most π/4."""
     return _jacobi(*numbers)[int(k)][int(i), int(j)]
 
 

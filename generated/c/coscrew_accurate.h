@@ -3591,629 +3591,193 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
   angles->z = third;
 }
 
-/* A = J^T A J, V = V J: one cycle of Jacobi's rotations J in the planes xy, xz, yz, each by the
-     smaller angle that makes its off-diagonal entry of A zero; A symmetric, its lower triangle
-     is read.  From V = I, cycles end in A = V diag(eigenvalues) V^T.
+/* A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
+     A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
+     I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
    A, V: rotation or other 3×3 matrix.
-   173 mul, 449 add, 22 product error, 52 product rest, 24 div, 6 sqrt, 11 neg, 3 abs, 6 less, 23
-     equal, 40 select.
-   |V A V^T - the same before| <= 20 u max |A|; measured, not proved. */
+   51 mul, 147 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13
+     equal, 18 select.
+   |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
-  const double r01_double = 2.0 * A->m10;
-  const double r01_apart = A->m11 - A->m00, r01_apart_right = A->m11 - r01_apart,
-      r01_apart_left = r01_apart + r01_apart_right, r01_apart_left_rest = A->m11 - r01_apart_left,
-      r01_apart_right_rest = A->m00 - r01_apart_right,
-      r01_apart_lo = r01_apart_left_rest - r01_apart_right_rest;
-  const double r01_divisor = r01_double == 0.0 ? 1.0 : r01_double;
-  const double r01_theta_of_r01_apart = r01_apart + r01_apart_lo,
-      r01_theta_of_r01_apart_right = r01_theta_of_r01_apart - r01_apart,
-      r01_theta_of_r01_apart_left = r01_theta_of_r01_apart - r01_theta_of_r01_apart_right,
-      r01_theta_of_r01_apart_left_rest = r01_apart - r01_theta_of_r01_apart_left,
-      r01_theta_of_r01_apart_right_rest = r01_apart_lo - r01_theta_of_r01_apart_right,
-      r01_theta_of_r01_apart_lo = r01_theta_of_r01_apart_left_rest + r01_theta_of_r01_apart_right_rest,
-      r01_theta = r01_theta_of_r01_apart / r01_divisor, r01_theta_product = r01_theta * r01_divisor,
-      r01_theta_product_error = ksl_product_error(r01_theta, r01_divisor, r01_theta_product),
-      r01_theta_rest = r01_theta_of_r01_apart - r01_theta_product,
-      r01_theta_exact = r01_theta_rest - r01_theta_product_error,
-      r01_theta_numerator = r01_theta_exact + r01_theta_of_r01_apart_lo,
-      r01_theta_lo = r01_theta_numerator / r01_divisor;
-  const double r01_absolute = fabs(r01_theta), r01_absolute_opposite = -r01_theta_lo,
-      r01_absolute_lo = r01_theta < 0.0 ? r01_absolute_opposite : r01_theta_lo;
-  const double r01_size_a = r01_theta * r01_theta, r01_size_a_cross1 = r01_theta_lo * r01_theta,
-      r01_size_a_cross2 = r01_theta * r01_theta_lo,
-      r01_size_a_cross = r01_size_a_cross1 + r01_size_a_cross2, r01_size_b = 1.0 + r01_size_a,
-      r01_size_b_right = r01_size_b - 1.0, r01_size_b_left = r01_size_b - r01_size_b_right,
-      r01_size_b_left_rest = 1.0 - r01_size_b_left,
-      r01_size_b_right_rest = ksl_product_rest(r01_theta, r01_theta, r01_size_a, r01_size_b_right),
-      r01_size_b_lo1 = r01_size_b_left_rest + r01_size_b_right_rest,
-      r01_size_b_lo = r01_size_b_lo1 + r01_size_a_cross,
-      r01_size_c_of_r01_size_b = r01_size_b + r01_size_b_lo,
-      r01_size_c_of_r01_size_b_right = r01_size_c_of_r01_size_b - r01_size_b,
-      r01_size_c_of_r01_size_b_left = r01_size_c_of_r01_size_b - r01_size_c_of_r01_size_b_right,
-      r01_size_c_of_r01_size_b_left_rest = r01_size_b - r01_size_c_of_r01_size_b_left,
-      r01_size_c_of_r01_size_b_right_rest = r01_size_b_lo - r01_size_c_of_r01_size_b_right,
-      r01_size_c_of_r01_size_b_lo = r01_size_c_of_r01_size_b_left_rest + r01_size_c_of_r01_size_b_right_rest,
-      r01_size_c = sqrt(r01_size_c_of_r01_size_b), r01_size_c_product = r01_size_c * r01_size_c,
-      r01_size_c_product_error = ksl_product_error(r01_size_c, r01_size_c, r01_size_c_product),
-      r01_size_c_rest = r01_size_c_of_r01_size_b - r01_size_c_product,
-      r01_size_c_exact = r01_size_c_rest - r01_size_c_product_error,
-      r01_size_c_residual = r01_size_c_exact + r01_size_c_of_r01_size_b_lo,
-      r01_size_c_twice = r01_size_c + r01_size_c,
-      r01_size_c_divisor = r01_size_c == 0.0 ? 1.0 : r01_size_c_twice,
-      r01_size_c_lo = r01_size_c_residual / r01_size_c_divisor,
-      r01_size = r01_absolute + r01_size_c, r01_size_right = r01_size - r01_absolute,
-      r01_size_left = r01_size - r01_size_right, r01_size_left_rest = r01_absolute - r01_size_left,
-      r01_size_right_rest = r01_size_c - r01_size_right,
-      r01_size_lo1 = r01_size_left_rest + r01_size_right_rest,
-      r01_size_lo2 = r01_size_lo1 + r01_size_c_lo, r01_size_lo = r01_size_lo2 + r01_absolute_lo;
-  const double r01_signed_a = -r01_size, r01_signed_a_lo = -r01_size_lo,
-      r01_signed = r01_theta < 0.0 ? r01_signed_a : r01_size,
-      r01_signed_lo = r01_theta < 0.0 ? r01_signed_a_lo : r01_size_lo;
-  const double r01_t_a_of_r01_signed = r01_signed + r01_signed_lo,
-      r01_t_a_of_r01_signed_right = r01_t_a_of_r01_signed - r01_signed,
-      r01_t_a_of_r01_signed_left = r01_t_a_of_r01_signed - r01_t_a_of_r01_signed_right,
-      r01_t_a_of_r01_signed_left_rest = r01_signed - r01_t_a_of_r01_signed_left,
-      r01_t_a_of_r01_signed_right_rest = r01_signed_lo - r01_t_a_of_r01_signed_right,
-      r01_t_a_of_r01_signed_lo = r01_t_a_of_r01_signed_left_rest + r01_t_a_of_r01_signed_right_rest,
-      r01_t_a = 1.0 / r01_t_a_of_r01_signed, r01_t_a_product = r01_t_a * r01_t_a_of_r01_signed,
-      r01_t_a_product_error = ksl_product_error(r01_t_a, r01_t_a_of_r01_signed, r01_t_a_product),
-      r01_t_a_rest = 1.0 - r01_t_a_product, r01_t_a_exact = r01_t_a_rest - r01_t_a_product_error,
-      r01_t_a_cross = r01_t_a * r01_t_a_of_r01_signed_lo,
-      r01_t_a_residual = r01_t_a_exact - r01_t_a_cross,
-      r01_t_a_lo = r01_t_a_residual / r01_t_a_of_r01_signed,
-      r01_t = r01_double == 0.0 ? 0.0 : r01_t_a, r01_t_lo = r01_double == 0.0 ? 0.0 : r01_t_a_lo;
-  const double r01_secant_a = r01_t * r01_t, r01_secant_a_cross1 = r01_t_lo * r01_t,
-      r01_secant_a_cross2 = r01_t * r01_t_lo,
-      r01_secant_a_cross = r01_secant_a_cross1 + r01_secant_a_cross2,
-      r01_secant_b = 1.0 + r01_secant_a, r01_secant_b_right = r01_secant_b - 1.0,
-      r01_secant_b_left = r01_secant_b - r01_secant_b_right,
-      r01_secant_b_left_rest = 1.0 - r01_secant_b_left,
-      r01_secant_b_right_rest = ksl_product_rest(r01_t, r01_t, r01_secant_a, r01_secant_b_right),
-      r01_secant_b_lo1 = r01_secant_b_left_rest + r01_secant_b_right_rest,
-      r01_secant_b_lo = r01_secant_b_lo1 + r01_secant_a_cross,
-      r01_secant_of_r01_secant_b = r01_secant_b + r01_secant_b_lo,
-      r01_secant_of_r01_secant_b_right = r01_secant_of_r01_secant_b - r01_secant_b,
-      r01_secant_of_r01_secant_b_left = r01_secant_of_r01_secant_b - r01_secant_of_r01_secant_b_right,
-      r01_secant_of_r01_secant_b_left_rest = r01_secant_b - r01_secant_of_r01_secant_b_left,
-      r01_secant_of_r01_secant_b_right_rest = r01_secant_b_lo - r01_secant_of_r01_secant_b_right,
-      r01_secant_of_r01_secant_b_lo = r01_secant_of_r01_secant_b_left_rest + r01_secant_of_r01_secant_b_right_rest,
-      r01_secant = sqrt(r01_secant_of_r01_secant_b), r01_secant_product = r01_secant * r01_secant,
-      r01_secant_product_error = ksl_product_error(r01_secant, r01_secant, r01_secant_product),
-      r01_secant_rest = r01_secant_of_r01_secant_b - r01_secant_product,
-      r01_secant_exact = r01_secant_rest - r01_secant_product_error,
-      r01_secant_residual = r01_secant_exact + r01_secant_of_r01_secant_b_lo,
-      r01_secant_twice = r01_secant + r01_secant,
-      r01_secant_divisor = r01_secant == 0.0 ? 1.0 : r01_secant_twice,
-      r01_secant_lo = r01_secant_residual / r01_secant_divisor;
-  const double r01_c_of_r01_secant = r01_secant + r01_secant_lo,
-      r01_c_of_r01_secant_right = r01_c_of_r01_secant - r01_secant,
-      r01_c_of_r01_secant_left = r01_c_of_r01_secant - r01_c_of_r01_secant_right,
-      r01_c_of_r01_secant_left_rest = r01_secant - r01_c_of_r01_secant_left,
-      r01_c_of_r01_secant_right_rest = r01_secant_lo - r01_c_of_r01_secant_right,
-      r01_c_of_r01_secant_lo = r01_c_of_r01_secant_left_rest + r01_c_of_r01_secant_right_rest,
-      r01_c = 1.0 / r01_c_of_r01_secant, r01_c_product = r01_c * r01_c_of_r01_secant,
-      r01_c_product_error = ksl_product_error(r01_c, r01_c_of_r01_secant, r01_c_product),
-      r01_c_rest = 1.0 - r01_c_product, r01_c_exact = r01_c_rest - r01_c_product_error,
-      r01_c_cross = r01_c * r01_c_of_r01_secant_lo, r01_c_residual = r01_c_exact - r01_c_cross,
-      r01_c_lo = r01_c_residual / r01_c_of_r01_secant;
-  const double r01_s = r01_t * r01_c, r01_s_cross1 = r01_t_lo * r01_c,
-      r01_s_cross2 = r01_t * r01_c_lo, r01_s_cross = r01_s_cross1 + r01_s_cross2;
-  const double r01_change = A->m10 * r01_t, r01_change_cross2 = A->m10 * r01_t_lo;
-  const double r01_App = A->m00 - r01_change, r01_App_right = A->m00 - r01_App,
-      r01_App_left = r01_App + r01_App_right, r01_App_left_rest = A->m00 - r01_App_left,
-      r01_App_right_rest = ksl_product_rest(A->m10, r01_t, r01_change, r01_App_right),
-      r01_App_lo1 = r01_App_left_rest - r01_App_right_rest,
-      r01_App_lo = r01_App_lo1 - r01_change_cross2;
-  const double r01_Aqq = A->m11 + r01_change, r01_Aqq_right = r01_Aqq - A->m11,
-      r01_Aqq_left = r01_Aqq - r01_Aqq_right, r01_Aqq_left_rest = A->m11 - r01_Aqq_left,
-      r01_Aqq_right_rest = ksl_product_rest(A->m10, r01_t, r01_change, r01_Aqq_right),
-      r01_Aqq_lo1 = r01_Aqq_left_rest + r01_Aqq_right_rest,
-      r01_Aqq_lo = r01_Aqq_lo1 + r01_change_cross2;
-  const double r01_Ap_a = A->m20 * r01_c, r01_Ap_a_cross2 = A->m20 * r01_c_lo,
-      r01_s_error = ksl_product_error(r01_t, r01_c, r01_s), r01_s_lo = r01_s_error + r01_s_cross,
-      r01_Ap_b = A->m21 * r01_s, r01_Ap_b_cross2 = A->m21 * r01_s_lo, r01_Ap = r01_Ap_a - r01_Ap_b,
-      r01_Ap_right = r01_Ap_a - r01_Ap, r01_Ap_left = r01_Ap + r01_Ap_right,
-      r01_Ap_left_rest = ksl_product_rest(A->m20, r01_c, r01_Ap_a, r01_Ap_left),
-      r01_Ap_right_rest = ksl_product_rest(A->m21, r01_s, r01_Ap_b, r01_Ap_right),
-      r01_Ap_cross = r01_Ap_a_cross2 - r01_Ap_b_cross2,
-      r01_Ap_lo1 = r01_Ap_left_rest - r01_Ap_right_rest, r01_Ap_lo = r01_Ap_lo1 + r01_Ap_cross;
-  const double r01_Aq_a = A->m20 * r01_s, r01_Aq_a_cross2 = A->m20 * r01_s_lo,
-      r01_Aq_b = A->m21 * r01_c, r01_Aq_b_cross2 = A->m21 * r01_c_lo, r01_Aq = r01_Aq_a + r01_Aq_b,
-      r01_Aq_right = r01_Aq - r01_Aq_a, r01_Aq_left = r01_Aq - r01_Aq_right,
-      r01_Aq_left_rest = ksl_product_rest(A->m20, r01_s, r01_Aq_a, r01_Aq_left),
-      r01_Aq_right_rest = ksl_product_rest(A->m21, r01_c, r01_Aq_b, r01_Aq_right),
-      r01_Aq_cross = r01_Aq_a_cross2 + r01_Aq_b_cross2,
-      r01_Aq_lo1 = r01_Aq_left_rest + r01_Aq_right_rest, r01_Aq_lo = r01_Aq_lo1 + r01_Aq_cross;
-  const double r01_Vp_0a = V->m00 * r01_c, r01_Vp_0a_cross2 = V->m00 * r01_c_lo,
-      r01_Vp_0b = V->m01 * r01_s, r01_Vp_0b_cross2 = V->m01 * r01_s_lo,
-      r01_Vp_0 = r01_Vp_0a - r01_Vp_0b, r01_Vp_0_right = r01_Vp_0a - r01_Vp_0,
-      r01_Vp_0_left = r01_Vp_0 + r01_Vp_0_right,
-      r01_Vp_0_left_rest = ksl_product_rest(V->m00, r01_c, r01_Vp_0a, r01_Vp_0_left),
-      r01_Vp_0_right_rest = ksl_product_rest(V->m01, r01_s, r01_Vp_0b, r01_Vp_0_right),
-      r01_Vp_0_cross = r01_Vp_0a_cross2 - r01_Vp_0b_cross2,
-      r01_Vp_0_lo1 = r01_Vp_0_left_rest - r01_Vp_0_right_rest,
-      r01_Vp_0_lo = r01_Vp_0_lo1 + r01_Vp_0_cross;
-  const double r01_Vp_1a = V->m10 * r01_c, r01_Vp_1a_cross2 = V->m10 * r01_c_lo,
-      r01_Vp_1b = V->m11 * r01_s, r01_Vp_1b_cross2 = V->m11 * r01_s_lo,
-      r01_Vp_1 = r01_Vp_1a - r01_Vp_1b, r01_Vp_1_right = r01_Vp_1a - r01_Vp_1,
-      r01_Vp_1_left = r01_Vp_1 + r01_Vp_1_right,
-      r01_Vp_1_left_rest = ksl_product_rest(V->m10, r01_c, r01_Vp_1a, r01_Vp_1_left),
-      r01_Vp_1_right_rest = ksl_product_rest(V->m11, r01_s, r01_Vp_1b, r01_Vp_1_right),
-      r01_Vp_1_cross = r01_Vp_1a_cross2 - r01_Vp_1b_cross2,
-      r01_Vp_1_lo1 = r01_Vp_1_left_rest - r01_Vp_1_right_rest,
-      r01_Vp_1_lo = r01_Vp_1_lo1 + r01_Vp_1_cross;
-  const double r01_Vp_2a = V->m20 * r01_c, r01_Vp_2a_cross2 = V->m20 * r01_c_lo,
-      r01_Vp_2b = V->m21 * r01_s, r01_Vp_2b_cross2 = V->m21 * r01_s_lo,
-      r01_Vp_2 = r01_Vp_2a - r01_Vp_2b, r01_Vp_2_right = r01_Vp_2a - r01_Vp_2,
-      r01_Vp_2_left = r01_Vp_2 + r01_Vp_2_right,
-      r01_Vp_2_left_rest = ksl_product_rest(V->m20, r01_c, r01_Vp_2a, r01_Vp_2_left),
-      r01_Vp_2_right_rest = ksl_product_rest(V->m21, r01_s, r01_Vp_2b, r01_Vp_2_right),
-      r01_Vp_2_cross = r01_Vp_2a_cross2 - r01_Vp_2b_cross2,
-      r01_Vp_2_lo1 = r01_Vp_2_left_rest - r01_Vp_2_right_rest,
-      r01_Vp_2_lo = r01_Vp_2_lo1 + r01_Vp_2_cross;
-  const double r01_Vq_0a = V->m00 * r01_s, r01_Vq_0a_cross2 = V->m00 * r01_s_lo,
-      r01_Vq_0b = V->m01 * r01_c, r01_Vq_0b_cross2 = V->m01 * r01_c_lo,
-      r01_Vq_0 = r01_Vq_0a + r01_Vq_0b, r01_Vq_0_right = r01_Vq_0 - r01_Vq_0a,
-      r01_Vq_0_left = r01_Vq_0 - r01_Vq_0_right,
-      r01_Vq_0_left_rest = ksl_product_rest(V->m00, r01_s, r01_Vq_0a, r01_Vq_0_left),
-      r01_Vq_0_right_rest = ksl_product_rest(V->m01, r01_c, r01_Vq_0b, r01_Vq_0_right),
-      r01_Vq_0_cross = r01_Vq_0a_cross2 + r01_Vq_0b_cross2,
-      r01_Vq_0_lo1 = r01_Vq_0_left_rest + r01_Vq_0_right_rest,
-      r01_Vq_0_lo = r01_Vq_0_lo1 + r01_Vq_0_cross;
-  const double r01_Vq_1a = V->m10 * r01_s, r01_Vq_1a_cross2 = V->m10 * r01_s_lo,
-      r01_Vq_1b = V->m11 * r01_c, r01_Vq_1b_cross2 = V->m11 * r01_c_lo,
-      r01_Vq_1 = r01_Vq_1a + r01_Vq_1b, r01_Vq_1_right = r01_Vq_1 - r01_Vq_1a,
-      r01_Vq_1_left = r01_Vq_1 - r01_Vq_1_right,
-      r01_Vq_1_left_rest = ksl_product_rest(V->m10, r01_s, r01_Vq_1a, r01_Vq_1_left),
-      r01_Vq_1_right_rest = ksl_product_rest(V->m11, r01_c, r01_Vq_1b, r01_Vq_1_right),
-      r01_Vq_1_cross = r01_Vq_1a_cross2 + r01_Vq_1b_cross2,
-      r01_Vq_1_lo1 = r01_Vq_1_left_rest + r01_Vq_1_right_rest,
-      r01_Vq_1_lo = r01_Vq_1_lo1 + r01_Vq_1_cross;
-  const double r01_Vq_2a = V->m20 * r01_s, r01_Vq_2a_cross2 = V->m20 * r01_s_lo,
-      r01_Vq_2b = V->m21 * r01_c, r01_Vq_2b_cross2 = V->m21 * r01_c_lo,
-      r01_Vq_2 = r01_Vq_2a + r01_Vq_2b, r01_Vq_2_right = r01_Vq_2 - r01_Vq_2a,
-      r01_Vq_2_left = r01_Vq_2 - r01_Vq_2_right,
-      r01_Vq_2_left_rest = ksl_product_rest(V->m20, r01_s, r01_Vq_2a, r01_Vq_2_left),
-      r01_Vq_2_right_rest = ksl_product_rest(V->m21, r01_c, r01_Vq_2b, r01_Vq_2_right),
-      r01_Vq_2_cross = r01_Vq_2a_cross2 + r01_Vq_2b_cross2,
-      r01_Vq_2_lo1 = r01_Vq_2_left_rest + r01_Vq_2_right_rest,
-      r01_Vq_2_lo = r01_Vq_2_lo1 + r01_Vq_2_cross;
-  const double r02_double = 2.0 * r01_Ap, r02_double_cross2 = 2.0 * r01_Ap_lo;
-  const double r02_apart = A->m22 - r01_App, r02_apart_right = A->m22 - r02_apart,
-      r02_apart_left = r02_apart + r02_apart_right, r02_apart_left_rest = A->m22 - r02_apart_left,
-      r02_apart_right_rest = r01_App - r02_apart_right,
-      r02_apart_lo1 = r02_apart_left_rest - r02_apart_right_rest,
-      r02_apart_lo = r02_apart_lo1 - r01_App_lo;
-  const double r02_divisor = r02_double == 0.0 ? 1.0 : r02_double,
-      r02_divisor_lo = r02_double == 0.0 ? 0.0 : r02_double_cross2;
-  const double r02_theta_of_r02_apart = r02_apart + r02_apart_lo,
-      r02_theta_of_r02_apart_right = r02_theta_of_r02_apart - r02_apart,
-      r02_theta_of_r02_apart_left = r02_theta_of_r02_apart - r02_theta_of_r02_apart_right,
-      r02_theta_of_r02_apart_left_rest = r02_apart - r02_theta_of_r02_apart_left,
-      r02_theta_of_r02_apart_right_rest = r02_apart_lo - r02_theta_of_r02_apart_right,
-      r02_theta_of_r02_apart_lo = r02_theta_of_r02_apart_left_rest + r02_theta_of_r02_apart_right_rest,
-      r02_theta_of_r02_divisor = r02_divisor + r02_divisor_lo,
-      r02_theta_of_r02_divisor_right = r02_theta_of_r02_divisor - r02_divisor,
-      r02_theta_of_r02_divisor_left = r02_theta_of_r02_divisor - r02_theta_of_r02_divisor_right,
-      r02_theta_of_r02_divisor_left_rest = r02_divisor - r02_theta_of_r02_divisor_left,
-      r02_theta_of_r02_divisor_right_rest = r02_divisor_lo - r02_theta_of_r02_divisor_right,
-      r02_theta_of_r02_divisor_lo = r02_theta_of_r02_divisor_left_rest + r02_theta_of_r02_divisor_right_rest,
-      r02_theta = r02_theta_of_r02_apart / r02_theta_of_r02_divisor,
-      r02_theta_product = r02_theta * r02_theta_of_r02_divisor,
-      r02_theta_product_error = ksl_product_error(r02_theta, r02_theta_of_r02_divisor, r02_theta_product),
-      r02_theta_rest = r02_theta_of_r02_apart - r02_theta_product,
-      r02_theta_exact = r02_theta_rest - r02_theta_product_error,
-      r02_theta_numerator = r02_theta_exact + r02_theta_of_r02_apart_lo,
-      r02_theta_cross = r02_theta * r02_theta_of_r02_divisor_lo,
-      r02_theta_residual = r02_theta_numerator - r02_theta_cross,
-      r02_theta_lo = r02_theta_residual / r02_theta_of_r02_divisor;
-  const double r02_absolute = fabs(r02_theta), r02_absolute_opposite = -r02_theta_lo,
-      r02_absolute_lo = r02_theta < 0.0 ? r02_absolute_opposite : r02_theta_lo;
-  const double r02_size_a = r02_theta * r02_theta, r02_size_a_cross1 = r02_theta_lo * r02_theta,
-      r02_size_a_cross2 = r02_theta * r02_theta_lo,
-      r02_size_a_cross = r02_size_a_cross1 + r02_size_a_cross2, r02_size_b = 1.0 + r02_size_a,
-      r02_size_b_right = r02_size_b - 1.0, r02_size_b_left = r02_size_b - r02_size_b_right,
-      r02_size_b_left_rest = 1.0 - r02_size_b_left,
-      r02_size_b_right_rest = ksl_product_rest(r02_theta, r02_theta, r02_size_a, r02_size_b_right),
-      r02_size_b_lo1 = r02_size_b_left_rest + r02_size_b_right_rest,
-      r02_size_b_lo = r02_size_b_lo1 + r02_size_a_cross,
-      r02_size_c_of_r02_size_b = r02_size_b + r02_size_b_lo,
-      r02_size_c_of_r02_size_b_right = r02_size_c_of_r02_size_b - r02_size_b,
-      r02_size_c_of_r02_size_b_left = r02_size_c_of_r02_size_b - r02_size_c_of_r02_size_b_right,
-      r02_size_c_of_r02_size_b_left_rest = r02_size_b - r02_size_c_of_r02_size_b_left,
-      r02_size_c_of_r02_size_b_right_rest = r02_size_b_lo - r02_size_c_of_r02_size_b_right,
-      r02_size_c_of_r02_size_b_lo = r02_size_c_of_r02_size_b_left_rest + r02_size_c_of_r02_size_b_right_rest,
-      r02_size_c = sqrt(r02_size_c_of_r02_size_b), r02_size_c_product = r02_size_c * r02_size_c,
-      r02_size_c_product_error = ksl_product_error(r02_size_c, r02_size_c, r02_size_c_product),
-      r02_size_c_rest = r02_size_c_of_r02_size_b - r02_size_c_product,
-      r02_size_c_exact = r02_size_c_rest - r02_size_c_product_error,
-      r02_size_c_residual = r02_size_c_exact + r02_size_c_of_r02_size_b_lo,
-      r02_size_c_twice = r02_size_c + r02_size_c,
-      r02_size_c_divisor = r02_size_c == 0.0 ? 1.0 : r02_size_c_twice,
-      r02_size_c_lo = r02_size_c_residual / r02_size_c_divisor,
-      r02_size = r02_absolute + r02_size_c, r02_size_right = r02_size - r02_absolute,
-      r02_size_left = r02_size - r02_size_right, r02_size_left_rest = r02_absolute - r02_size_left,
-      r02_size_right_rest = r02_size_c - r02_size_right,
-      r02_size_lo1 = r02_size_left_rest + r02_size_right_rest,
-      r02_size_lo2 = r02_size_lo1 + r02_size_c_lo, r02_size_lo = r02_size_lo2 + r02_absolute_lo;
-  const double r02_signed_a = -r02_size, r02_signed_a_lo = -r02_size_lo,
-      r02_signed = r02_theta < 0.0 ? r02_signed_a : r02_size,
-      r02_signed_lo = r02_theta < 0.0 ? r02_signed_a_lo : r02_size_lo;
-  const double r02_t_a_of_r02_signed = r02_signed + r02_signed_lo,
-      r02_t_a_of_r02_signed_right = r02_t_a_of_r02_signed - r02_signed,
-      r02_t_a_of_r02_signed_left = r02_t_a_of_r02_signed - r02_t_a_of_r02_signed_right,
-      r02_t_a_of_r02_signed_left_rest = r02_signed - r02_t_a_of_r02_signed_left,
-      r02_t_a_of_r02_signed_right_rest = r02_signed_lo - r02_t_a_of_r02_signed_right,
-      r02_t_a_of_r02_signed_lo = r02_t_a_of_r02_signed_left_rest + r02_t_a_of_r02_signed_right_rest,
-      r02_t_a = 1.0 / r02_t_a_of_r02_signed, r02_t_a_product = r02_t_a * r02_t_a_of_r02_signed,
-      r02_t_a_product_error = ksl_product_error(r02_t_a, r02_t_a_of_r02_signed, r02_t_a_product),
-      r02_t_a_rest = 1.0 - r02_t_a_product, r02_t_a_exact = r02_t_a_rest - r02_t_a_product_error,
-      r02_t_a_cross = r02_t_a * r02_t_a_of_r02_signed_lo,
-      r02_t_a_residual = r02_t_a_exact - r02_t_a_cross,
-      r02_t_a_lo = r02_t_a_residual / r02_t_a_of_r02_signed,
-      r02_t = r02_double == 0.0 ? 0.0 : r02_t_a, r02_t_lo = r02_double == 0.0 ? 0.0 : r02_t_a_lo;
-  const double r02_secant_a = r02_t * r02_t, r02_secant_a_cross1 = r02_t_lo * r02_t,
-      r02_secant_a_cross2 = r02_t * r02_t_lo,
-      r02_secant_a_cross = r02_secant_a_cross1 + r02_secant_a_cross2,
-      r02_secant_b = 1.0 + r02_secant_a, r02_secant_b_right = r02_secant_b - 1.0,
-      r02_secant_b_left = r02_secant_b - r02_secant_b_right,
-      r02_secant_b_left_rest = 1.0 - r02_secant_b_left,
-      r02_secant_b_right_rest = ksl_product_rest(r02_t, r02_t, r02_secant_a, r02_secant_b_right),
-      r02_secant_b_lo1 = r02_secant_b_left_rest + r02_secant_b_right_rest,
-      r02_secant_b_lo = r02_secant_b_lo1 + r02_secant_a_cross,
-      r02_secant_of_r02_secant_b = r02_secant_b + r02_secant_b_lo,
-      r02_secant_of_r02_secant_b_right = r02_secant_of_r02_secant_b - r02_secant_b,
-      r02_secant_of_r02_secant_b_left = r02_secant_of_r02_secant_b - r02_secant_of_r02_secant_b_right,
-      r02_secant_of_r02_secant_b_left_rest = r02_secant_b - r02_secant_of_r02_secant_b_left,
-      r02_secant_of_r02_secant_b_right_rest = r02_secant_b_lo - r02_secant_of_r02_secant_b_right,
-      r02_secant_of_r02_secant_b_lo = r02_secant_of_r02_secant_b_left_rest + r02_secant_of_r02_secant_b_right_rest,
-      r02_secant = sqrt(r02_secant_of_r02_secant_b), r02_secant_product = r02_secant * r02_secant,
-      r02_secant_product_error = ksl_product_error(r02_secant, r02_secant, r02_secant_product),
-      r02_secant_rest = r02_secant_of_r02_secant_b - r02_secant_product,
-      r02_secant_exact = r02_secant_rest - r02_secant_product_error,
-      r02_secant_residual = r02_secant_exact + r02_secant_of_r02_secant_b_lo,
-      r02_secant_twice = r02_secant + r02_secant,
-      r02_secant_divisor = r02_secant == 0.0 ? 1.0 : r02_secant_twice,
-      r02_secant_lo = r02_secant_residual / r02_secant_divisor;
-  const double r02_c_of_r02_secant = r02_secant + r02_secant_lo,
-      r02_c_of_r02_secant_right = r02_c_of_r02_secant - r02_secant,
-      r02_c_of_r02_secant_left = r02_c_of_r02_secant - r02_c_of_r02_secant_right,
-      r02_c_of_r02_secant_left_rest = r02_secant - r02_c_of_r02_secant_left,
-      r02_c_of_r02_secant_right_rest = r02_secant_lo - r02_c_of_r02_secant_right,
-      r02_c_of_r02_secant_lo = r02_c_of_r02_secant_left_rest + r02_c_of_r02_secant_right_rest,
-      r02_c = 1.0 / r02_c_of_r02_secant, r02_c_product = r02_c * r02_c_of_r02_secant,
-      r02_c_product_error = ksl_product_error(r02_c, r02_c_of_r02_secant, r02_c_product),
-      r02_c_rest = 1.0 - r02_c_product, r02_c_exact = r02_c_rest - r02_c_product_error,
-      r02_c_cross = r02_c * r02_c_of_r02_secant_lo, r02_c_residual = r02_c_exact - r02_c_cross,
-      r02_c_lo = r02_c_residual / r02_c_of_r02_secant;
-  const double r02_s = r02_t * r02_c, r02_s_cross1 = r02_t_lo * r02_c,
-      r02_s_cross2 = r02_t * r02_c_lo, r02_s_cross = r02_s_cross1 + r02_s_cross2;
-  const double r02_change = r01_Ap * r02_t, r02_change_cross1 = r01_Ap_lo * r02_t,
-      r02_change_cross2 = r01_Ap * r02_t_lo,
-      r02_change_cross = r02_change_cross1 + r02_change_cross2;
-  const double r02_App = r01_App - r02_change, r02_App_right = r01_App - r02_App,
-      r02_App_left = r02_App + r02_App_right, r02_App_left_rest = r01_App - r02_App_left,
-      r02_App_right_rest = ksl_product_rest(r01_Ap, r02_t, r02_change, r02_App_right),
-      r02_App_lo1 = r02_App_left_rest - r02_App_right_rest,
-      r02_App_lo2 = r02_App_lo1 - r02_change_cross, r02_App_lo = r02_App_lo2 + r01_App_lo;
-  const double r02_Aqq = A->m22 + r02_change, r02_Aqq_right = r02_Aqq - A->m22,
-      r02_Aqq_left = r02_Aqq - r02_Aqq_right, r02_Aqq_left_rest = A->m22 - r02_Aqq_left,
-      r02_Aqq_right_rest = ksl_product_rest(r01_Ap, r02_t, r02_change, r02_Aqq_right),
-      r02_Aqq_lo1 = r02_Aqq_left_rest + r02_Aqq_right_rest,
-      r02_Aqq_lo = r02_Aqq_lo1 + r02_change_cross;
-  const double r02_s_error = ksl_product_error(r02_t, r02_c, r02_s),
-      r02_s_lo = r02_s_error + r02_s_cross, r02_Ap_a = r01_Aq * r02_s,
-      r02_Ap_a_cross1 = r01_Aq_lo * r02_s, r02_Ap_a_cross2 = r01_Aq * r02_s_lo,
-      r02_Ap_a_cross = r02_Ap_a_cross1 + r02_Ap_a_cross2,
-      r02_Ap_a_error = ksl_product_error(r01_Aq, r02_s, r02_Ap_a),
-      r02_Ap_a_lo = r02_Ap_a_error + r02_Ap_a_cross, r02_Ap = -r02_Ap_a, r02_Ap_lo = -r02_Ap_a_lo;
-  const double r02_Aq = r01_Aq * r02_c, r02_Aq_cross1 = r01_Aq_lo * r02_c,
-      r02_Aq_cross2 = r01_Aq * r02_c_lo, r02_Aq_cross = r02_Aq_cross1 + r02_Aq_cross2;
-  const double r02_Vp_0a = r01_Vp_0 * r02_c, r02_Vp_0a_cross1 = r01_Vp_0_lo * r02_c,
-      r02_Vp_0a_cross2 = r01_Vp_0 * r02_c_lo, r02_Vp_0a_cross = r02_Vp_0a_cross1 + r02_Vp_0a_cross2,
-      r02_Vp_0b = V->m02 * r02_s, r02_Vp_0b_cross2 = V->m02 * r02_s_lo,
-      r02_Vp_0 = r02_Vp_0a - r02_Vp_0b, r02_Vp_0_right = r02_Vp_0a - r02_Vp_0,
-      r02_Vp_0_left = r02_Vp_0 + r02_Vp_0_right,
-      r02_Vp_0_left_rest = ksl_product_rest(r01_Vp_0, r02_c, r02_Vp_0a, r02_Vp_0_left),
-      r02_Vp_0_right_rest = ksl_product_rest(V->m02, r02_s, r02_Vp_0b, r02_Vp_0_right),
-      r02_Vp_0_cross = r02_Vp_0a_cross - r02_Vp_0b_cross2,
-      r02_Vp_0_lo1 = r02_Vp_0_left_rest - r02_Vp_0_right_rest,
-      r02_Vp_0_lo = r02_Vp_0_lo1 + r02_Vp_0_cross;
-  const double r02_Vp_1a = r01_Vp_1 * r02_c, r02_Vp_1a_cross1 = r01_Vp_1_lo * r02_c,
-      r02_Vp_1a_cross2 = r01_Vp_1 * r02_c_lo, r02_Vp_1a_cross = r02_Vp_1a_cross1 + r02_Vp_1a_cross2,
-      r02_Vp_1b = V->m12 * r02_s, r02_Vp_1b_cross2 = V->m12 * r02_s_lo,
-      r02_Vp_1 = r02_Vp_1a - r02_Vp_1b, r02_Vp_1_right = r02_Vp_1a - r02_Vp_1,
-      r02_Vp_1_left = r02_Vp_1 + r02_Vp_1_right,
-      r02_Vp_1_left_rest = ksl_product_rest(r01_Vp_1, r02_c, r02_Vp_1a, r02_Vp_1_left),
-      r02_Vp_1_right_rest = ksl_product_rest(V->m12, r02_s, r02_Vp_1b, r02_Vp_1_right),
-      r02_Vp_1_cross = r02_Vp_1a_cross - r02_Vp_1b_cross2,
-      r02_Vp_1_lo1 = r02_Vp_1_left_rest - r02_Vp_1_right_rest,
-      r02_Vp_1_lo = r02_Vp_1_lo1 + r02_Vp_1_cross;
-  const double r02_Vp_2a = r01_Vp_2 * r02_c, r02_Vp_2a_cross1 = r01_Vp_2_lo * r02_c,
-      r02_Vp_2a_cross2 = r01_Vp_2 * r02_c_lo, r02_Vp_2a_cross = r02_Vp_2a_cross1 + r02_Vp_2a_cross2,
-      r02_Vp_2b = V->m22 * r02_s, r02_Vp_2b_cross2 = V->m22 * r02_s_lo,
-      r02_Vp_2 = r02_Vp_2a - r02_Vp_2b, r02_Vp_2_right = r02_Vp_2a - r02_Vp_2,
-      r02_Vp_2_left = r02_Vp_2 + r02_Vp_2_right,
-      r02_Vp_2_left_rest = ksl_product_rest(r01_Vp_2, r02_c, r02_Vp_2a, r02_Vp_2_left),
-      r02_Vp_2_right_rest = ksl_product_rest(V->m22, r02_s, r02_Vp_2b, r02_Vp_2_right),
-      r02_Vp_2_cross = r02_Vp_2a_cross - r02_Vp_2b_cross2,
-      r02_Vp_2_lo1 = r02_Vp_2_left_rest - r02_Vp_2_right_rest,
-      r02_Vp_2_lo = r02_Vp_2_lo1 + r02_Vp_2_cross;
-  const double r02_Vq_0a = V->m02 * r02_c, r02_Vq_0a_cross2 = V->m02 * r02_c_lo,
-      r02_Vq_0b = r01_Vp_0 * r02_s, r02_Vq_0b_cross1 = r01_Vp_0_lo * r02_s,
-      r02_Vq_0b_cross2 = r01_Vp_0 * r02_s_lo, r02_Vq_0b_cross = r02_Vq_0b_cross1 + r02_Vq_0b_cross2,
-      r02_Vq_0 = r02_Vq_0a + r02_Vq_0b, r02_Vq_0_right = r02_Vq_0 - r02_Vq_0a,
-      r02_Vq_0_left = r02_Vq_0 - r02_Vq_0_right,
-      r02_Vq_0_left_rest = ksl_product_rest(V->m02, r02_c, r02_Vq_0a, r02_Vq_0_left),
-      r02_Vq_0_right_rest = ksl_product_rest(r01_Vp_0, r02_s, r02_Vq_0b, r02_Vq_0_right),
-      r02_Vq_0_cross = r02_Vq_0a_cross2 + r02_Vq_0b_cross,
-      r02_Vq_0_lo1 = r02_Vq_0_left_rest + r02_Vq_0_right_rest,
-      r02_Vq_0_lo = r02_Vq_0_lo1 + r02_Vq_0_cross;
-  const double r02_Vq_1a = V->m12 * r02_c, r02_Vq_1a_cross2 = V->m12 * r02_c_lo,
-      r02_Vq_1b = r01_Vp_1 * r02_s, r02_Vq_1b_cross1 = r01_Vp_1_lo * r02_s,
-      r02_Vq_1b_cross2 = r01_Vp_1 * r02_s_lo, r02_Vq_1b_cross = r02_Vq_1b_cross1 + r02_Vq_1b_cross2,
-      r02_Vq_1 = r02_Vq_1a + r02_Vq_1b, r02_Vq_1_right = r02_Vq_1 - r02_Vq_1a,
-      r02_Vq_1_left = r02_Vq_1 - r02_Vq_1_right,
-      r02_Vq_1_left_rest = ksl_product_rest(V->m12, r02_c, r02_Vq_1a, r02_Vq_1_left),
-      r02_Vq_1_right_rest = ksl_product_rest(r01_Vp_1, r02_s, r02_Vq_1b, r02_Vq_1_right),
-      r02_Vq_1_cross = r02_Vq_1a_cross2 + r02_Vq_1b_cross,
-      r02_Vq_1_lo1 = r02_Vq_1_left_rest + r02_Vq_1_right_rest,
-      r02_Vq_1_lo = r02_Vq_1_lo1 + r02_Vq_1_cross;
-  const double r02_Vq_2a = V->m22 * r02_c, r02_Vq_2a_cross2 = V->m22 * r02_c_lo,
-      r02_Vq_2b = r01_Vp_2 * r02_s, r02_Vq_2b_cross1 = r01_Vp_2_lo * r02_s,
-      r02_Vq_2b_cross2 = r01_Vp_2 * r02_s_lo, r02_Vq_2b_cross = r02_Vq_2b_cross1 + r02_Vq_2b_cross2,
-      r02_Vq_2 = r02_Vq_2a + r02_Vq_2b, r02_Vq_2_right = r02_Vq_2 - r02_Vq_2a,
-      r02_Vq_2_left = r02_Vq_2 - r02_Vq_2_right,
-      r02_Vq_2_left_rest = ksl_product_rest(V->m22, r02_c, r02_Vq_2a, r02_Vq_2_left),
-      r02_Vq_2_right_rest = ksl_product_rest(r01_Vp_2, r02_s, r02_Vq_2b, r02_Vq_2_right),
-      r02_Vq_2_cross = r02_Vq_2a_cross2 + r02_Vq_2b_cross,
-      r02_Vq_2_lo1 = r02_Vq_2_left_rest + r02_Vq_2_right_rest,
-      r02_Vq_2_lo = r02_Vq_2_lo1 + r02_Vq_2_cross;
-  const double r02_Aq_error = ksl_product_error(r01_Aq, r02_c, r02_Aq),
-      r02_Aq_lo = r02_Aq_error + r02_Aq_cross, r12_double = 2.0 * r02_Aq,
-      r12_double_cross2 = 2.0 * r02_Aq_lo;
-  const double r12_apart = r02_Aqq - r01_Aqq, r12_apart_right = r02_Aqq - r12_apart,
-      r12_apart_left = r12_apart + r12_apart_right, r12_apart_left_rest = r02_Aqq - r12_apart_left,
-      r12_apart_right_rest = r01_Aqq - r12_apart_right,
-      r12_apart_lo1 = r12_apart_left_rest - r12_apart_right_rest,
-      r12_apart_lo2 = r12_apart_lo1 - r01_Aqq_lo, r12_apart_lo = r12_apart_lo2 + r02_Aqq_lo;
-  const double r12_divisor = r12_double == 0.0 ? 1.0 : r12_double,
-      r12_divisor_lo = r12_double == 0.0 ? 0.0 : r12_double_cross2;
-  const double r12_theta_of_r12_apart = r12_apart + r12_apart_lo,
-      r12_theta_of_r12_apart_right = r12_theta_of_r12_apart - r12_apart,
-      r12_theta_of_r12_apart_left = r12_theta_of_r12_apart - r12_theta_of_r12_apart_right,
-      r12_theta_of_r12_apart_left_rest = r12_apart - r12_theta_of_r12_apart_left,
-      r12_theta_of_r12_apart_right_rest = r12_apart_lo - r12_theta_of_r12_apart_right,
-      r12_theta_of_r12_apart_lo = r12_theta_of_r12_apart_left_rest + r12_theta_of_r12_apart_right_rest,
-      r12_theta_of_r12_divisor = r12_divisor + r12_divisor_lo,
-      r12_theta_of_r12_divisor_right = r12_theta_of_r12_divisor - r12_divisor,
-      r12_theta_of_r12_divisor_left = r12_theta_of_r12_divisor - r12_theta_of_r12_divisor_right,
-      r12_theta_of_r12_divisor_left_rest = r12_divisor - r12_theta_of_r12_divisor_left,
-      r12_theta_of_r12_divisor_right_rest = r12_divisor_lo - r12_theta_of_r12_divisor_right,
-      r12_theta_of_r12_divisor_lo = r12_theta_of_r12_divisor_left_rest + r12_theta_of_r12_divisor_right_rest,
-      r12_theta = r12_theta_of_r12_apart / r12_theta_of_r12_divisor,
-      r12_theta_product = r12_theta * r12_theta_of_r12_divisor,
-      r12_theta_product_error = ksl_product_error(r12_theta, r12_theta_of_r12_divisor, r12_theta_product),
-      r12_theta_rest = r12_theta_of_r12_apart - r12_theta_product,
-      r12_theta_exact = r12_theta_rest - r12_theta_product_error,
-      r12_theta_numerator = r12_theta_exact + r12_theta_of_r12_apart_lo,
-      r12_theta_cross = r12_theta * r12_theta_of_r12_divisor_lo,
-      r12_theta_residual = r12_theta_numerator - r12_theta_cross,
-      r12_theta_lo = r12_theta_residual / r12_theta_of_r12_divisor;
-  const double r12_absolute = fabs(r12_theta), r12_absolute_opposite = -r12_theta_lo,
-      r12_absolute_lo = r12_theta < 0.0 ? r12_absolute_opposite : r12_theta_lo;
-  const double r12_size_a = r12_theta * r12_theta, r12_size_a_cross1 = r12_theta_lo * r12_theta,
-      r12_size_a_cross2 = r12_theta * r12_theta_lo,
-      r12_size_a_cross = r12_size_a_cross1 + r12_size_a_cross2, r12_size_b = 1.0 + r12_size_a,
-      r12_size_b_right = r12_size_b - 1.0, r12_size_b_left = r12_size_b - r12_size_b_right,
-      r12_size_b_left_rest = 1.0 - r12_size_b_left,
-      r12_size_b_right_rest = ksl_product_rest(r12_theta, r12_theta, r12_size_a, r12_size_b_right),
-      r12_size_b_lo1 = r12_size_b_left_rest + r12_size_b_right_rest,
-      r12_size_b_lo = r12_size_b_lo1 + r12_size_a_cross,
-      r12_size_c_of_r12_size_b = r12_size_b + r12_size_b_lo,
-      r12_size_c_of_r12_size_b_right = r12_size_c_of_r12_size_b - r12_size_b,
-      r12_size_c_of_r12_size_b_left = r12_size_c_of_r12_size_b - r12_size_c_of_r12_size_b_right,
-      r12_size_c_of_r12_size_b_left_rest = r12_size_b - r12_size_c_of_r12_size_b_left,
-      r12_size_c_of_r12_size_b_right_rest = r12_size_b_lo - r12_size_c_of_r12_size_b_right,
-      r12_size_c_of_r12_size_b_lo = r12_size_c_of_r12_size_b_left_rest + r12_size_c_of_r12_size_b_right_rest,
-      r12_size_c = sqrt(r12_size_c_of_r12_size_b), r12_size_c_product = r12_size_c * r12_size_c,
-      r12_size_c_product_error = ksl_product_error(r12_size_c, r12_size_c, r12_size_c_product),
-      r12_size_c_rest = r12_size_c_of_r12_size_b - r12_size_c_product,
-      r12_size_c_exact = r12_size_c_rest - r12_size_c_product_error,
-      r12_size_c_residual = r12_size_c_exact + r12_size_c_of_r12_size_b_lo,
-      r12_size_c_twice = r12_size_c + r12_size_c,
-      r12_size_c_divisor = r12_size_c == 0.0 ? 1.0 : r12_size_c_twice,
-      r12_size_c_lo = r12_size_c_residual / r12_size_c_divisor,
-      r12_size = r12_absolute + r12_size_c, r12_size_right = r12_size - r12_absolute,
-      r12_size_left = r12_size - r12_size_right, r12_size_left_rest = r12_absolute - r12_size_left,
-      r12_size_right_rest = r12_size_c - r12_size_right,
-      r12_size_lo1 = r12_size_left_rest + r12_size_right_rest,
-      r12_size_lo2 = r12_size_lo1 + r12_size_c_lo, r12_size_lo = r12_size_lo2 + r12_absolute_lo;
-  const double r12_signed_a = -r12_size, r12_signed_a_lo = -r12_size_lo,
-      r12_signed = r12_theta < 0.0 ? r12_signed_a : r12_size,
-      r12_signed_lo = r12_theta < 0.0 ? r12_signed_a_lo : r12_size_lo;
-  const double r12_t_a_of_r12_signed = r12_signed + r12_signed_lo,
-      r12_t_a_of_r12_signed_right = r12_t_a_of_r12_signed - r12_signed,
-      r12_t_a_of_r12_signed_left = r12_t_a_of_r12_signed - r12_t_a_of_r12_signed_right,
-      r12_t_a_of_r12_signed_left_rest = r12_signed - r12_t_a_of_r12_signed_left,
-      r12_t_a_of_r12_signed_right_rest = r12_signed_lo - r12_t_a_of_r12_signed_right,
-      r12_t_a_of_r12_signed_lo = r12_t_a_of_r12_signed_left_rest + r12_t_a_of_r12_signed_right_rest,
-      r12_t_a = 1.0 / r12_t_a_of_r12_signed, r12_t_a_product = r12_t_a * r12_t_a_of_r12_signed,
-      r12_t_a_product_error = ksl_product_error(r12_t_a, r12_t_a_of_r12_signed, r12_t_a_product),
-      r12_t_a_rest = 1.0 - r12_t_a_product, r12_t_a_exact = r12_t_a_rest - r12_t_a_product_error,
-      r12_t_a_cross = r12_t_a * r12_t_a_of_r12_signed_lo,
-      r12_t_a_residual = r12_t_a_exact - r12_t_a_cross,
-      r12_t_a_lo = r12_t_a_residual / r12_t_a_of_r12_signed,
-      r12_t = r12_double == 0.0 ? 0.0 : r12_t_a, r12_t_lo = r12_double == 0.0 ? 0.0 : r12_t_a_lo;
-  const double r12_secant_a = r12_t * r12_t, r12_secant_a_cross1 = r12_t_lo * r12_t,
-      r12_secant_a_cross2 = r12_t * r12_t_lo,
-      r12_secant_a_cross = r12_secant_a_cross1 + r12_secant_a_cross2,
-      r12_secant_b = 1.0 + r12_secant_a, r12_secant_b_right = r12_secant_b - 1.0,
-      r12_secant_b_left = r12_secant_b - r12_secant_b_right,
-      r12_secant_b_left_rest = 1.0 - r12_secant_b_left,
-      r12_secant_b_right_rest = ksl_product_rest(r12_t, r12_t, r12_secant_a, r12_secant_b_right),
-      r12_secant_b_lo1 = r12_secant_b_left_rest + r12_secant_b_right_rest,
-      r12_secant_b_lo = r12_secant_b_lo1 + r12_secant_a_cross,
-      r12_secant_of_r12_secant_b = r12_secant_b + r12_secant_b_lo,
-      r12_secant_of_r12_secant_b_right = r12_secant_of_r12_secant_b - r12_secant_b,
-      r12_secant_of_r12_secant_b_left = r12_secant_of_r12_secant_b - r12_secant_of_r12_secant_b_right,
-      r12_secant_of_r12_secant_b_left_rest = r12_secant_b - r12_secant_of_r12_secant_b_left,
-      r12_secant_of_r12_secant_b_right_rest = r12_secant_b_lo - r12_secant_of_r12_secant_b_right,
-      r12_secant_of_r12_secant_b_lo = r12_secant_of_r12_secant_b_left_rest + r12_secant_of_r12_secant_b_right_rest,
-      r12_secant = sqrt(r12_secant_of_r12_secant_b), r12_secant_product = r12_secant * r12_secant,
-      r12_secant_product_error = ksl_product_error(r12_secant, r12_secant, r12_secant_product),
-      r12_secant_rest = r12_secant_of_r12_secant_b - r12_secant_product,
-      r12_secant_exact = r12_secant_rest - r12_secant_product_error,
-      r12_secant_residual = r12_secant_exact + r12_secant_of_r12_secant_b_lo,
-      r12_secant_twice = r12_secant + r12_secant,
-      r12_secant_divisor = r12_secant == 0.0 ? 1.0 : r12_secant_twice,
-      r12_secant_lo = r12_secant_residual / r12_secant_divisor;
-  const double r12_c_of_r12_secant = r12_secant + r12_secant_lo,
-      r12_c_of_r12_secant_right = r12_c_of_r12_secant - r12_secant,
-      r12_c_of_r12_secant_left = r12_c_of_r12_secant - r12_c_of_r12_secant_right,
-      r12_c_of_r12_secant_left_rest = r12_secant - r12_c_of_r12_secant_left,
-      r12_c_of_r12_secant_right_rest = r12_secant_lo - r12_c_of_r12_secant_right,
-      r12_c_of_r12_secant_lo = r12_c_of_r12_secant_left_rest + r12_c_of_r12_secant_right_rest,
-      r12_c = 1.0 / r12_c_of_r12_secant, r12_c_product = r12_c * r12_c_of_r12_secant,
-      r12_c_product_error = ksl_product_error(r12_c, r12_c_of_r12_secant, r12_c_product),
-      r12_c_rest = 1.0 - r12_c_product, r12_c_exact = r12_c_rest - r12_c_product_error,
-      r12_c_cross = r12_c * r12_c_of_r12_secant_lo, r12_c_residual = r12_c_exact - r12_c_cross,
-      r12_c_lo = r12_c_residual / r12_c_of_r12_secant;
-  const double r12_s = r12_t * r12_c, r12_s_cross1 = r12_t_lo * r12_c,
-      r12_s_cross2 = r12_t * r12_c_lo, r12_s_cross = r12_s_cross1 + r12_s_cross2;
-  const double r12_change = r02_Aq * r12_t, r12_change_cross1 = r02_Aq_lo * r12_t,
-      r12_change_cross2 = r02_Aq * r12_t_lo,
-      r12_change_cross = r12_change_cross1 + r12_change_cross2;
-  const double r12_App = r01_Aqq - r12_change, r12_App_right = r01_Aqq - r12_App,
-      r12_App_left = r12_App + r12_App_right, r12_App_left_rest = r01_Aqq - r12_App_left,
-      r12_App_right_rest = ksl_product_rest(r02_Aq, r12_t, r12_change, r12_App_right),
-      r12_App_lo1 = r12_App_left_rest - r12_App_right_rest,
-      r12_App_lo2 = r12_App_lo1 - r12_change_cross, r12_App_lo = r12_App_lo2 + r01_Aqq_lo;
-  const double r12_Aqq = r02_Aqq + r12_change, r12_Aqq_right = r12_Aqq - r02_Aqq,
-      r12_Aqq_left = r12_Aqq - r12_Aqq_right, r12_Aqq_left_rest = r02_Aqq - r12_Aqq_left,
-      r12_Aqq_right_rest = ksl_product_rest(r02_Aq, r12_t, r12_change, r12_Aqq_right),
-      r12_Aqq_lo1 = r12_Aqq_left_rest + r12_Aqq_right_rest,
-      r12_Aqq_lo2 = r12_Aqq_lo1 + r12_change_cross, r12_Aqq_lo = r12_Aqq_lo2 + r02_Aqq_lo;
-  const double r12_Ap = r02_Ap * r12_c, r12_Ap_cross1 = r02_Ap_lo * r12_c,
-      r12_Ap_cross2 = r02_Ap * r12_c_lo, r12_Ap_cross = r12_Ap_cross1 + r12_Ap_cross2;
-  const double r12_s_error = ksl_product_error(r12_t, r12_c, r12_s),
-      r12_s_lo = r12_s_error + r12_s_cross, r12_Aq = r02_Ap * r12_s,
-      r12_Aq_cross1 = r02_Ap_lo * r12_s, r12_Aq_cross2 = r02_Ap * r12_s_lo,
-      r12_Aq_cross = r12_Aq_cross1 + r12_Aq_cross2;
-  const double r12_Vp_0a = r01_Vq_0 * r12_c, r12_Vp_0a_cross1 = r01_Vq_0_lo * r12_c,
-      r12_Vp_0a_cross2 = r01_Vq_0 * r12_c_lo, r12_Vp_0a_cross = r12_Vp_0a_cross1 + r12_Vp_0a_cross2,
-      r12_Vp_0b = r02_Vq_0 * r12_s, r12_Vp_0b_cross1 = r02_Vq_0_lo * r12_s,
-      r12_Vp_0b_cross2 = r02_Vq_0 * r12_s_lo, r12_Vp_0b_cross = r12_Vp_0b_cross1 + r12_Vp_0b_cross2,
-      r12_Vp_0 = r12_Vp_0a - r12_Vp_0b, r12_Vp_0_right = r12_Vp_0a - r12_Vp_0,
-      r12_Vp_0_left = r12_Vp_0 + r12_Vp_0_right,
-      r12_Vp_0_left_rest = ksl_product_rest(r01_Vq_0, r12_c, r12_Vp_0a, r12_Vp_0_left),
-      r12_Vp_0_right_rest = ksl_product_rest(r02_Vq_0, r12_s, r12_Vp_0b, r12_Vp_0_right),
-      r12_Vp_0_cross = r12_Vp_0a_cross - r12_Vp_0b_cross,
-      r12_Vp_0_lo1 = r12_Vp_0_left_rest - r12_Vp_0_right_rest,
-      r12_Vp_0_lo = r12_Vp_0_lo1 + r12_Vp_0_cross;
-  const double r12_Vp_1a = r01_Vq_1 * r12_c, r12_Vp_1a_cross1 = r01_Vq_1_lo * r12_c,
-      r12_Vp_1a_cross2 = r01_Vq_1 * r12_c_lo, r12_Vp_1a_cross = r12_Vp_1a_cross1 + r12_Vp_1a_cross2,
-      r12_Vp_1b = r02_Vq_1 * r12_s, r12_Vp_1b_cross1 = r02_Vq_1_lo * r12_s,
-      r12_Vp_1b_cross2 = r02_Vq_1 * r12_s_lo, r12_Vp_1b_cross = r12_Vp_1b_cross1 + r12_Vp_1b_cross2,
-      r12_Vp_1 = r12_Vp_1a - r12_Vp_1b, r12_Vp_1_right = r12_Vp_1a - r12_Vp_1,
-      r12_Vp_1_left = r12_Vp_1 + r12_Vp_1_right,
-      r12_Vp_1_left_rest = ksl_product_rest(r01_Vq_1, r12_c, r12_Vp_1a, r12_Vp_1_left),
-      r12_Vp_1_right_rest = ksl_product_rest(r02_Vq_1, r12_s, r12_Vp_1b, r12_Vp_1_right),
-      r12_Vp_1_cross = r12_Vp_1a_cross - r12_Vp_1b_cross,
-      r12_Vp_1_lo1 = r12_Vp_1_left_rest - r12_Vp_1_right_rest,
-      r12_Vp_1_lo = r12_Vp_1_lo1 + r12_Vp_1_cross;
-  const double r12_Vp_2a = r01_Vq_2 * r12_c, r12_Vp_2a_cross1 = r01_Vq_2_lo * r12_c,
-      r12_Vp_2a_cross2 = r01_Vq_2 * r12_c_lo, r12_Vp_2a_cross = r12_Vp_2a_cross1 + r12_Vp_2a_cross2,
-      r12_Vp_2b = r02_Vq_2 * r12_s, r12_Vp_2b_cross1 = r02_Vq_2_lo * r12_s,
-      r12_Vp_2b_cross2 = r02_Vq_2 * r12_s_lo, r12_Vp_2b_cross = r12_Vp_2b_cross1 + r12_Vp_2b_cross2,
-      r12_Vp_2 = r12_Vp_2a - r12_Vp_2b, r12_Vp_2_right = r12_Vp_2a - r12_Vp_2,
-      r12_Vp_2_left = r12_Vp_2 + r12_Vp_2_right,
-      r12_Vp_2_left_rest = ksl_product_rest(r01_Vq_2, r12_c, r12_Vp_2a, r12_Vp_2_left),
-      r12_Vp_2_right_rest = ksl_product_rest(r02_Vq_2, r12_s, r12_Vp_2b, r12_Vp_2_right),
-      r12_Vp_2_cross = r12_Vp_2a_cross - r12_Vp_2b_cross,
-      r12_Vp_2_lo1 = r12_Vp_2_left_rest - r12_Vp_2_right_rest,
-      r12_Vp_2_lo = r12_Vp_2_lo1 + r12_Vp_2_cross;
-  const double r12_Vq_0a = r01_Vq_0 * r12_s, r12_Vq_0a_cross1 = r01_Vq_0_lo * r12_s,
-      r12_Vq_0a_cross2 = r01_Vq_0 * r12_s_lo, r12_Vq_0a_cross = r12_Vq_0a_cross1 + r12_Vq_0a_cross2,
-      r12_Vq_0b = r02_Vq_0 * r12_c, r12_Vq_0b_cross1 = r02_Vq_0_lo * r12_c,
-      r12_Vq_0b_cross2 = r02_Vq_0 * r12_c_lo, r12_Vq_0b_cross = r12_Vq_0b_cross1 + r12_Vq_0b_cross2,
-      r12_Vq_0 = r12_Vq_0a + r12_Vq_0b, r12_Vq_0_right = r12_Vq_0 - r12_Vq_0a,
-      r12_Vq_0_left = r12_Vq_0 - r12_Vq_0_right,
-      r12_Vq_0_left_rest = ksl_product_rest(r01_Vq_0, r12_s, r12_Vq_0a, r12_Vq_0_left),
-      r12_Vq_0_right_rest = ksl_product_rest(r02_Vq_0, r12_c, r12_Vq_0b, r12_Vq_0_right),
-      r12_Vq_0_cross = r12_Vq_0a_cross + r12_Vq_0b_cross,
-      r12_Vq_0_lo1 = r12_Vq_0_left_rest + r12_Vq_0_right_rest,
-      r12_Vq_0_lo = r12_Vq_0_lo1 + r12_Vq_0_cross;
-  const double r12_Vq_1a = r01_Vq_1 * r12_s, r12_Vq_1a_cross1 = r01_Vq_1_lo * r12_s,
-      r12_Vq_1a_cross2 = r01_Vq_1 * r12_s_lo, r12_Vq_1a_cross = r12_Vq_1a_cross1 + r12_Vq_1a_cross2,
-      r12_Vq_1b = r02_Vq_1 * r12_c, r12_Vq_1b_cross1 = r02_Vq_1_lo * r12_c,
-      r12_Vq_1b_cross2 = r02_Vq_1 * r12_c_lo, r12_Vq_1b_cross = r12_Vq_1b_cross1 + r12_Vq_1b_cross2,
-      r12_Vq_1 = r12_Vq_1a + r12_Vq_1b, r12_Vq_1_right = r12_Vq_1 - r12_Vq_1a,
-      r12_Vq_1_left = r12_Vq_1 - r12_Vq_1_right,
-      r12_Vq_1_left_rest = ksl_product_rest(r01_Vq_1, r12_s, r12_Vq_1a, r12_Vq_1_left),
-      r12_Vq_1_right_rest = ksl_product_rest(r02_Vq_1, r12_c, r12_Vq_1b, r12_Vq_1_right),
-      r12_Vq_1_cross = r12_Vq_1a_cross + r12_Vq_1b_cross,
-      r12_Vq_1_lo1 = r12_Vq_1_left_rest + r12_Vq_1_right_rest,
-      r12_Vq_1_lo = r12_Vq_1_lo1 + r12_Vq_1_cross;
-  const double r12_Vq_2a = r01_Vq_2 * r12_s, r12_Vq_2a_cross1 = r01_Vq_2_lo * r12_s,
-      r12_Vq_2a_cross2 = r01_Vq_2 * r12_s_lo, r12_Vq_2a_cross = r12_Vq_2a_cross1 + r12_Vq_2a_cross2,
-      r12_Vq_2b = r02_Vq_2 * r12_c, r12_Vq_2b_cross1 = r02_Vq_2_lo * r12_c,
-      r12_Vq_2b_cross2 = r02_Vq_2 * r12_c_lo, r12_Vq_2b_cross = r12_Vq_2b_cross1 + r12_Vq_2b_cross2,
-      r12_Vq_2 = r12_Vq_2a + r12_Vq_2b, r12_Vq_2_right = r12_Vq_2 - r12_Vq_2a,
-      r12_Vq_2_left = r12_Vq_2 - r12_Vq_2_right,
-      r12_Vq_2_left_rest = ksl_product_rest(r01_Vq_2, r12_s, r12_Vq_2a, r12_Vq_2_left),
-      r12_Vq_2_right_rest = ksl_product_rest(r02_Vq_2, r12_c, r12_Vq_2b, r12_Vq_2_right),
-      r12_Vq_2_cross = r12_Vq_2a_cross + r12_Vq_2b_cross,
-      r12_Vq_2_lo1 = r12_Vq_2_left_rest + r12_Vq_2_right_rest,
-      r12_Vq_2_lo = r12_Vq_2_lo1 + r12_Vq_2_cross;
-  const double r02_App_rounded = r02_App + r02_App_lo,
-      r02_App_final = r02_App_rounded == r02_App_rounded ? r02_App_rounded : r02_App;
-  const double r12_Ap_error = ksl_product_error(r02_Ap, r12_c, r12_Ap),
-      r12_Ap_lo = r12_Ap_error + r12_Ap_cross, r12_Ap_rounded = r12_Ap + r12_Ap_lo,
-      r12_Ap_final = r12_Ap_rounded == r12_Ap_rounded ? r12_Ap_rounded : r12_Ap;
-  const double r12_Aq_error = ksl_product_error(r02_Ap, r12_s, r12_Aq),
-      r12_Aq_lo = r12_Aq_error + r12_Aq_cross, r12_Aq_rounded = r12_Aq + r12_Aq_lo,
-      r12_Aq_final = r12_Aq_rounded == r12_Aq_rounded ? r12_Aq_rounded : r12_Aq;
-  const double r12_App_rounded = r12_App + r12_App_lo,
-      r12_App_final = r12_App_rounded == r12_App_rounded ? r12_App_rounded : r12_App;
-  const double r12_Aqq_rounded = r12_Aqq + r12_Aqq_lo,
-      r12_Aqq_final = r12_Aqq_rounded == r12_Aqq_rounded ? r12_Aqq_rounded : r12_Aqq;
-  const double r02_Vp_0_rounded = r02_Vp_0 + r02_Vp_0_lo,
-      r02_Vp_0_final = r02_Vp_0_rounded == r02_Vp_0_rounded ? r02_Vp_0_rounded : r02_Vp_0;
-  const double r12_Vp_0_rounded = r12_Vp_0 + r12_Vp_0_lo,
-      r12_Vp_0_final = r12_Vp_0_rounded == r12_Vp_0_rounded ? r12_Vp_0_rounded : r12_Vp_0;
-  const double r12_Vq_0_rounded = r12_Vq_0 + r12_Vq_0_lo,
-      r12_Vq_0_final = r12_Vq_0_rounded == r12_Vq_0_rounded ? r12_Vq_0_rounded : r12_Vq_0;
-  const double r02_Vp_1_rounded = r02_Vp_1 + r02_Vp_1_lo,
-      r02_Vp_1_final = r02_Vp_1_rounded == r02_Vp_1_rounded ? r02_Vp_1_rounded : r02_Vp_1;
-  const double r12_Vp_1_rounded = r12_Vp_1 + r12_Vp_1_lo,
-      r12_Vp_1_final = r12_Vp_1_rounded == r12_Vp_1_rounded ? r12_Vp_1_rounded : r12_Vp_1;
-  const double r12_Vq_1_rounded = r12_Vq_1 + r12_Vq_1_lo,
-      r12_Vq_1_final = r12_Vq_1_rounded == r12_Vq_1_rounded ? r12_Vq_1_rounded : r12_Vq_1;
-  const double r02_Vp_2_rounded = r02_Vp_2 + r02_Vp_2_lo,
-      r02_Vp_2_final = r02_Vp_2_rounded == r02_Vp_2_rounded ? r02_Vp_2_rounded : r02_Vp_2;
-  const double r12_Vp_2_rounded = r12_Vp_2 + r12_Vp_2_lo,
-      r12_Vp_2_final = r12_Vp_2_rounded == r12_Vp_2_rounded ? r12_Vp_2_rounded : r12_Vp_2;
-  const double r12_Vq_2_rounded = r12_Vq_2 + r12_Vq_2_lo,
-      r12_Vq_2_final = r12_Vq_2_rounded == r12_Vq_2_rounded ? r12_Vq_2_rounded : r12_Vq_2;
-  A->m00 = r02_App_final;
-  A->m01 = r12_Ap_final;
-  A->m02 = r12_Aq_final;
-  A->m10 = r12_Ap_final;
-  A->m11 = r12_App_final;
-  A->m12 = 0.0;
-  A->m20 = r12_Aq_final;
-  A->m21 = 0.0;
-  A->m22 = r12_Aqq_final;
-  V->m00 = r02_Vp_0_final;
-  V->m01 = r12_Vp_0_final;
-  V->m02 = r12_Vq_0_final;
-  V->m10 = r02_Vp_1_final;
-  V->m11 = r12_Vp_1_final;
-  V->m12 = r12_Vq_1_final;
-  V->m20 = r02_Vp_2_final;
-  V->m21 = r12_Vp_2_final;
-  V->m22 = r12_Vq_2_final;
+  const double double = 2.0 * A->m10;
+  const double apart = A->m11 - A->m00, apart_right = A->m11 - apart,
+      apart_left = apart + apart_right, apart_left_rest = A->m11 - apart_left,
+      apart_right_rest = A->m00 - apart_right, apart_lo = apart_left_rest - apart_right_rest;
+  const double divisor = double == 0.0 ? 1.0 : double;
+  const double theta_of_apart = apart + apart_lo, theta_of_apart_right = theta_of_apart - apart,
+      theta_of_apart_left = theta_of_apart - theta_of_apart_right,
+      theta_of_apart_left_rest = apart - theta_of_apart_left,
+      theta_of_apart_right_rest = apart_lo - theta_of_apart_right,
+      theta_of_apart_lo = theta_of_apart_left_rest + theta_of_apart_right_rest,
+      theta = theta_of_apart / divisor, theta_product = theta * divisor,
+      theta_product_error = ksl_product_error(theta, divisor, theta_product),
+      theta_rest = theta_of_apart - theta_product, theta_exact = theta_rest - theta_product_error,
+      theta_numerator = theta_exact + theta_of_apart_lo, theta_lo = theta_numerator / divisor;
+  const double absolute = fabs(theta), absolute_opposite = -theta_lo,
+      absolute_lo = theta < 0.0 ? absolute_opposite : theta_lo;
+  const double size_a = theta * theta, size_a_cross1 = theta_lo * theta,
+      size_a_cross2 = theta * theta_lo, size_a_cross = size_a_cross1 + size_a_cross2,
+      size_b = 1.0 + size_a, size_b_right = size_b - 1.0, size_b_left = size_b - size_b_right,
+      size_b_left_rest = 1.0 - size_b_left,
+      size_b_right_rest = ksl_product_rest(theta, theta, size_a, size_b_right),
+      size_b_lo1 = size_b_left_rest + size_b_right_rest, size_b_lo = size_b_lo1 + size_a_cross,
+      size_c_of_size_b = size_b + size_b_lo, size_c_of_size_b_right = size_c_of_size_b - size_b,
+      size_c_of_size_b_left = size_c_of_size_b - size_c_of_size_b_right,
+      size_c_of_size_b_left_rest = size_b - size_c_of_size_b_left,
+      size_c_of_size_b_right_rest = size_b_lo - size_c_of_size_b_right,
+      size_c_of_size_b_lo = size_c_of_size_b_left_rest + size_c_of_size_b_right_rest,
+      size_c = sqrt(size_c_of_size_b), size_c_product = size_c * size_c,
+      size_c_product_error = ksl_product_error(size_c, size_c, size_c_product),
+      size_c_rest = size_c_of_size_b - size_c_product,
+      size_c_exact = size_c_rest - size_c_product_error,
+      size_c_residual = size_c_exact + size_c_of_size_b_lo, size_c_twice = size_c + size_c,
+      size_c_divisor = size_c == 0.0 ? 1.0 : size_c_twice,
+      size_c_lo = size_c_residual / size_c_divisor, size = absolute + size_c,
+      size_right = size - absolute, size_left = size - size_right,
+      size_left_rest = absolute - size_left, size_right_rest = size_c - size_right,
+      size_lo1 = size_left_rest + size_right_rest, size_lo2 = size_lo1 + size_c_lo,
+      size_lo = size_lo2 + absolute_lo;
+  const double signed_a = -size, signed_a_lo = -size_lo, signed = theta < 0.0 ? signed_a : size,
+      signed_lo = theta < 0.0 ? signed_a_lo : size_lo;
+  const double t_a_of_signed = signed + signed_lo, t_a_of_signed_right = t_a_of_signed - signed,
+      t_a_of_signed_left = t_a_of_signed - t_a_of_signed_right,
+      t_a_of_signed_left_rest = signed - t_a_of_signed_left,
+      t_a_of_signed_right_rest = signed_lo - t_a_of_signed_right,
+      t_a_of_signed_lo = t_a_of_signed_left_rest + t_a_of_signed_right_rest,
+      t_a = 1.0 / t_a_of_signed, t_a_product = t_a * t_a_of_signed,
+      t_a_product_error = ksl_product_error(t_a, t_a_of_signed, t_a_product),
+      t_a_rest = 1.0 - t_a_product, t_a_exact = t_a_rest - t_a_product_error,
+      t_a_cross = t_a * t_a_of_signed_lo, t_a_residual = t_a_exact - t_a_cross,
+      t_a_lo = t_a_residual / t_a_of_signed, t = double == 0.0 ? 0.0 : t_a,
+      t_lo = double == 0.0 ? 0.0 : t_a_lo;
+  const double secant_a = t * t, secant_a_cross1 = t_lo * t, secant_a_cross2 = t * t_lo,
+      secant_a_cross = secant_a_cross1 + secant_a_cross2, secant_b = 1.0 + secant_a,
+      secant_b_right = secant_b - 1.0, secant_b_left = secant_b - secant_b_right,
+      secant_b_left_rest = 1.0 - secant_b_left,
+      secant_b_right_rest = ksl_product_rest(t, t, secant_a, secant_b_right),
+      secant_b_lo1 = secant_b_left_rest + secant_b_right_rest,
+      secant_b_lo = secant_b_lo1 + secant_a_cross, secant_of_secant_b = secant_b + secant_b_lo,
+      secant_of_secant_b_right = secant_of_secant_b - secant_b,
+      secant_of_secant_b_left = secant_of_secant_b - secant_of_secant_b_right,
+      secant_of_secant_b_left_rest = secant_b - secant_of_secant_b_left,
+      secant_of_secant_b_right_rest = secant_b_lo - secant_of_secant_b_right,
+      secant_of_secant_b_lo = secant_of_secant_b_left_rest + secant_of_secant_b_right_rest,
+      secant = sqrt(secant_of_secant_b), secant_product = secant * secant,
+      secant_product_error = ksl_product_error(secant, secant, secant_product),
+      secant_rest = secant_of_secant_b - secant_product,
+      secant_exact = secant_rest - secant_product_error,
+      secant_residual = secant_exact + secant_of_secant_b_lo, secant_twice = secant + secant,
+      secant_divisor = secant == 0.0 ? 1.0 : secant_twice,
+      secant_lo = secant_residual / secant_divisor;
+  const double c_of_secant = secant + secant_lo, c_of_secant_right = c_of_secant - secant,
+      c_of_secant_left = c_of_secant - c_of_secant_right,
+      c_of_secant_left_rest = secant - c_of_secant_left,
+      c_of_secant_right_rest = secant_lo - c_of_secant_right,
+      c_of_secant_lo = c_of_secant_left_rest + c_of_secant_right_rest, c = 1.0 / c_of_secant,
+      c_product = c * c_of_secant, c_product_error = ksl_product_error(c, c_of_secant, c_product),
+      c_rest = 1.0 - c_product, c_exact = c_rest - c_product_error, c_cross = c * c_of_secant_lo,
+      c_residual = c_exact - c_cross, c_lo = c_residual / c_of_secant;
+  const double s = t * c, s_cross1 = t_lo * c, s_cross2 = t * c_lo, s_cross = s_cross1 + s_cross2;
+  const double change = A->m10 * t, change_cross2 = A->m10 * t_lo;
+  const double zp_a = A->m20 * c, zp_a_cross2 = A->m20 * c_lo, s_error = ksl_product_error(t, c, s),
+      s_lo = s_error + s_cross, zp_b = A->m21 * s, zp_b_cross2 = A->m21 * s_lo, zp = zp_a - zp_b,
+      zp_right = zp_a - zp, zp_left = zp + zp_right,
+      zp_left_rest = ksl_product_rest(A->m20, c, zp_a, zp_left),
+      zp_right_rest = ksl_product_rest(A->m21, s, zp_b, zp_right),
+      zp_cross = zp_a_cross2 - zp_b_cross2, zp_lo1 = zp_left_rest - zp_right_rest,
+      zp_lo = zp_lo1 + zp_cross;
+  const double zq_a = A->m20 * s, zq_a_cross2 = A->m20 * s_lo, zq_b = A->m21 * c,
+      zq_b_cross2 = A->m21 * c_lo, zq = zq_a + zq_b, zq_right = zq - zq_a, zq_left = zq - zq_right,
+      zq_left_rest = ksl_product_rest(A->m20, s, zq_a, zq_left),
+      zq_right_rest = ksl_product_rest(A->m21, c, zq_b, zq_right),
+      zq_cross = zq_a_cross2 + zq_b_cross2, zq_lo1 = zq_left_rest + zq_right_rest,
+      zq_lo = zq_lo1 + zq_cross;
+  const double vp_0a = V->m00 * c, vp_0a_cross2 = V->m00 * c_lo, vp_0b = V->m01 * s,
+      vp_0b_cross2 = V->m01 * s_lo, vp_0 = vp_0a - vp_0b, vp_0_right = vp_0a - vp_0,
+      vp_0_left = vp_0 + vp_0_right, vp_0_left_rest = ksl_product_rest(V->m00, c, vp_0a, vp_0_left),
+      vp_0_right_rest = ksl_product_rest(V->m01, s, vp_0b, vp_0_right),
+      vp_0_cross = vp_0a_cross2 - vp_0b_cross2, vp_0_lo1 = vp_0_left_rest - vp_0_right_rest,
+      vp_0_lo = vp_0_lo1 + vp_0_cross;
+  const double vp_1a = V->m10 * c, vp_1a_cross2 = V->m10 * c_lo, vp_1b = V->m11 * s,
+      vp_1b_cross2 = V->m11 * s_lo, vp_1 = vp_1a - vp_1b, vp_1_right = vp_1a - vp_1,
+      vp_1_left = vp_1 + vp_1_right, vp_1_left_rest = ksl_product_rest(V->m10, c, vp_1a, vp_1_left),
+      vp_1_right_rest = ksl_product_rest(V->m11, s, vp_1b, vp_1_right),
+      vp_1_cross = vp_1a_cross2 - vp_1b_cross2, vp_1_lo1 = vp_1_left_rest - vp_1_right_rest,
+      vp_1_lo = vp_1_lo1 + vp_1_cross;
+  const double vp_2a = V->m20 * c, vp_2a_cross2 = V->m20 * c_lo, vp_2b = V->m21 * s,
+      vp_2b_cross2 = V->m21 * s_lo, vp_2 = vp_2a - vp_2b, vp_2_right = vp_2a - vp_2,
+      vp_2_left = vp_2 + vp_2_right, vp_2_left_rest = ksl_product_rest(V->m20, c, vp_2a, vp_2_left),
+      vp_2_right_rest = ksl_product_rest(V->m21, s, vp_2b, vp_2_right),
+      vp_2_cross = vp_2a_cross2 - vp_2b_cross2, vp_2_lo1 = vp_2_left_rest - vp_2_right_rest,
+      vp_2_lo = vp_2_lo1 + vp_2_cross;
+  const double vq_0a = V->m00 * s, vq_0a_cross2 = V->m00 * s_lo, vq_0b = V->m01 * c,
+      vq_0b_cross2 = V->m01 * c_lo, vq_0 = vq_0a + vq_0b, vq_0_right = vq_0 - vq_0a,
+      vq_0_left = vq_0 - vq_0_right, vq_0_left_rest = ksl_product_rest(V->m00, s, vq_0a, vq_0_left),
+      vq_0_right_rest = ksl_product_rest(V->m01, c, vq_0b, vq_0_right),
+      vq_0_cross = vq_0a_cross2 + vq_0b_cross2, vq_0_lo1 = vq_0_left_rest + vq_0_right_rest,
+      vq_0_lo = vq_0_lo1 + vq_0_cross;
+  const double vq_1a = V->m10 * s, vq_1a_cross2 = V->m10 * s_lo, vq_1b = V->m11 * c,
+      vq_1b_cross2 = V->m11 * c_lo, vq_1 = vq_1a + vq_1b, vq_1_right = vq_1 - vq_1a,
+      vq_1_left = vq_1 - vq_1_right, vq_1_left_rest = ksl_product_rest(V->m10, s, vq_1a, vq_1_left),
+      vq_1_right_rest = ksl_product_rest(V->m11, c, vq_1b, vq_1_right),
+      vq_1_cross = vq_1a_cross2 + vq_1b_cross2, vq_1_lo1 = vq_1_left_rest + vq_1_right_rest,
+      vq_1_lo = vq_1_lo1 + vq_1_cross;
+  const double vq_2a = V->m20 * s, vq_2a_cross2 = V->m20 * s_lo, vq_2b = V->m21 * c,
+      vq_2b_cross2 = V->m21 * c_lo, vq_2 = vq_2a + vq_2b, vq_2_right = vq_2 - vq_2a,
+      vq_2_left = vq_2 - vq_2_right, vq_2_left_rest = ksl_product_rest(V->m20, s, vq_2a, vq_2_left),
+      vq_2_right_rest = ksl_product_rest(V->m21, c, vq_2b, vq_2_right),
+      vq_2_cross = vq_2a_cross2 + vq_2b_cross2, vq_2_lo1 = vq_2_left_rest + vq_2_right_rest,
+      vq_2_lo = vq_2_lo1 + vq_2_cross;
+  const double A_00_new = A->m11 + change, A_00_new_right = A_00_new - A->m11,
+      A_00_new_left = A_00_new - A_00_new_right, A_00_new_left_rest = A->m11 - A_00_new_left,
+      A_00_new_right_rest = ksl_product_rest(A->m10, t, change, A_00_new_right),
+      A_00_new_lo1 = A_00_new_left_rest + A_00_new_right_rest,
+      A_00_new_lo = A_00_new_lo1 + change_cross2;
+  const double A_22_new = A->m00 - change, A_22_new_right = A->m00 - A_22_new,
+      A_22_new_left = A_22_new + A_22_new_right, A_22_new_left_rest = A->m00 - A_22_new_left,
+      A_22_new_right_rest = ksl_product_rest(A->m10, t, change, A_22_new_right),
+      A_22_new_lo1 = A_22_new_left_rest - A_22_new_right_rest,
+      A_22_new_lo = A_22_new_lo1 - change_cross2;
+  const double A_00_new_rounded = A_00_new + A_00_new_lo,
+      A_00_new_final = A_00_new_rounded == A_00_new_rounded ? A_00_new_rounded : A_00_new;
+  const double zq_rounded = zq + zq_lo, zq_final = zq_rounded == zq_rounded ? zq_rounded : zq;
+  const double zp_rounded = zp + zp_lo, zp_final = zp_rounded == zp_rounded ? zp_rounded : zp;
+  const double A_22_new_rounded = A_22_new + A_22_new_lo,
+      A_22_new_final = A_22_new_rounded == A_22_new_rounded ? A_22_new_rounded : A_22_new;
+  const double vq_0_rounded = vq_0 + vq_0_lo,
+      vq_0_final = vq_0_rounded == vq_0_rounded ? vq_0_rounded : vq_0;
+  const double vp_0_rounded = vp_0 + vp_0_lo,
+      vp_0_final = vp_0_rounded == vp_0_rounded ? vp_0_rounded : vp_0;
+  const double vq_1_rounded = vq_1 + vq_1_lo,
+      vq_1_final = vq_1_rounded == vq_1_rounded ? vq_1_rounded : vq_1;
+  const double vp_1_rounded = vp_1 + vp_1_lo,
+      vp_1_final = vp_1_rounded == vp_1_rounded ? vp_1_rounded : vp_1;
+  const double vq_2_rounded = vq_2 + vq_2_lo,
+      vq_2_final = vq_2_rounded == vq_2_rounded ? vq_2_rounded : vq_2;
+  const double vp_2_rounded = vp_2 + vp_2_lo,
+      vp_2_final = vp_2_rounded == vp_2_rounded ? vp_2_rounded : vp_2;
+  const double A_m22 = A->m22;
+  const double V_m02 = V->m02;
+  const double V_m12 = V->m12;
+  const double V_m22 = V->m22;
+  A->m00 = A_00_new_final;
+  A->m01 = zq_final;
+  A->m02 = 0.0;
+  A->m10 = zq_final;
+  A->m11 = A_m22;
+  A->m12 = zp_final;
+  A->m20 = 0.0;
+  A->m21 = zp_final;
+  A->m22 = A_22_new_final;
+  V->m00 = vq_0_final;
+  V->m01 = V_m02;
+  V->m02 = vp_0_final;
+  V->m10 = vq_1_final;
+  V->m11 = V_m12;
+  V->m12 = vp_1_final;
+  V->m20 = vq_2_final;
+  V->m21 = V_m22;
+  V->m22 = vp_2_final;
 }
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
@@ -4878,123 +4442,58 @@ static inline void ksl_euler_xyx_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   angles->z = (float)third;
 }
 
-/* A = J^T A J, V = V J: one cycle of Jacobi's rotations J in the planes xy, xz, yz, each by the
-     smaller angle that makes its off-diagonal entry of A zero; A symmetric, its lower triangle
-     is read.  From V = I, cycles end in A = V diag(eigenvalues) V^T.
+/* A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
+     A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
+     I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
    A, V: rotation or other 3×3 matrix.
-   59 mul, 38 add, 9 div, 6 sqrt, 4 neg, 3 abs, 3 less, 3 equal, 9 select.
-   |V A V^T - the same before| <= 20 u max |A|; measured, not proved. */
+   21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
+   |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3f_jacobi_accurate(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
-  const double r01_double = 2.0 * (double)A->m10;
-  const double r01_apart = (double)A->m11 - (double)A->m00;
-  const double r01_divisor = r01_double == 0.0 ? 1.0 : r01_double;
-  const double r01_theta = r01_apart / r01_divisor;
-  const double r01_absolute = fabs(r01_theta);
-  const double r01_size_a = r01_theta * r01_theta, r01_size_b = 1.0 + r01_size_a,
-      r01_size_c = sqrt(r01_size_b), r01_size = r01_absolute + r01_size_c;
-  const double r01_signed_a = -r01_size, r01_signed = r01_theta < 0.0 ? r01_signed_a : r01_size;
-  const double r01_t_a = 1.0 / r01_signed, r01_t = r01_double == 0.0 ? 0.0 : r01_t_a;
-  const double r01_secant_a = r01_t * r01_t, r01_secant_b = 1.0 + r01_secant_a,
-      r01_secant = sqrt(r01_secant_b);
-  const double r01_c = 1.0 / r01_secant;
-  const double r01_s = r01_t * r01_c;
-  const double r01_change = (double)A->m10 * r01_t;
-  const double r01_App = (double)A->m00 - r01_change;
-  const double r01_Aqq = (double)A->m11 + r01_change;
-  const double r01_Ap_a = (double)A->m20 * r01_c, r01_Ap_b = (double)A->m21 * r01_s,
-      r01_Ap = r01_Ap_a - r01_Ap_b;
-  const double r01_Aq_a = (double)A->m20 * r01_s, r01_Aq_b = (double)A->m21 * r01_c,
-      r01_Aq = r01_Aq_a + r01_Aq_b;
-  const double r01_Vp_0a = (double)V->m00 * r01_c, r01_Vp_0b = (double)V->m01 * r01_s,
-      r01_Vp_0 = r01_Vp_0a - r01_Vp_0b;
-  const double r01_Vp_1a = (double)V->m10 * r01_c, r01_Vp_1b = (double)V->m11 * r01_s,
-      r01_Vp_1 = r01_Vp_1a - r01_Vp_1b;
-  const double r01_Vp_2a = (double)V->m20 * r01_c, r01_Vp_2b = (double)V->m21 * r01_s,
-      r01_Vp_2 = r01_Vp_2a - r01_Vp_2b;
-  const double r01_Vq_0a = (double)V->m00 * r01_s, r01_Vq_0b = (double)V->m01 * r01_c,
-      r01_Vq_0 = r01_Vq_0a + r01_Vq_0b;
-  const double r01_Vq_1a = (double)V->m10 * r01_s, r01_Vq_1b = (double)V->m11 * r01_c,
-      r01_Vq_1 = r01_Vq_1a + r01_Vq_1b;
-  const double r01_Vq_2a = (double)V->m20 * r01_s, r01_Vq_2b = (double)V->m21 * r01_c,
-      r01_Vq_2 = r01_Vq_2a + r01_Vq_2b;
-  const double r02_double = 2.0 * r01_Ap;
-  const double r02_apart = (double)A->m22 - r01_App;
-  const double r02_divisor = r02_double == 0.0 ? 1.0 : r02_double;
-  const double r02_theta = r02_apart / r02_divisor;
-  const double r02_absolute = fabs(r02_theta);
-  const double r02_size_a = r02_theta * r02_theta, r02_size_b = 1.0 + r02_size_a,
-      r02_size_c = sqrt(r02_size_b), r02_size = r02_absolute + r02_size_c;
-  const double r02_signed_a = -r02_size, r02_signed = r02_theta < 0.0 ? r02_signed_a : r02_size;
-  const double r02_t_a = 1.0 / r02_signed, r02_t = r02_double == 0.0 ? 0.0 : r02_t_a;
-  const double r02_secant_a = r02_t * r02_t, r02_secant_b = 1.0 + r02_secant_a,
-      r02_secant = sqrt(r02_secant_b);
-  const double r02_c = 1.0 / r02_secant;
-  const double r02_s = r02_t * r02_c;
-  const double r02_change = r01_Ap * r02_t;
-  const double r02_App = r01_App - r02_change;
-  const double r02_Aqq = (double)A->m22 + r02_change;
-  const double r02_Ap_a = r01_Aq * r02_s, r02_Ap = -r02_Ap_a;
-  const double r02_Aq = r01_Aq * r02_c;
-  const double r02_Vp_0a = r01_Vp_0 * r02_c, r02_Vp_0b = (double)V->m02 * r02_s,
-      r02_Vp_0 = r02_Vp_0a - r02_Vp_0b;
-  const double r02_Vp_1a = r01_Vp_1 * r02_c, r02_Vp_1b = (double)V->m12 * r02_s,
-      r02_Vp_1 = r02_Vp_1a - r02_Vp_1b;
-  const double r02_Vp_2a = r01_Vp_2 * r02_c, r02_Vp_2b = (double)V->m22 * r02_s,
-      r02_Vp_2 = r02_Vp_2a - r02_Vp_2b;
-  const double r02_Vq_0a = (double)V->m02 * r02_c, r02_Vq_0b = r01_Vp_0 * r02_s,
-      r02_Vq_0 = r02_Vq_0a + r02_Vq_0b;
-  const double r02_Vq_1a = (double)V->m12 * r02_c, r02_Vq_1b = r01_Vp_1 * r02_s,
-      r02_Vq_1 = r02_Vq_1a + r02_Vq_1b;
-  const double r02_Vq_2a = (double)V->m22 * r02_c, r02_Vq_2b = r01_Vp_2 * r02_s,
-      r02_Vq_2 = r02_Vq_2a + r02_Vq_2b;
-  const double r12_double = 2.0 * r02_Aq;
-  const double r12_apart = r02_Aqq - r01_Aqq;
-  const double r12_divisor = r12_double == 0.0 ? 1.0 : r12_double;
-  const double r12_theta = r12_apart / r12_divisor;
-  const double r12_absolute = fabs(r12_theta);
-  const double r12_size_a = r12_theta * r12_theta, r12_size_b = 1.0 + r12_size_a,
-      r12_size_c = sqrt(r12_size_b), r12_size = r12_absolute + r12_size_c;
-  const double r12_signed_a = -r12_size, r12_signed = r12_theta < 0.0 ? r12_signed_a : r12_size;
-  const double r12_t_a = 1.0 / r12_signed, r12_t = r12_double == 0.0 ? 0.0 : r12_t_a;
-  const double r12_secant_a = r12_t * r12_t, r12_secant_b = 1.0 + r12_secant_a,
-      r12_secant = sqrt(r12_secant_b);
-  const double r12_c = 1.0 / r12_secant;
-  const double r12_s = r12_t * r12_c;
-  const double r12_change = r02_Aq * r12_t;
-  const double r12_App = r01_Aqq - r12_change;
-  const double r12_Aqq = r02_Aqq + r12_change;
-  const double r12_Ap = r02_Ap * r12_c;
-  const double r12_Aq = r02_Ap * r12_s;
-  const double r12_Vp_0a = r01_Vq_0 * r12_c, r12_Vp_0b = r02_Vq_0 * r12_s,
-      r12_Vp_0 = r12_Vp_0a - r12_Vp_0b;
-  const double r12_Vp_1a = r01_Vq_1 * r12_c, r12_Vp_1b = r02_Vq_1 * r12_s,
-      r12_Vp_1 = r12_Vp_1a - r12_Vp_1b;
-  const double r12_Vp_2a = r01_Vq_2 * r12_c, r12_Vp_2b = r02_Vq_2 * r12_s,
-      r12_Vp_2 = r12_Vp_2a - r12_Vp_2b;
-  const double r12_Vq_0a = r01_Vq_0 * r12_s, r12_Vq_0b = r02_Vq_0 * r12_c,
-      r12_Vq_0 = r12_Vq_0a + r12_Vq_0b;
-  const double r12_Vq_1a = r01_Vq_1 * r12_s, r12_Vq_1b = r02_Vq_1 * r12_c,
-      r12_Vq_1 = r12_Vq_1a + r12_Vq_1b;
-  const double r12_Vq_2a = r01_Vq_2 * r12_s, r12_Vq_2b = r02_Vq_2 * r12_c,
-      r12_Vq_2 = r12_Vq_2a + r12_Vq_2b;
-  A->m00 = (float)r02_App;
-  A->m01 = (float)r12_Ap;
-  A->m02 = (float)r12_Aq;
-  A->m10 = (float)r12_Ap;
-  A->m11 = (float)r12_App;
-  A->m12 = (float)0.0;
-  A->m20 = (float)r12_Aq;
-  A->m21 = (float)0.0;
-  A->m22 = (float)r12_Aqq;
-  V->m00 = (float)r02_Vp_0;
-  V->m01 = (float)r12_Vp_0;
-  V->m02 = (float)r12_Vq_0;
-  V->m10 = (float)r02_Vp_1;
-  V->m11 = (float)r12_Vp_1;
-  V->m12 = (float)r12_Vq_1;
-  V->m20 = (float)r02_Vp_2;
-  V->m21 = (float)r12_Vp_2;
-  V->m22 = (float)r12_Vq_2;
+  const double double = 2.0 * (double)A->m10;
+  const double apart = (double)A->m11 - (double)A->m00;
+  const double divisor = double == 0.0 ? 1.0 : double;
+  const double theta = apart / divisor;
+  const double absolute = fabs(theta);
+  const double size_a = theta * theta, size_b = 1.0 + size_a, size_c = sqrt(size_b),
+      size = absolute + size_c;
+  const double signed_a = -size, signed = theta < 0.0 ? signed_a : size;
+  const double t_a = 1.0 / signed, t = double == 0.0 ? 0.0 : t_a;
+  const double secant_a = t * t, secant_b = 1.0 + secant_a, secant = sqrt(secant_b);
+  const double c = 1.0 / secant;
+  const double s = t * c;
+  const double change = (double)A->m10 * t;
+  const double zp_a = (double)A->m20 * c, zp_b = (double)A->m21 * s, zp = zp_a - zp_b;
+  const double zq_a = (double)A->m20 * s, zq_b = (double)A->m21 * c, zq = zq_a + zq_b;
+  const double vp_0a = (double)V->m00 * c, vp_0b = (double)V->m01 * s, vp_0 = vp_0a - vp_0b;
+  const double vp_1a = (double)V->m10 * c, vp_1b = (double)V->m11 * s, vp_1 = vp_1a - vp_1b;
+  const double vp_2a = (double)V->m20 * c, vp_2b = (double)V->m21 * s, vp_2 = vp_2a - vp_2b;
+  const double vq_0a = (double)V->m00 * s, vq_0b = (double)V->m01 * c, vq_0 = vq_0a + vq_0b;
+  const double vq_1a = (double)V->m10 * s, vq_1b = (double)V->m11 * c, vq_1 = vq_1a + vq_1b;
+  const double vq_2a = (double)V->m20 * s, vq_2b = (double)V->m21 * c, vq_2 = vq_2a + vq_2b;
+  const double A_00_new = (double)A->m11 + change;
+  const double A_22_new = (double)A->m00 - change;
+  const float A_m22 = A->m22;
+  const float V_m02 = V->m02;
+  const float V_m12 = V->m12;
+  const float V_m22 = V->m22;
+  A->m00 = (float)A_00_new;
+  A->m01 = (float)zq;
+  A->m02 = (float)0.0;
+  A->m10 = (float)zq;
+  A->m11 = A_m22;
+  A->m12 = (float)zp;
+  A->m20 = (float)0.0;
+  A->m21 = (float)zp;
+  A->m22 = (float)A_22_new;
+  V->m00 = (float)vq_0;
+  V->m01 = V_m02;
+  V->m02 = (float)vp_0;
+  V->m10 = (float)vq_1;
+  V->m11 = V_m12;
+  V->m12 = (float)vp_1;
+  V->m20 = (float)vq_2;
+  V->m21 = V_m22;
+  V->m22 = (float)vp_2;
 }
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.

@@ -1512,13 +1512,13 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "but for 6 u in each entry, near gimbal lock too; searched, not proved.\n",
    1, 1, euler_xyx_from_mat3x3_loops},
   {"mat3x3_jacobi", "(3,3),(3,3)->(3,3),(3,3)",
-    "A = J^T A J, V = V J: one cycle of Jacobi's rotations J in the planes xy, xz, yz, each by\n"
-    "the smaller angle that makes its off-diagonal entry of A zero; A symmetric, its lower\n"
-    "triangle is read.  From V = I, cycles end in A = V diag(eigenvalues) V^T.\n"
+    "A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes\n"
+    "A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =\n"
+    "I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.\n"
     "\n"
     "(3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.\n"
-    "59 mul, 38 add, 9 div, 6 sqrt, 4 neg, 3 abs, 3 less, 3 equal, 9 select.  |V A V^T - the same\n"
-    "before| <= 20 u max |A|; measured, not proved.\n",
+    "21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.  |V A V^T - the same\n"
+    "before| <= 12 u max |A| for orthonormal V; searched, not proved.\n",
    2, 2, mat3x3_jacobi_loops},
   {"mat3x3_from_axis_angle", "(3),()->(3,3)",
     "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.\n"

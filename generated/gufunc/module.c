@@ -77,7 +77,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "a89540feacd5edc4") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "a4d8a1e2bea38d71") < 0) {
     Py_DECREF(module);
     return NULL;
   }

@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "a89540feacd5edc4")
+COMPILED: bool = is_compiled("coscrew._gufunc", "a4d8a1e2bea38d71")
 
 if COMPILED:
     from coscrew._gufunc import (

@@ -774,13 +774,14 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "lock too; searched, not proved.\n",
    1, 1, euler_xyx_from_mat3x3_loops},
   {"mat3x3_jacobi", "(3,3),(3,3)->(3,3),(3,3)",
-    "A = J^T A J, V = V J: one cycle of Jacobi's rotations J in the planes xy, xz, yz, each by\n"
-    "the smaller angle that makes its off-diagonal entry of A zero; A symmetric, its lower\n"
-    "triangle is read.  From V = I, cycles end in A = V diag(eigenvalues) V^T.\n"
+    "A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes\n"
+    "A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =\n"
+    "I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.\n"
     "\n"
     "(3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.\n"
-    "173 mul, 449 add, 22 product error, 52 product rest, 24 div, 6 sqrt, 11 neg, 3 abs, 6 less,\n"
-    "23 equal, 40 select.  |V A V^T - the same before| <= 20 u max |A|; measured, not proved.\n",
+    "51 mul, 147 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13\n"
+    "equal, 18 select.  |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched,\n"
+    "not proved.\n",
    2, 2, mat3x3_jacobi_loops},
   {"axis_angle_from_mat3x3", "(3,3)->(),(3)",
     "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing\n"

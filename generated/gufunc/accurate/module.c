@@ -75,7 +75,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "50f257ecd12d2673") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "722f92e95cfa956b") < 0) {
     Py_DECREF(module);
     return NULL;
   }

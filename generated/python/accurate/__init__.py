@@ -12,7 +12,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "50f257ecd12d2673")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "722f92e95cfa956b")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

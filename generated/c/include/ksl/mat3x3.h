@@ -662,121 +662,58 @@ static inline void ksl_euler_xyx_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *
   angles->z = third;
 }
 
-/* A = J^T A J, V = V J: one cycle of Jacobi's rotations J in the planes xy, xz, yz, each by the
-     smaller angle that makes its off-diagonal entry of A zero; A symmetric, its lower triangle
-     is read.  From V = I, cycles end in A = V diag(eigenvalues) V^T.
+/* A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
+     A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
+     I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
    A, V: rotation or other 3×3 matrix.
-   59 mul, 38 add, 9 div, 6 sqrt, 4 neg, 3 abs, 3 less, 3 equal, 9 select.
-   |V A V^T - the same before| <= 20 u max |A|; measured, not proved. */
+   21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
+   |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
-  const double r01_double = 2.0 * A->m10;
-  const double r01_apart = A->m11 - A->m00;
-  const double r01_divisor = r01_double == 0.0 ? 1.0 : r01_double;
-  const double r01_theta = r01_apart / r01_divisor;
-  const double r01_absolute = fabs(r01_theta);
-  const double r01_size_a = r01_theta * r01_theta, r01_size_b = 1.0 + r01_size_a,
-      r01_size_c = sqrt(r01_size_b), r01_size = r01_absolute + r01_size_c;
-  const double r01_signed_a = -r01_size, r01_signed = r01_theta < 0.0 ? r01_signed_a : r01_size;
-  const double r01_t_a = 1.0 / r01_signed, r01_t = r01_double == 0.0 ? 0.0 : r01_t_a;
-  const double r01_secant_a = r01_t * r01_t, r01_secant_b = 1.0 + r01_secant_a,
-      r01_secant = sqrt(r01_secant_b);
-  const double r01_c = 1.0 / r01_secant;
-  const double r01_s = r01_t * r01_c;
-  const double r01_change = A->m10 * r01_t;
-  const double r01_App = A->m00 - r01_change;
-  const double r01_Aqq = A->m11 + r01_change;
-  const double r01_Ap_a = A->m20 * r01_c, r01_Ap_b = A->m21 * r01_s, r01_Ap = r01_Ap_a - r01_Ap_b;
-  const double r01_Aq_a = A->m20 * r01_s, r01_Aq_b = A->m21 * r01_c, r01_Aq = r01_Aq_a + r01_Aq_b;
-  const double r01_Vp_0a = V->m00 * r01_c, r01_Vp_0b = V->m01 * r01_s,
-      r01_Vp_0 = r01_Vp_0a - r01_Vp_0b;
-  const double r01_Vp_1a = V->m10 * r01_c, r01_Vp_1b = V->m11 * r01_s,
-      r01_Vp_1 = r01_Vp_1a - r01_Vp_1b;
-  const double r01_Vp_2a = V->m20 * r01_c, r01_Vp_2b = V->m21 * r01_s,
-      r01_Vp_2 = r01_Vp_2a - r01_Vp_2b;
-  const double r01_Vq_0a = V->m00 * r01_s, r01_Vq_0b = V->m01 * r01_c,
-      r01_Vq_0 = r01_Vq_0a + r01_Vq_0b;
-  const double r01_Vq_1a = V->m10 * r01_s, r01_Vq_1b = V->m11 * r01_c,
-      r01_Vq_1 = r01_Vq_1a + r01_Vq_1b;
-  const double r01_Vq_2a = V->m20 * r01_s, r01_Vq_2b = V->m21 * r01_c,
-      r01_Vq_2 = r01_Vq_2a + r01_Vq_2b;
-  const double r02_double = 2.0 * r01_Ap;
-  const double r02_apart = A->m22 - r01_App;
-  const double r02_divisor = r02_double == 0.0 ? 1.0 : r02_double;
-  const double r02_theta = r02_apart / r02_divisor;
-  const double r02_absolute = fabs(r02_theta);
-  const double r02_size_a = r02_theta * r02_theta, r02_size_b = 1.0 + r02_size_a,
-      r02_size_c = sqrt(r02_size_b), r02_size = r02_absolute + r02_size_c;
-  const double r02_signed_a = -r02_size, r02_signed = r02_theta < 0.0 ? r02_signed_a : r02_size;
-  const double r02_t_a = 1.0 / r02_signed, r02_t = r02_double == 0.0 ? 0.0 : r02_t_a;
-  const double r02_secant_a = r02_t * r02_t, r02_secant_b = 1.0 + r02_secant_a,
-      r02_secant = sqrt(r02_secant_b);
-  const double r02_c = 1.0 / r02_secant;
-  const double r02_s = r02_t * r02_c;
-  const double r02_change = r01_Ap * r02_t;
-  const double r02_App = r01_App - r02_change;
-  const double r02_Aqq = A->m22 + r02_change;
-  const double r02_Ap_a = r01_Aq * r02_s, r02_Ap = -r02_Ap_a;
-  const double r02_Aq = r01_Aq * r02_c;
-  const double r02_Vp_0a = r01_Vp_0 * r02_c, r02_Vp_0b = V->m02 * r02_s,
-      r02_Vp_0 = r02_Vp_0a - r02_Vp_0b;
-  const double r02_Vp_1a = r01_Vp_1 * r02_c, r02_Vp_1b = V->m12 * r02_s,
-      r02_Vp_1 = r02_Vp_1a - r02_Vp_1b;
-  const double r02_Vp_2a = r01_Vp_2 * r02_c, r02_Vp_2b = V->m22 * r02_s,
-      r02_Vp_2 = r02_Vp_2a - r02_Vp_2b;
-  const double r02_Vq_0a = V->m02 * r02_c, r02_Vq_0b = r01_Vp_0 * r02_s,
-      r02_Vq_0 = r02_Vq_0a + r02_Vq_0b;
-  const double r02_Vq_1a = V->m12 * r02_c, r02_Vq_1b = r01_Vp_1 * r02_s,
-      r02_Vq_1 = r02_Vq_1a + r02_Vq_1b;
-  const double r02_Vq_2a = V->m22 * r02_c, r02_Vq_2b = r01_Vp_2 * r02_s,
-      r02_Vq_2 = r02_Vq_2a + r02_Vq_2b;
-  const double r12_double = 2.0 * r02_Aq;
-  const double r12_apart = r02_Aqq - r01_Aqq;
-  const double r12_divisor = r12_double == 0.0 ? 1.0 : r12_double;
-  const double r12_theta = r12_apart / r12_divisor;
-  const double r12_absolute = fabs(r12_theta);
-  const double r12_size_a = r12_theta * r12_theta, r12_size_b = 1.0 + r12_size_a,
-      r12_size_c = sqrt(r12_size_b), r12_size = r12_absolute + r12_size_c;
-  const double r12_signed_a = -r12_size, r12_signed = r12_theta < 0.0 ? r12_signed_a : r12_size;
-  const double r12_t_a = 1.0 / r12_signed, r12_t = r12_double == 0.0 ? 0.0 : r12_t_a;
-  const double r12_secant_a = r12_t * r12_t, r12_secant_b = 1.0 + r12_secant_a,
-      r12_secant = sqrt(r12_secant_b);
-  const double r12_c = 1.0 / r12_secant;
-  const double r12_s = r12_t * r12_c;
-  const double r12_change = r02_Aq * r12_t;
-  const double r12_App = r01_Aqq - r12_change;
-  const double r12_Aqq = r02_Aqq + r12_change;
-  const double r12_Ap = r02_Ap * r12_c;
-  const double r12_Aq = r02_Ap * r12_s;
-  const double r12_Vp_0a = r01_Vq_0 * r12_c, r12_Vp_0b = r02_Vq_0 * r12_s,
-      r12_Vp_0 = r12_Vp_0a - r12_Vp_0b;
-  const double r12_Vp_1a = r01_Vq_1 * r12_c, r12_Vp_1b = r02_Vq_1 * r12_s,
-      r12_Vp_1 = r12_Vp_1a - r12_Vp_1b;
-  const double r12_Vp_2a = r01_Vq_2 * r12_c, r12_Vp_2b = r02_Vq_2 * r12_s,
-      r12_Vp_2 = r12_Vp_2a - r12_Vp_2b;
-  const double r12_Vq_0a = r01_Vq_0 * r12_s, r12_Vq_0b = r02_Vq_0 * r12_c,
-      r12_Vq_0 = r12_Vq_0a + r12_Vq_0b;
-  const double r12_Vq_1a = r01_Vq_1 * r12_s, r12_Vq_1b = r02_Vq_1 * r12_c,
-      r12_Vq_1 = r12_Vq_1a + r12_Vq_1b;
-  const double r12_Vq_2a = r01_Vq_2 * r12_s, r12_Vq_2b = r02_Vq_2 * r12_c,
-      r12_Vq_2 = r12_Vq_2a + r12_Vq_2b;
-  A->m00 = r02_App;
-  A->m01 = r12_Ap;
-  A->m02 = r12_Aq;
-  A->m10 = r12_Ap;
-  A->m11 = r12_App;
-  A->m12 = 0.0;
-  A->m20 = r12_Aq;
-  A->m21 = 0.0;
-  A->m22 = r12_Aqq;
-  V->m00 = r02_Vp_0;
-  V->m01 = r12_Vp_0;
-  V->m02 = r12_Vq_0;
-  V->m10 = r02_Vp_1;
-  V->m11 = r12_Vp_1;
-  V->m12 = r12_Vq_1;
-  V->m20 = r02_Vp_2;
-  V->m21 = r12_Vp_2;
-  V->m22 = r12_Vq_2;
+  const double double = 2.0 * A->m10;
+  const double apart = A->m11 - A->m00;
+  const double divisor = double == 0.0 ? 1.0 : double;
+  const double theta = apart / divisor;
+  const double absolute = fabs(theta);
+  const double size_a = theta * theta, size_b = 1.0 + size_a, size_c = sqrt(size_b),
+      size = absolute + size_c;
+  const double signed_a = -size, signed = theta < 0.0 ? signed_a : size;
+  const double t_a = 1.0 / signed, t = double == 0.0 ? 0.0 : t_a;
+  const double secant_a = t * t, secant_b = 1.0 + secant_a, secant = sqrt(secant_b);
+  const double c = 1.0 / secant;
+  const double s = t * c;
+  const double change = A->m10 * t;
+  const double zp_a = A->m20 * c, zp_b = A->m21 * s, zp = zp_a - zp_b;
+  const double zq_a = A->m20 * s, zq_b = A->m21 * c, zq = zq_a + zq_b;
+  const double vp_0a = V->m00 * c, vp_0b = V->m01 * s, vp_0 = vp_0a - vp_0b;
+  const double vp_1a = V->m10 * c, vp_1b = V->m11 * s, vp_1 = vp_1a - vp_1b;
+  const double vp_2a = V->m20 * c, vp_2b = V->m21 * s, vp_2 = vp_2a - vp_2b;
+  const double vq_0a = V->m00 * s, vq_0b = V->m01 * c, vq_0 = vq_0a + vq_0b;
+  const double vq_1a = V->m10 * s, vq_1b = V->m11 * c, vq_1 = vq_1a + vq_1b;
+  const double vq_2a = V->m20 * s, vq_2b = V->m21 * c, vq_2 = vq_2a + vq_2b;
+  const double A_00_new = A->m11 + change;
+  const double A_22_new = A->m00 - change;
+  const double A_m22 = A->m22;
+  const double V_m02 = V->m02;
+  const double V_m12 = V->m12;
+  const double V_m22 = V->m22;
+  A->m00 = A_00_new;
+  A->m01 = zq;
+  A->m02 = 0.0;
+  A->m10 = zq;
+  A->m11 = A_m22;
+  A->m12 = zp;
+  A->m20 = 0.0;
+  A->m21 = zp;
+  A->m22 = A_22_new;
+  V->m00 = vq_0;
+  V->m01 = V_m02;
+  V->m02 = vp_0;
+  V->m10 = vq_1;
+  V->m11 = V_m12;
+  V->m12 = vp_1;
+  V->m20 = vq_2;
+  V->m21 = V_m22;
+  V->m22 = vp_2;
 }
 
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
@@ -1540,121 +1477,58 @@ static inline void ksl_euler_xyx_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_
   angles->z = third;
 }
 
-/* A = J^T A J, V = V J: one cycle of Jacobi's rotations J in the planes xy, xz, yz, each by the
-     smaller angle that makes its off-diagonal entry of A zero; A symmetric, its lower triangle
-     is read.  From V = I, cycles end in A = V diag(eigenvalues) V^T.
+/* A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
+     A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
+     I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
    A, V: rotation or other 3×3 matrix.
-   59 mul, 38 add, 9 div, 6 sqrt, 4 neg, 3 abs, 3 less, 3 equal, 9 select.
-   |V A V^T - the same before| <= 20 u max |A|; measured, not proved. */
+   21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
+   |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
-  const float r01_double = 2.0f * A->m10;
-  const float r01_apart = A->m11 - A->m00;
-  const float r01_divisor = r01_double == 0.0f ? 1.0f : r01_double;
-  const float r01_theta = r01_apart / r01_divisor;
-  const float r01_absolute = fabsf(r01_theta);
-  const float r01_size_a = r01_theta * r01_theta, r01_size_b = 1.0f + r01_size_a,
-      r01_size_c = sqrtf(r01_size_b), r01_size = r01_absolute + r01_size_c;
-  const float r01_signed_a = -r01_size, r01_signed = r01_theta < 0.0f ? r01_signed_a : r01_size;
-  const float r01_t_a = 1.0f / r01_signed, r01_t = r01_double == 0.0f ? 0.0f : r01_t_a;
-  const float r01_secant_a = r01_t * r01_t, r01_secant_b = 1.0f + r01_secant_a,
-      r01_secant = sqrtf(r01_secant_b);
-  const float r01_c = 1.0f / r01_secant;
-  const float r01_s = r01_t * r01_c;
-  const float r01_change = A->m10 * r01_t;
-  const float r01_App = A->m00 - r01_change;
-  const float r01_Aqq = A->m11 + r01_change;
-  const float r01_Ap_a = A->m20 * r01_c, r01_Ap_b = A->m21 * r01_s, r01_Ap = r01_Ap_a - r01_Ap_b;
-  const float r01_Aq_a = A->m20 * r01_s, r01_Aq_b = A->m21 * r01_c, r01_Aq = r01_Aq_a + r01_Aq_b;
-  const float r01_Vp_0a = V->m00 * r01_c, r01_Vp_0b = V->m01 * r01_s,
-      r01_Vp_0 = r01_Vp_0a - r01_Vp_0b;
-  const float r01_Vp_1a = V->m10 * r01_c, r01_Vp_1b = V->m11 * r01_s,
-      r01_Vp_1 = r01_Vp_1a - r01_Vp_1b;
-  const float r01_Vp_2a = V->m20 * r01_c, r01_Vp_2b = V->m21 * r01_s,
-      r01_Vp_2 = r01_Vp_2a - r01_Vp_2b;
-  const float r01_Vq_0a = V->m00 * r01_s, r01_Vq_0b = V->m01 * r01_c,
-      r01_Vq_0 = r01_Vq_0a + r01_Vq_0b;
-  const float r01_Vq_1a = V->m10 * r01_s, r01_Vq_1b = V->m11 * r01_c,
-      r01_Vq_1 = r01_Vq_1a + r01_Vq_1b;
-  const float r01_Vq_2a = V->m20 * r01_s, r01_Vq_2b = V->m21 * r01_c,
-      r01_Vq_2 = r01_Vq_2a + r01_Vq_2b;
-  const float r02_double = 2.0f * r01_Ap;
-  const float r02_apart = A->m22 - r01_App;
-  const float r02_divisor = r02_double == 0.0f ? 1.0f : r02_double;
-  const float r02_theta = r02_apart / r02_divisor;
-  const float r02_absolute = fabsf(r02_theta);
-  const float r02_size_a = r02_theta * r02_theta, r02_size_b = 1.0f + r02_size_a,
-      r02_size_c = sqrtf(r02_size_b), r02_size = r02_absolute + r02_size_c;
-  const float r02_signed_a = -r02_size, r02_signed = r02_theta < 0.0f ? r02_signed_a : r02_size;
-  const float r02_t_a = 1.0f / r02_signed, r02_t = r02_double == 0.0f ? 0.0f : r02_t_a;
-  const float r02_secant_a = r02_t * r02_t, r02_secant_b = 1.0f + r02_secant_a,
-      r02_secant = sqrtf(r02_secant_b);
-  const float r02_c = 1.0f / r02_secant;
-  const float r02_s = r02_t * r02_c;
-  const float r02_change = r01_Ap * r02_t;
-  const float r02_App = r01_App - r02_change;
-  const float r02_Aqq = A->m22 + r02_change;
-  const float r02_Ap_a = r01_Aq * r02_s, r02_Ap = -r02_Ap_a;
-  const float r02_Aq = r01_Aq * r02_c;
-  const float r02_Vp_0a = r01_Vp_0 * r02_c, r02_Vp_0b = V->m02 * r02_s,
-      r02_Vp_0 = r02_Vp_0a - r02_Vp_0b;
-  const float r02_Vp_1a = r01_Vp_1 * r02_c, r02_Vp_1b = V->m12 * r02_s,
-      r02_Vp_1 = r02_Vp_1a - r02_Vp_1b;
-  const float r02_Vp_2a = r01_Vp_2 * r02_c, r02_Vp_2b = V->m22 * r02_s,
-      r02_Vp_2 = r02_Vp_2a - r02_Vp_2b;
-  const float r02_Vq_0a = V->m02 * r02_c, r02_Vq_0b = r01_Vp_0 * r02_s,
-      r02_Vq_0 = r02_Vq_0a + r02_Vq_0b;
-  const float r02_Vq_1a = V->m12 * r02_c, r02_Vq_1b = r01_Vp_1 * r02_s,
-      r02_Vq_1 = r02_Vq_1a + r02_Vq_1b;
-  const float r02_Vq_2a = V->m22 * r02_c, r02_Vq_2b = r01_Vp_2 * r02_s,
-      r02_Vq_2 = r02_Vq_2a + r02_Vq_2b;
-  const float r12_double = 2.0f * r02_Aq;
-  const float r12_apart = r02_Aqq - r01_Aqq;
-  const float r12_divisor = r12_double == 0.0f ? 1.0f : r12_double;
-  const float r12_theta = r12_apart / r12_divisor;
-  const float r12_absolute = fabsf(r12_theta);
-  const float r12_size_a = r12_theta * r12_theta, r12_size_b = 1.0f + r12_size_a,
-      r12_size_c = sqrtf(r12_size_b), r12_size = r12_absolute + r12_size_c;
-  const float r12_signed_a = -r12_size, r12_signed = r12_theta < 0.0f ? r12_signed_a : r12_size;
-  const float r12_t_a = 1.0f / r12_signed, r12_t = r12_double == 0.0f ? 0.0f : r12_t_a;
-  const float r12_secant_a = r12_t * r12_t, r12_secant_b = 1.0f + r12_secant_a,
-      r12_secant = sqrtf(r12_secant_b);
-  const float r12_c = 1.0f / r12_secant;
-  const float r12_s = r12_t * r12_c;
-  const float r12_change = r02_Aq * r12_t;
-  const float r12_App = r01_Aqq - r12_change;
-  const float r12_Aqq = r02_Aqq + r12_change;
-  const float r12_Ap = r02_Ap * r12_c;
-  const float r12_Aq = r02_Ap * r12_s;
-  const float r12_Vp_0a = r01_Vq_0 * r12_c, r12_Vp_0b = r02_Vq_0 * r12_s,
-      r12_Vp_0 = r12_Vp_0a - r12_Vp_0b;
-  const float r12_Vp_1a = r01_Vq_1 * r12_c, r12_Vp_1b = r02_Vq_1 * r12_s,
-      r12_Vp_1 = r12_Vp_1a - r12_Vp_1b;
-  const float r12_Vp_2a = r01_Vq_2 * r12_c, r12_Vp_2b = r02_Vq_2 * r12_s,
-      r12_Vp_2 = r12_Vp_2a - r12_Vp_2b;
-  const float r12_Vq_0a = r01_Vq_0 * r12_s, r12_Vq_0b = r02_Vq_0 * r12_c,
-      r12_Vq_0 = r12_Vq_0a + r12_Vq_0b;
-  const float r12_Vq_1a = r01_Vq_1 * r12_s, r12_Vq_1b = r02_Vq_1 * r12_c,
-      r12_Vq_1 = r12_Vq_1a + r12_Vq_1b;
-  const float r12_Vq_2a = r01_Vq_2 * r12_s, r12_Vq_2b = r02_Vq_2 * r12_c,
-      r12_Vq_2 = r12_Vq_2a + r12_Vq_2b;
-  A->m00 = r02_App;
-  A->m01 = r12_Ap;
-  A->m02 = r12_Aq;
-  A->m10 = r12_Ap;
-  A->m11 = r12_App;
-  A->m12 = 0.0f;
-  A->m20 = r12_Aq;
-  A->m21 = 0.0f;
-  A->m22 = r12_Aqq;
-  V->m00 = r02_Vp_0;
-  V->m01 = r12_Vp_0;
-  V->m02 = r12_Vq_0;
-  V->m10 = r02_Vp_1;
-  V->m11 = r12_Vp_1;
-  V->m12 = r12_Vq_1;
-  V->m20 = r02_Vp_2;
-  V->m21 = r12_Vp_2;
-  V->m22 = r12_Vq_2;
+  const float double = 2.0f * A->m10;
+  const float apart = A->m11 - A->m00;
+  const float divisor = double == 0.0f ? 1.0f : double;
+  const float theta = apart / divisor;
+  const float absolute = fabsf(theta);
+  const float size_a = theta * theta, size_b = 1.0f + size_a, size_c = sqrtf(size_b),
+      size = absolute + size_c;
+  const float signed_a = -size, signed = theta < 0.0f ? signed_a : size;
+  const float t_a = 1.0f / signed, t = double == 0.0f ? 0.0f : t_a;
+  const float secant_a = t * t, secant_b = 1.0f + secant_a, secant = sqrtf(secant_b);
+  const float c = 1.0f / secant;
+  const float s = t * c;
+  const float change = A->m10 * t;
+  const float zp_a = A->m20 * c, zp_b = A->m21 * s, zp = zp_a - zp_b;
+  const float zq_a = A->m20 * s, zq_b = A->m21 * c, zq = zq_a + zq_b;
+  const float vp_0a = V->m00 * c, vp_0b = V->m01 * s, vp_0 = vp_0a - vp_0b;
+  const float vp_1a = V->m10 * c, vp_1b = V->m11 * s, vp_1 = vp_1a - vp_1b;
+  const float vp_2a = V->m20 * c, vp_2b = V->m21 * s, vp_2 = vp_2a - vp_2b;
+  const float vq_0a = V->m00 * s, vq_0b = V->m01 * c, vq_0 = vq_0a + vq_0b;
+  const float vq_1a = V->m10 * s, vq_1b = V->m11 * c, vq_1 = vq_1a + vq_1b;
+  const float vq_2a = V->m20 * s, vq_2b = V->m21 * c, vq_2 = vq_2a + vq_2b;
+  const float A_00_new = A->m11 + change;
+  const float A_22_new = A->m00 - change;
+  const float A_m22 = A->m22;
+  const float V_m02 = V->m02;
+  const float V_m12 = V->m12;
+  const float V_m22 = V->m22;
+  A->m00 = A_00_new;
+  A->m01 = zq;
+  A->m02 = 0.0f;
+  A->m10 = zq;
+  A->m11 = A_m22;
+  A->m12 = zp;
+  A->m20 = 0.0f;
+  A->m21 = zp;
+  A->m22 = A_22_new;
+  V->m00 = vq_0;
+  V->m01 = V_m02;
+  V->m02 = vp_0;
+  V->m10 = vq_1;
+  V->m11 = V_m12;
+  V->m12 = vp_1;
+  V->m20 = vq_2;
+  V->m21 = V_m22;
+  V->m22 = vp_2;
 }
 
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
@@ -1886,8 +1760,9 @@ static inline void ksl_mat3x3_getEulerAnglesWithReference(
 static inline void ksl_mat3x3_pca(ksl_mat3x3_t *A, ksl_mat3x3_t *v) {
   static const int pairs[3][2] = {{0, 1}, {1, 2}, {0, 1}};
   ksl_mat3x3_setIdentity(v);
-  /* Off-diagonal entries fall cubically; 12 cycles leave none above u^2 of the largest entry. */
-  for (int n = 0; n < 12 && (A->m10 != 0 || A->m20 != 0 || A->m21 != 0); n++) {
+  /* Off-diagonal entries fall cubically; 12 cycles of three planes leave none above
+     u^2 of the largest entry. */
+  for (int n = 0; n < 36 && (A->m10 != 0 || A->m20 != 0 || A->m21 != 0); n++) {
     ksl_mat3x3_jacobi(A, v);
   }
   A->m01 = A->m02 = A->m12 = A->m10 = A->m20 = A->m21 = 0;
@@ -2003,8 +1878,9 @@ static inline void ksl_mat3x3f_getEulerAnglesWithReference(
 static inline void ksl_mat3x3f_pca(ksl_mat3x3f_t *A, ksl_mat3x3f_t *v) {
   static const int pairs[3][2] = {{0, 1}, {1, 2}, {0, 1}};
   ksl_mat3x3f_setIdentity(v);
-  /* Off-diagonal entries fall cubically; 12 cycles leave none above u^2 of the largest entry. */
-  for (int n = 0; n < 12 && (A->m10 != 0 || A->m20 != 0 || A->m21 != 0); n++) {
+  /* Off-diagonal entries fall cubically; 12 cycles of three planes leave none above
+     u^2 of the largest entry. */
+  for (int n = 0; n < 36 && (A->m10 != 0 || A->m20 != 0 || A->m21 != 0); n++) {
     ksl_mat3x3f_jacobi(A, v);
   }
   A->m01 = A->m02 = A->m12 = A->m10 = A->m20 = A->m21 = 0;
