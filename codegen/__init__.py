@@ -23,6 +23,9 @@ Scenes take the operations' Programs from there on:
 
 def __getattr__(name: str) -> object:
     """`load_scene` is imported when it is used: to import this package costs nothing."""
+    if name == "__version__":
+        from coscrew_codegen.version import VERSION
+        return VERSION
     if name == "load_scene":
         from coscrew_codegen.simulate.load import load_scene
         return load_scene

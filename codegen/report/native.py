@@ -27,13 +27,15 @@ def compilers(folder: Path) -> tuple[Compiler, ...]:
     """gcc and clang, or else cc: those that make a library here, with the flags they understand."""
     found = [name for name in ("gcc", "clang") if which(name)] or [n for n in ("cc",) if which(n)]
     flags = (_FLAGS, tuple(flag for flag in _FLAGS if not flag.startswith("-march")))
-    (folder / "empty.c").write_text("#include <math.h>\nint one(void) { return 1; }\n")
+    (folder / "empty.c").write_text("#include <math.h>\nint one(void) { return 1; }\n",
+                                   encoding="utf-8")
     working = []
     for name in found:
         usable = next((f for f in flags if _runs(
             name, *f, "-shared", "-fPIC", folder / "empty.c", "-o", folder / "empty.so")), None)
         if usable:
-            said = subprocess.run([name, "--version"], capture_output=True, text=True).stdout
+            said = subprocess.run([name, "--version"], capture_output=True, text=True,
+                                  errors="replace").stdout
             working.append(Compiler(name, said.partition("\n")[0], " ".join(usable)))
     return tuple(working)
 
@@ -75,11 +77,11 @@ def libraries(variants: Sequence[Variant], found: Sequence[Compiler],
     """The library of each compiler, once its parts, compiled side by side, are done."""
     sources = [folder / "driver.c", folder / "drift.c"]
     for source in sources:
-        source.write_text(render(f"report/{source.name}"))
+        source.write_text(render(f"report/{source.name}"), encoding="utf-8")
     for tier, precision in dict.fromkeys((v.tier, v.precision) for v in variants):
         sources.append(folder / f"{tier}_{precision.name}.c")
         sources[-1].write_text(kernels_text(
-            [v for v in variants if (v.tier, v.precision) == (tier, precision)]))
+            [v for v in variants if (v.tier, v.precision) == (tier, precision)]), encoding="utf-8")
     pool = ThreadPoolExecutor(os.cpu_count())
     jobs = {c.name: [pool.submit(_object, c, source) for source in sources] for c in found}
     try:
@@ -100,7 +102,7 @@ def _object(compiler: Compiler, source: Path) -> Path:
 
 
 def _run(*words: str | Path) -> None:
-    done = subprocess.run(list(map(str, words)), capture_output=True, text=True)
+    done = subprocess.run(list(map(str, words)), capture_output=True, text=True, errors="replace")
     if done.returncode:
         raise ReportError(f"{words[0]} cannot compile the kernels:\n{done.stderr.strip()}")
 

@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* The extension module coscrew._gufunc: registers every gufunc. */
 #include "_gufunc.h"
 
@@ -74,7 +76,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "0281de91a081b134") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "3ddf81de09dcb394") < 0) {
     Py_DECREF(module);
     return NULL;
   }

@@ -1,10 +1,13 @@
 # Made by `coscrew generate`; changes are overwritten.
+# SPDX-License-Identifier: MIT
+# coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from coscrew import double as double, single as single
 
 COMPILED: bool
+__version__: str
 
 def selfcheck() -> list[str]: ...
 

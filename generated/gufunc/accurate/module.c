@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* The extension module coscrew.accurate._gufunc: registers every gufunc. */
 #include "_gufunc.h"
 
@@ -73,7 +75,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "cdd21d05d648c1f5") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "4cbf4bb3b0d7d77a") < 0) {
     Py_DECREF(module);
     return NULL;
   }
