@@ -76,7 +76,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "3ddf81de09dcb394") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "350e3639988010c9") < 0) {
     Py_DECREF(module);
     return NULL;
   }
