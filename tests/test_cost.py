@@ -174,7 +174,7 @@ eps = 1e-9
 
 def test_the_sign_of_a_quaternion_is_no_error(kernels):
     its = system(kernels["BRICK"], "double")
-    q = np.array([1.0, 2, 3, 0.5, 0.5, -0.5, 0.5])
+    q = np.array([1.0, 2, 3, 0.5, -0.5, 0.5, 0.5])
     truth = Reference("", 1.0, q, np.zeros(6), 0.0)
     assert error(its, q * [1, 1, 1, -1, -1, -1, -1], truth) == 0
     assert error(its, q + [0, 0.25, 0, 0, 0, 0, 0], truth) == 0.25

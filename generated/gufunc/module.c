@@ -76,9 +76,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "70837d4bc4932d52") < 0
-      || PyModule_AddStringConstant(
-          module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "350e3639988010c9") < 0) {
     Py_DECREF(module);
     return NULL;
   }

@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "70837d4bc4932d52")
+COMPILED: bool = is_compiled("coscrew._gufunc", "350e3639988010c9")
 
 if COMPILED:
     from coscrew._gufunc import (

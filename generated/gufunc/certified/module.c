@@ -74,9 +74,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "ae7f27d2570213ec") < 0
-      || PyModule_AddStringConstant(
-          module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "650ba0712e6976bd") < 0) {
     Py_DECREF(module);
     return NULL;
   }

@@ -13,7 +13,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "ae7f27d2570213ec")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "650ba0712e6976bd")
 
 if COMPILED:
     from coscrew.certified._gufunc import (
