@@ -17,11 +17,11 @@ def _rotation(let: Let, A: sp.Matrix) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     """Tangent, sine and cosine of the smaller angle that makes A_xy zero: with θ = cot 2φ,
     t = sign θ / (|θ| + sqrt(θ² + 1)).  No square is of A's own size, so that none over- or
     underflows; where θ² does, t is as good as zero."""
-    double = let("double", 2 * A[1, 0])
-    theta = let("theta", let("apart", A[1, 1] - A[0, 0]) / let("divisor", nonzero(double)))
+    twice = let("twice", 2 * A[1, 0])
+    theta = let("theta", let("apart", A[1, 1] - A[0, 0]) / let("divisor", nonzero(twice)))
     size = let("size", let("absolute", sp.Abs(theta)) + sp.sqrt(theta**2 + 1))
-    signed = let("signed", sp.Piecewise((-size, theta < 0), (size, True)))
-    t = let("t", sp.Piecewise((0, sp.Eq(double, 0)), (1 / signed, True)))
+    along = let("along", sp.Piecewise((-size, theta < 0), (size, True)))
+    t = let("t", sp.Piecewise((0, sp.Eq(twice, 0)), (1 / along, True)))
     c = let("c", 1 / let("secant", sp.sqrt(t**2 + 1)))
     return t, let("s", t * c), c
 

@@ -20,7 +20,7 @@ STRUCTS = ("vec3", "vec4", "mat3x3", "mat4x4", "SE3", "screw", "coscrew", "mat6x
 _CONVERSION = re.compile(r"(from|to)(SE3|Mat4x4)")
 
 _MEMBERS = {
-    "vec3": tuple("xyz"), "vec4": tuple("xyzw"), "quaternion": tuple("wxyz"),
+    "vec3": tuple("xyz"), "vec4": tuple("xyzw"), "quaternion": tuple("xyzw"),
     "inertia": ("m", "h.x", "h.y", "h.z", "xx", "yy", "zz", "xy", "xz", "yz"),
 }
 

@@ -13,7 +13,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "b5bffeaf57e366ba")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "3df6b385562277a8")
 
 if COMPILED:
     from coscrew.certified._gufunc import (
@@ -35,10 +35,7 @@ if COMPILED:
         add_vvyinv,
         add_vvz,
         add_vvzinv,
-        vec4_scale,
-        vec4_scaled,
         mat3x3_determinant,
-        mat3x3_setFromAxisDC,
         SE3_invert,
         SE3_inverted,
         product_drv,
@@ -111,8 +108,6 @@ if COMPILED:
         cross_sst,
         hsra,
         hsta,
-        hsrainv,
-        hstainv,
         coscrew_scale,
         axpy_cc,
         xpy_cc,
@@ -189,10 +184,7 @@ else:
         add_vvyinv,
         add_vvz,
         add_vvzinv,
-        vec4_scale,
-        vec4_scaled,
         mat3x3_determinant,
-        mat3x3_setFromAxisDC,
         SE3_invert,
         SE3_inverted,
         product_drv,
@@ -265,8 +257,6 @@ else:
         cross_sst,
         hsra,
         hsta,
-        hsrainv,
-        hstainv,
         coscrew_scale,
         axpy_cc,
         xpy_cc,
@@ -344,10 +334,7 @@ __all__ = [
     "add_vvyinv",
     "add_vvz",
     "add_vvzinv",
-    "vec4_scale",
-    "vec4_scaled",
     "mat3x3_determinant",
-    "mat3x3_setFromAxisDC",
     "SE3_invert",
     "SE3_inverted",
     "product_drv",
@@ -420,8 +407,6 @@ __all__ = [
     "cross_sst",
     "hsra",
     "hsta",
-    "hsrainv",
-    "hstainv",
     "coscrew_scale",
     "axpy_cc",
     "xpy_cc",

@@ -140,42 +140,42 @@ def SO3_log(R):
     d_1 = first_0 - others_0
     d_2 = first_1 + others_1
     d_3 = first_1 - others_1
-    low_0 = where(R_11 < R_00, p_0, p_1)
-    low_1 = where(R_11 < R_00, d_1, s_2)
-    low_2 = where(R_11 < R_00, s_2, d_2)
-    low_3 = where(R_11 < R_00, s_1, s_0)
-    high_0 = where(R_00 < -R_11, p_2, d_0)
-    high_1 = where(R_00 < -R_11, s_1, p_0)
-    high_2 = where(R_00 < -R_11, s_0, p_1)
-    high_3 = where(R_00 < -R_11, d_3, p_2)
+    low_0 = where(R_11 < R_00, d_1, s_2)
+    low_1 = where(R_11 < R_00, s_2, d_2)
+    low_2 = where(R_11 < R_00, s_1, s_0)
+    low_3 = where(R_11 < R_00, p_0, p_1)
+    high_0 = where(R_00 < -R_11, s_1, p_0)
+    high_1 = where(R_00 < -R_11, s_0, p_1)
+    high_2 = where(R_00 < -R_11, d_3, p_2)
+    high_3 = where(R_00 < -R_11, p_2, d_0)
     column_0 = where(R_22 < 0, low_0, high_0)
     column_1 = where(R_22 < 0, low_1, high_1)
     column_2 = where(R_22 < 0, low_2, high_2)
     column_3 = where(R_22 < 0, low_3, high_3)
-    upper_0 = where(column_0 < 0, -column_0, column_0)
-    upper_1 = where(column_0 < 0, -column_1, column_1)
-    upper_2 = where(column_0 < 0, -column_2, column_2)
-    upper_3 = where(column_0 < 0, -column_3, column_3)
-    v_s_size_0 = absolute(upper_1)
-    v_s_size_1 = absolute(upper_2)
-    v_s_size_2 = absolute(upper_3)
+    upper_0 = where(column_3 < 0, -column_0, column_0)
+    upper_1 = where(column_3 < 0, -column_1, column_1)
+    upper_2 = where(column_3 < 0, -column_2, column_2)
+    upper_3 = where(column_3 < 0, -column_3, column_3)
+    v_s_size_0 = absolute(upper_0)
+    v_s_size_1 = absolute(upper_1)
+    v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_b = where(4.611686e+18 < v_s_largest2, float32(2.7105054e-20), float32(1))
     v_s = where(v_s_largest2 < 8.881784e-16, 1.2676506e+30, v_s_b)
-    v_y_0 = upper_1 * v_s
-    v_y_1 = upper_2 * v_s
-    v_y_2 = upper_3 * v_s
+    v_y_0 = upper_0 * v_s
+    v_y_1 = upper_1 * v_s
+    v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
     v_r = where(1 < v_s, 7.888609e-31, where(v_s < 1, float32(3.689349e+19), float32(1)))
     n = v_n * v_r
-    half = arctan2(n, upper_0)
+    half = arctan2(n, upper_3)
     divisor = where(n == 0, 1, n)
     theta = 2 * half
     k = theta / divisor
-    vector_0 = upper_1 * k
-    vector_1 = upper_2 * k
-    vector_2 = upper_3 * k
+    vector_0 = upper_0 * k
+    vector_1 = upper_1 * k
+    vector_2 = upper_2 * k
     return (vector_0, vector_1, vector_2)
 
 
@@ -635,6 +635,110 @@ def SO3_rightJacobianInverse(v):
     return (diagonal0, R_01, R_02, R_10, diagonal1, R_12, R_20, R_21, diagonal2)
 
 
+@kernel("(3),()->(3,3)")
+def mat3x3_from_axis_angle(axis, angle):
+    """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
+
+    (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
+    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 8 u of its largest component;
+    searched, not proved.
+    """
+    axis_0, axis_1, axis_2 = axis
+    half = 0.5 * angle
+    h = sin(half)
+    cosine = cos(angle)
+    versine = where(cosine < 0, 1 - cosine, 2 * (h * h))
+    sine = sin(angle)
+    beta_v_0 = axis_0 * versine
+    beta_v_1 = axis_1 * versine
+    beta_v_2 = axis_2 * versine
+    m_0 = axis_0 * beta_v_0
+    m_1 = axis_1 * beta_v_1
+    m_2 = axis_2 * beta_v_2
+    m_3 = axis_1 * beta_v_0
+    m_4 = axis_2 * beta_v_0
+    m_5 = axis_2 * beta_v_1
+    others_0 = m_1 + m_2
+    others_1 = m_0 + m_2
+    others_2 = m_0 + m_1
+    alpha_v_0 = axis_0 * sine
+    alpha_v_1 = axis_1 * sine
+    alpha_v_2 = axis_2 * sine
+    R_00 = 1 - others_0
+    R_01 = m_3 - alpha_v_2
+    R_02 = m_4 + alpha_v_1
+    R_10 = m_3 + alpha_v_2
+    R_11 = 1 - others_1
+    R_12 = m_5 - alpha_v_0
+    R_20 = m_4 - alpha_v_1
+    R_21 = m_5 + alpha_v_0
+    R_22 = 1 - others_2
+    return (R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22)
+
+
+@kernel("(3,3)->(),(3)")
+def axis_angle_from_mat3x3(R):
+    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing
+    turns.
+
+    (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
+    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.  Error <=
+    angle: 8 u, axis: 5 u of its largest component; searched, not proved.
+    """
+    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
+    p_0 = R_21 - R_12
+    p_1 = R_02 - R_20
+    p_2 = R_10 - R_01
+    s_0 = R_12 + R_21
+    s_1 = R_02 + R_20
+    s_2 = R_01 + R_10
+    first_0 = R_00 + 1
+    first_1 = 1 - R_00
+    others_0 = R_11 + R_22
+    others_1 = R_11 - R_22
+    d_0 = first_0 + others_0
+    d_1 = first_0 - others_0
+    d_2 = first_1 + others_1
+    d_3 = first_1 - others_1
+    low_0 = where(R_11 < R_00, d_1, s_2)
+    low_1 = where(R_11 < R_00, s_2, d_2)
+    low_2 = where(R_11 < R_00, s_1, s_0)
+    low_3 = where(R_11 < R_00, p_0, p_1)
+    high_0 = where(R_00 < -R_11, s_1, p_0)
+    high_1 = where(R_00 < -R_11, s_0, p_1)
+    high_2 = where(R_00 < -R_11, d_3, p_2)
+    high_3 = where(R_00 < -R_11, p_2, d_0)
+    column_0 = where(R_22 < 0, low_0, high_0)
+    column_1 = where(R_22 < 0, low_1, high_1)
+    column_2 = where(R_22 < 0, low_2, high_2)
+    column_3 = where(R_22 < 0, low_3, high_3)
+    upper_0 = where(column_3 < 0, -column_0, column_0)
+    upper_1 = where(column_3 < 0, -column_1, column_1)
+    upper_2 = where(column_3 < 0, -column_2, column_2)
+    upper_3 = where(column_3 < 0, -column_3, column_3)
+    v_s_size_0 = absolute(upper_0)
+    v_s_size_1 = absolute(upper_1)
+    v_s_size_2 = absolute(upper_2)
+    v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
+    v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
+    v_s_b = where(4.611686e+18 < v_s_largest2, float32(2.7105054e-20), float32(1))
+    v_s = where(v_s_largest2 < 8.881784e-16, 1.2676506e+30, v_s_b)
+    v_y_0 = upper_0 * v_s
+    v_y_1 = upper_1 * v_s
+    v_y_2 = upper_2 * v_s
+    v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
+    v_r = where(1 < v_s, 7.888609e-31, where(v_s < 1, float32(3.689349e+19), float32(1)))
+    n = v_n * v_r
+    half = arctan2(n, upper_3)
+    divisor = where(v_n == 0, 1, v_n)
+    unit_0 = v_y_0 / divisor
+    unit_1 = v_y_1 / divisor
+    unit_2 = v_y_2 / divisor
+    angle = 2 * half
+    axis_0 = where(v_n == 0, 1, unit_0)
+    return (angle, axis_0, unit_1, unit_2)
+
+
 @kernel("(3,3)->(3,3)")
 def mat3x3_orthonormalize(self):
     """self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
@@ -874,45 +978,45 @@ def SE3_log(D):
     d_1 = first_0 - others_0
     d_2 = first_1 + others_1
     d_3 = first_1 - others_1
-    low_0 = where(D_11 < D_00, p_0, p_1)
-    low_1 = where(D_11 < D_00, d_1, s_2)
-    low_2 = where(D_11 < D_00, s_2, d_2)
-    low_3 = where(D_11 < D_00, s_1, s_0)
-    high_0 = where(D_00 < -D_11, p_2, d_0)
-    high_1 = where(D_00 < -D_11, s_1, p_0)
-    high_2 = where(D_00 < -D_11, s_0, p_1)
-    high_3 = where(D_00 < -D_11, d_3, p_2)
+    low_0 = where(D_11 < D_00, d_1, s_2)
+    low_1 = where(D_11 < D_00, s_2, d_2)
+    low_2 = where(D_11 < D_00, s_1, s_0)
+    low_3 = where(D_11 < D_00, p_0, p_1)
+    high_0 = where(D_00 < -D_11, s_1, p_0)
+    high_1 = where(D_00 < -D_11, s_0, p_1)
+    high_2 = where(D_00 < -D_11, d_3, p_2)
+    high_3 = where(D_00 < -D_11, p_2, d_0)
     column_0 = where(D_22 < 0, low_0, high_0)
     column_1 = where(D_22 < 0, low_1, high_1)
     column_2 = where(D_22 < 0, low_2, high_2)
     column_3 = where(D_22 < 0, low_3, high_3)
-    upper_0 = where(column_0 < 0, -column_0, column_0)
-    upper_1 = where(column_0 < 0, -column_1, column_1)
-    upper_2 = where(column_0 < 0, -column_2, column_2)
-    upper_3 = where(column_0 < 0, -column_3, column_3)
-    v_s_size_0 = absolute(upper_1)
-    v_s_size_1 = absolute(upper_2)
-    v_s_size_2 = absolute(upper_3)
+    upper_0 = where(column_3 < 0, -column_0, column_0)
+    upper_1 = where(column_3 < 0, -column_1, column_1)
+    upper_2 = where(column_3 < 0, -column_2, column_2)
+    upper_3 = where(column_3 < 0, -column_3, column_3)
+    v_s_size_0 = absolute(upper_0)
+    v_s_size_1 = absolute(upper_1)
+    v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_b = where(4.611686e+18 < v_s_largest2, float32(2.7105054e-20), float32(1))
     v_s = where(v_s_largest2 < 8.881784e-16, 1.2676506e+30, v_s_b)
-    v_y_0 = upper_1 * v_s
-    v_y_1 = upper_2 * v_s
-    v_y_2 = upper_3 * v_s
+    v_y_0 = upper_0 * v_s
+    v_y_1 = upper_1 * v_s
+    v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
     v_r = where(1 < v_s, 7.888609e-31, where(v_s < 1, float32(3.689349e+19), float32(1)))
     n = v_n * v_r
-    half = arctan2(n, upper_0)
+    half = arctan2(n, upper_3)
     divisor = where(n == 0, 1, n)
     theta = 2 * half
     k = theta / divisor
-    vector_0 = upper_1 * k
-    vector_1 = upper_2 * k
-    vector_2 = upper_3 * k
+    vector_0 = upper_0 * k
+    vector_1 = upper_1 * k
+    vector_2 = upper_2 * k
     x = theta * theta
     far_sine = where(x < 1, 1, n)
-    cotangent = upper_0 / far_sine
+    cotangent = upper_3 / far_sine
     half_cotangent = 0.5 * theta * cotangent
     b_rest = 1 - half_cotangent
     b_divisor = where(x < 4, 4, x)
@@ -1736,46 +1840,46 @@ def SE3_interpolated(D1, D2, k):
     log_d_1 = log_first_0 - log_others_0
     log_d_2 = log_first_1 + log_others_1
     log_d_3 = log_first_1 - log_others_1
-    log_low_0 = where(between_5 < between_0, log_p_0, log_p_1)
-    log_low_1 = where(between_5 < between_0, log_d_1, log_s_2)
-    log_low_2 = where(between_5 < between_0, log_s_2, log_d_2)
-    log_low_3 = where(between_5 < between_0, log_s_1, log_s_0)
-    log_high_0 = where(between_0 < -between_5, log_p_2, log_d_0)
-    log_high_1 = where(between_0 < -between_5, log_s_1, log_p_0)
-    log_high_2 = where(between_0 < -between_5, log_s_0, log_p_1)
-    log_high_3 = where(between_0 < -between_5, log_d_3, log_p_2)
+    log_low_0 = where(between_5 < between_0, log_d_1, log_s_2)
+    log_low_1 = where(between_5 < between_0, log_s_2, log_d_2)
+    log_low_2 = where(between_5 < between_0, log_s_1, log_s_0)
+    log_low_3 = where(between_5 < between_0, log_p_0, log_p_1)
+    log_high_0 = where(between_0 < -between_5, log_s_1, log_p_0)
+    log_high_1 = where(between_0 < -between_5, log_s_0, log_p_1)
+    log_high_2 = where(between_0 < -between_5, log_d_3, log_p_2)
+    log_high_3 = where(between_0 < -between_5, log_p_2, log_d_0)
     log_column_0 = where(between_10 < 0, log_low_0, log_high_0)
     log_column_1 = where(between_10 < 0, log_low_1, log_high_1)
     log_column_2 = where(between_10 < 0, log_low_2, log_high_2)
     log_column_3 = where(between_10 < 0, log_low_3, log_high_3)
-    log_upper_0 = where(log_column_0 < 0, -log_column_0, log_column_0)
-    log_upper_1 = where(log_column_0 < 0, -log_column_1, log_column_1)
-    log_upper_2 = where(log_column_0 < 0, -log_column_2, log_column_2)
-    log_upper_3 = where(log_column_0 < 0, -log_column_3, log_column_3)
-    log_v_s_size_0 = absolute(log_upper_1)
-    log_v_s_size_1 = absolute(log_upper_2)
-    log_v_s_size_2 = absolute(log_upper_3)
+    log_upper_0 = where(log_column_3 < 0, -log_column_0, log_column_0)
+    log_upper_1 = where(log_column_3 < 0, -log_column_1, log_column_1)
+    log_upper_2 = where(log_column_3 < 0, -log_column_2, log_column_2)
+    log_upper_3 = where(log_column_3 < 0, -log_column_3, log_column_3)
+    log_v_s_size_0 = absolute(log_upper_0)
+    log_v_s_size_1 = absolute(log_upper_1)
+    log_v_s_size_2 = absolute(log_upper_2)
     log_v_s_largest1 = where(log_v_s_size_0 < log_v_s_size_1, log_v_s_size_1, log_v_s_size_0)
     log_v_s_largest2 = where(log_v_s_largest1 < log_v_s_size_2, log_v_s_size_2, log_v_s_largest1)
     log_v_s_b = where(4.611686e+18 < log_v_s_largest2, float32(2.7105054e-20), float32(1))
     log_v_s = where(log_v_s_largest2 < 8.881784e-16, 1.2676506e+30, log_v_s_b)
-    log_v_y_0 = log_upper_1 * log_v_s
-    log_v_y_1 = log_upper_2 * log_v_s
-    log_v_y_2 = log_upper_3 * log_v_s
+    log_v_y_0 = log_upper_0 * log_v_s
+    log_v_y_1 = log_upper_1 * log_v_s
+    log_v_y_2 = log_upper_2 * log_v_s
     log_v_n = sqrt(log_v_y_0 * log_v_y_0 + log_v_y_1 * log_v_y_1 + log_v_y_2 * log_v_y_2)
     log_v_r_b = where(log_v_s < 1, float32(3.689349e+19), float32(1))
     log_v_r = where(1 < log_v_s, 7.888609e-31, log_v_r_b)
     log_n = log_v_n * log_v_r
-    log_half = arctan2(log_n, log_upper_0)
+    log_half = arctan2(log_n, log_upper_3)
     log_divisor = where(log_n == 0, 1, log_n)
     log_theta = 2 * log_half
     log_k = log_theta / log_divisor
-    log_vector_0 = log_upper_1 * log_k
-    log_vector_1 = log_upper_2 * log_k
-    log_vector_2 = log_upper_3 * log_k
+    log_vector_0 = log_upper_0 * log_k
+    log_vector_1 = log_upper_1 * log_k
+    log_vector_2 = log_upper_2 * log_k
     log_x = log_theta * log_theta
     log_far_sine = where(log_x < 1, 1, log_n)
-    log_cotangent = log_upper_0 / log_far_sine
+    log_cotangent = log_upper_3 / log_far_sine
     log_half_cotangent = 0.5 * log_theta * log_cotangent
     log_b_rest = 1 - log_half_cotangent
     log_b_divisor = where(log_x < 4, 4, log_x)
