@@ -99,7 +99,7 @@ hold({stem}_alloc(0) == NULL, "{stem}_alloc(0)");
 hold({stem}_alloc(-1) == NULL, "{stem}_alloc(-1)");"""
 
 # KSL's allocators return identities of these types, zeros of the others: where ones stand.
-_UNITY = {"mat3x3": (0, 4, 8), "SE3": (0, 4, 8), "quaternion": (3,)}
+_UNITY = {"mat3x3": (0, 4, 8), "mat4x4": (0, 5, 10, 15), "SE3": (0, 4, 8), "quaternion": (3,)}
 
 
 def program(precision: Precision, tier: str = "") -> str:
