@@ -17,7 +17,7 @@ from .robots import robots
 WRONG = {
     "alex_psyonic_hands.urdf": ("joint 'Left_index_q2'", "did you mean 'Left_index_q1'?"),
     "romeo_small.urdf": ("body 'RShoulderYawLink'", "no distribution of mass"),
-    "romeo_laas_small.urdf": ("body 'LShoulderYaw_link'", "no distribution of mass"),
+    "romeo_laas_small.urdf": ("body 'body'", "not positive definite"),
     "ur3.urdf": ("model", "has no bodies"),
 }
 """Files of example-robot-data that are wrong, with what is: followers of a joint that is not there,

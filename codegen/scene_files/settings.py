@@ -41,7 +41,8 @@ def _number(table: Table, parameter: ParameterOf, value: object) -> Fraction:
         try:
             return constant(value)
         except FormulaError:
-            table.refuse(parameter.name, f'the text {shown(value)}; wanted a number, or "model"')
+            table.refuse(parameter.name, f"the text {shown(value)}; wanted a number without "
+                                         'quotes, a constant formula, or "model"')
     return table.as_number(parameter.name, value)
 
 
@@ -77,6 +78,8 @@ def _formula(table: Table, parameter: ParameterOf, value: object) -> Fraction | 
         formula = Formula(value)
     except FormulaError as error:
         table.refuse(parameter.name, str(error))
+    if formula.is_number:
+        table.refuse(parameter.name, f"the text {shown(value)}; wanted the number, without quotes")
     if math.isnan(formula.at(0.0)):
         table.refuse(parameter.name, f"formula {shown(value)} is not finite at t = 0")
     return formula

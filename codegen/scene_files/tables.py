@@ -139,7 +139,7 @@ class Table:
         return texts
 
     def as_number(self, key: str, value: object) -> Fraction:
-        """A value as an exact number; texts are formulas without t, such as "pi/2"."""
+        """A value as an exact number; texts are formulas without t, such as "pi/2", not "2"."""
         try:
             if isinstance(value, Decimals):
                 return decimal(value.replace("_", ""))

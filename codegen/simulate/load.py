@@ -21,7 +21,7 @@ from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.scene_layout import banner_of, c_files, python_files
 from coscrew_codegen.simulate import calls, native
 from coscrew_codegen.targets import scene_calls
-from coscrew_codegen.targets.precision import PRECISIONS
+from coscrew_codegen.targets.precision import PRECISIONS, named
 
 
 @dataclass(frozen=True, repr=False)
@@ -87,11 +87,15 @@ def load_scene(scene: Scene | Path | str) -> Kernels:
 
     They are generated and compiled with the system's C compiler, $CC if set; libraries are kept in
     $XDG_CACHE_HOME or ~/.cache.  Without a compiler that works, which a warning tells, the
-    generated Python runs.  Raises TypeError for what is neither, and what reading the scene raises.
+    generated Python runs.  A scene file that says `precision = "double"` has no `single`; what
+    `implausible = "warn"` lets through is warned of.  Raises TypeError for what is neither,
+    RangeError for numbers that a precision cannot hold, and what reading the scene raises.
     """
     if isinstance(scene, (str, Path)):
         from coscrew_codegen.scene_files.toml_scene import read_scene
         scene = read_scene(Path(scene))
+        for line in scene.model.implausible:
+            warnings.warn(f"{scene.name}: {line}", RuntimeWarning, stacklevel=2)
     elif not isinstance(scene, Scene):
         raise TypeError(f"load_scene: wanted the path of a scene file, or a Scene; "
                         f"got {type(scene).__name__}")
@@ -106,12 +110,13 @@ def kernels_of(functions: SceneFunctions, scene: Scene | None = None) -> Kernels
     except native.CompilationError as error:
         warnings.warn(f"{functions.name} runs in pure NumPy: {error}", RuntimeWarning, stacklevel=3)
         modules = _modules(functions)
-        found = [calls.Functions(functions.name, p, dict(_public(functions, modules[p.name])))
-                 for p in PRECISIONS]
+        found = [calls.Functions(functions.name, p, dict(_public(functions, modules[p.name]))
+                                 if p.name in modules else {}) for p in PRECISIONS]
         return Kernels(scene, functions, *found, "")
     described = scene_calls.callables(functions)
     found = [calls.Functions(functions.name, p, {
-        x.name: calls.compiled(functions, library, x, p) for x in described}) for p in PRECISIONS]
+        x.name: calls.compiled(functions, library, x, p) for x in described
+        if p.name in functions.precisions}) for p in PRECISIONS]
     return Kernels(scene, functions, *found, str(compiler))
 
 
@@ -119,7 +124,8 @@ def _library(functions: SceneFunctions, compiler: native.Compiler):
     source = f"{functions.name}_calls.c"
     files = {**c_files(functions, banner_of(functions.name)), source: scene_calls.source(functions)}
     units = {p.name: (source, *(f"-D{functions.name.upper()}_NO_{other.name.upper()}"
-                                for other in PRECISIONS if other != p)) for p in PRECISIONS}
+                                for other in PRECISIONS if other != p))
+             for p in named(functions.precisions)}
     return native.library(units, files, compiler)
 
 
@@ -137,7 +143,8 @@ def _modules(functions: SceneFunctions) -> dict[str, ModuleType]:
         module = importlib.util.module_from_spec(spec)
         sys.modules[name] = module
         spec.loader.exec_module(module)
-    return {p.name: importlib.import_module(f"{name}.{p.name}") for p in PRECISIONS}
+    return {p.name: importlib.import_module(f"{name}.{p.name}")
+            for p in named(functions.precisions)}
 
 
 def _public(functions: SceneFunctions, module: ModuleType) -> Iterator[tuple[str, object]]:
