@@ -1,7 +1,8 @@
 """Numbers that a precision cannot hold are refused before anything is emitted with them.
 
-A precision holds 0 and what is normal in it: what is larger would become infinite, what is smaller
-would lose digits or become 0.
+What a scene says must be 0 or normal in its precisions: what is larger would become infinite, what is
+smaller would lose digits or become 0.  What its numbers are multiplied to may also be subnormal, as
+products of what files hold where they mean zero are: 1.7e-19 kg m².
 """
 
 from collections.abc import Iterator
@@ -12,8 +13,9 @@ from coscrew_codegen.dynamics.model import Scalar, value
 from coscrew_codegen.dynamics.scene import Scene
 from coscrew_codegen.program import Constant
 from coscrew_codegen.scene_functions import Function
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
+from coscrew_codegen.targets.precision import named
 
+NORMAL, SUBNORMAL = "smallest_normal", "smallest_subnormal"
 _AXES = ("x", "y", "z")
 _MOMENTS = ("xx", "yy", "zz", "xy", "xz", "yz")
 _REMEDY = ('; precision = "double" in the scene file, or --precision double, leaves single '
@@ -39,7 +41,7 @@ def refuse_numbers(scene: Scene) -> None:
     hold."""
     for x in _written(scene):
         number = value(x.number)
-        _refuse(scene, Constant(number, number),
+        _refuse(scene, Constant(number, number), NORMAL,
                 f"{x.where}: {x.name} {float(number):g} {x.unit}".rstrip())
 
 
@@ -49,20 +51,19 @@ def refuse_products(scene: Scene, function: Function) -> None:
     bodies = {body.name for body in scene.model.bodies}
     for where, constant in _constants(function):
         place = f"body {where!r}" if where in bodies else where
-        _refuse(scene, constant, f"{place}: its numbers are multiplied to "
-                                 f"{_shown(constant.double)} in {function.name}, which")
+        _refuse(scene, constant, SUBNORMAL, f"{place}: its numbers are multiplied to "
+                f"{_shown(constant.double)} in {function.name}, which")
 
 
-def _refuse(scene: Scene, constant: Constant, what: str) -> None:
-    for precision in PRECISIONS:
-        if precision.name in scene.precisions and not precision.holds(precision.value(constant)):
+def _refuse(scene: Scene, constant: Constant, least: str, what: str) -> None:
+    for precision in named(scene.precisions):
+        smallest, largest = precision.limit(least), precision.limit("max")
+        number = precision.value(constant)
+        if number and not smallest <= abs(number) <= largest:
             remedy = _REMEDY if precision.name == "single" and "double" in scene.precisions else ""
-            raise RangeError(f"{scene.name}: {what} is outside {_in_words(precision)}{remedy}")
-
-
-def _in_words(precision: Precision) -> str:
-    least, most = (f"{float(x):.2g}" for x in (precision.least, precision.most))
-    return f"{precision.name} precision's range: 0, and {least} to {most} in size"
+            raise RangeError(f"{scene.name}: {what} is outside {precision.name} precision's range: "
+                             f"0, and {float(smallest):.2g} to {float(largest):.2g} in size"
+                             f"{remedy}")
 
 
 def _shown(x: Fraction) -> str:

@@ -28,7 +28,7 @@ def setting(table: Table, parameter: ParameterOf, value: object, bodies: tuple[s
             table.refuse(key, f"{described(value)}; wanted a list of 3 numbers or functions of t")
         return tuple(_formula(table, parameter, item) for item in value)
     if kind == "choice":
-        return table.choice(key, parameter.choices)
+        return table.as_choice(key, value, parameter.choices)
     if kind == "body":
         return table.known(key, table.as_text(key, value), "body", (WORLD, *bodies))
     number = _number(table, parameter, value)

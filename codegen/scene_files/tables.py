@@ -74,7 +74,11 @@ class Table:
 
     def choice(self, key: str, choices: tuple[str, ...], default: str | None = None) -> str:
         """The text under a key, one of these."""
-        text = self.text(key, default)
+        return self.as_choice(key, self.text(key, default), choices)
+
+    def as_choice(self, key: str, value: object, choices: tuple[str, ...]) -> str:
+        """A value as one of these texts."""
+        text = self.as_text(key, value)
         if text not in choices:
             self.refuse(key, f"{shown(text)}; wanted one of {', '.join(choices)}"
                              f"{or_mean(text, choices)}")

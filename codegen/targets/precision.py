@@ -24,19 +24,9 @@ class Precision:
         """The constant's exact value in this precision, before rounding."""
         return {"double": constant.double, "single": constant.single}[self.name]
 
-    @property
-    def least(self) -> Fraction:
-        """The smallest normal number above zero."""
-        return Fraction(float(np.finfo(self.numpy_type).smallest_normal))
-
-    @property
-    def most(self) -> Fraction:
-        """The largest number."""
-        return Fraction(float(np.finfo(self.numpy_type).max))
-
-    def holds(self, value: Fraction) -> bool:
-        """Whether the number rounds to one of this precision without losing digits."""
-        return not value or self.least <= abs(value) <= self.most
+    def limit(self, name: str) -> Fraction:
+        """A limit as NumPy calls it: max, smallest_normal, smallest_subnormal."""
+        return Fraction(float(getattr(np.finfo(self.numpy_type), name)))
 
     @cache
     def literal(self, constant: Constant) -> str:
@@ -44,7 +34,7 @@ class Precision:
 
         Raises ValueError for a constant that would become infinite or, not being it, zero."""
         value = self.value(constant)
-        if abs(value) <= self.most:
+        if abs(value) <= self.limit("max"):
             number = self.rounded(value)
             if number or not value:
                 return str(number)
