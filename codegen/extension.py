@@ -28,7 +28,9 @@ def extension_sources(selection: Selection, kernels: dict[Operation, Program], t
     sources = {"_gufunc.h": render("gufunc/_gufunc.h", banner=selection.banner, accesses=accesses,
                                    families=families, amalgamation=header)}
     dtypes = [_NUMPY_C_NAMES[precision.name][1] for precision in selection.precisions]
-    sources["promoter.c"] = render("gufunc/promoter.c", banner=selection.banner, dtypes=dtypes)
+    package = f"coscrew.{tier}" if tier else "coscrew"
+    sources["promoter.c"] = render("gufunc/promoter.c", banner=selection.banner, dtypes=dtypes,
+                                   package=package)
     for family in families:
         gufuncs = [gufunc.gufunc(op, selection.precisions, numpy.docstring_of(op, program), tier)
                    for op, program in kernels.items() if op.family == family]

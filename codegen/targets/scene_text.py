@@ -32,7 +32,7 @@ or or_eq private protected public reinterpret_cast requires static_assert static
 thread_local throw true try typeid typename using virtual wchar_t xor xor_eq linux unix"""
 _CALLED = """fabs sqrt sin cos atan2 exp tanh fma fabsf sqrtf sinf cosf atan2f expf tanhf fmaf
 memcpy NAN absolute arctan2 where nan float32 float64 np errstate arrays array zeros_like newaxis
-range lead"""
+range lead out delivered assembled components spread"""
 RESERVED = frozenset((*_C.split(), *_CPP.split(), *_CALLED.split(), *keyword.kwlist))
 """Names that no instruction may have: keywords of C, C++ and Python, and what kernels call."""
 

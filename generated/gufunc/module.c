@@ -76,7 +76,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "b55ce929faa74564") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "3ddf81de09dcb394") < 0) {
     Py_DECREF(module);
     return NULL;
   }

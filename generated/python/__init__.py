@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "b55ce929faa74564")
+COMPILED: bool = is_compiled("coscrew._gufunc", "3ddf81de09dcb394")
 
 if COMPILED:
     from coscrew._gufunc import (

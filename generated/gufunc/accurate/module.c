@@ -75,7 +75,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "5cea1634ee8ed6de") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "4cbf4bb3b0d7d77a") < 0) {
     Py_DECREF(module);
     return NULL;
   }
