@@ -70,7 +70,7 @@ def _tier_files(selection: Selection, programs: Programs, tier: Tier | None,
     provenance = ""
     if kernels := _documented(selection, programs, tier):
         if selection.languages == ("c", "python"):
-            sources, provenance = extension_sources(selection, kernels, name, amalgamation)
+            sources, provenance = extension_sources(selection, kernels, tier, amalgamation)
             files |= {f"gufunc/{folder}{file}": text for file, text in sources.items()}
         if "python" in selection.languages:
             package = _package(selection, programs, tier, provenance)

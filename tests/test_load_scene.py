@@ -244,7 +244,7 @@ def test_kernels_of_a_file_tell_what_it_says(tmp_path: Path, cache: Path):
     path.write_text(texts.BRICK)
     brick = coscrew_codegen.load_scene(str(path))
     assert (brick.NQ, brick.NV, brick.parameters) == (7, 6, {})
-    assert brick.neutral_q.tolist() == [0, 0, 0, 1, 0, 0, 0]
+    assert brick.neutral_q.tolist() == [0, 0, 0, 0, 0, 0, 1]
 
 
 @pytest.mark.parametrize("given, name", (({"bodies": {}}, "dict"), (None, "NoneType"), (3, "int")))

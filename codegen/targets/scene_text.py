@@ -17,8 +17,8 @@ from coscrew_codegen.targets.precision import Precision
 _UNITS = {
     "revolute": "q in rad; v in rad/s",
     "prismatic": "q in m; v in m/s",
-    "spherical": "q: quaternion (w, x, y, z); v: angular velocity in rad/s in the body's frame",
-    "free": "q: position in m, then quaternion (w, x, y, z); v: velocity in m/s, then angular "
+    "spherical": "q: quaternion (x, y, z, w); v: angular velocity in rad/s in the body's frame",
+    "free": "q: position in m, then quaternion (x, y, z, w); v: velocity in m/s, then angular "
             "velocity in rad/s, both in the body's frame",
 }
 

@@ -74,7 +74,9 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "7b7d68b636821084") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "17e8c9843f0f0ddb") < 0
+      || PyModule_AddStringConstant(
+          module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);
     return NULL;
   }

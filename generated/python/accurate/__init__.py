@@ -12,7 +12,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "4cbf4bb3b0d7d77a")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "e06bc88fd28e44a5")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

@@ -15,7 +15,9 @@
 #error "-ffast-math undoes compensated arithmetic"
 #endif
 
-#if defined(__FMA__) || defined(__ARM_FEATURE_FMA) || defined(FP_FAST_FMA)
+#if defined(KSL_HAS_FMA)
+/* as whoever includes this says */
+#elif defined(__FMA__) || defined(__ARM_FEATURE_FMA) || defined(FP_FAST_FMA)
 #define KSL_HAS_FMA 1
 #else
 #define KSL_HAS_FMA 0

@@ -158,16 +158,18 @@ typedef union ksl_mat6x6f_t {
   KSL_VIEW { float at[6][6]; };
 } ksl_mat6x6f_t;
 
-/* quaternion (w; x, y, z), the scalar first; for rotations, of norm 1; double precision. */
+/* quaternion (x, y, z, w), r = (x, y, z); for rotations, of norm 1; double precision. */
 typedef union ksl_quaternion_t {
   KSL_VIEW { double at[4]; };
-  KSL_VIEW { double w, x, y, z; };
+  KSL_VIEW { double x, y, z, w; };
+  KSL_VIEW { ksl_vec3_t r; };
 } ksl_quaternion_t;
 
-/* quaternion (w; x, y, z), the scalar first; for rotations, of norm 1; single precision. */
+/* quaternion (x, y, z, w), r = (x, y, z); for rotations, of norm 1; single precision. */
 typedef union ksl_quaternionf_t {
   KSL_VIEW { float at[4]; };
-  KSL_VIEW { float w, x, y, z; };
+  KSL_VIEW { float x, y, z, w; };
+  KSL_VIEW { ksl_vec3f_t r; };
 } ksl_quaternionf_t;
 
 /* spatial inertia: mass m, first moment h = m c, second moments about the origin; double precision. */

@@ -2187,13 +2187,13 @@ static inline void ksl_adf(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
 #ifndef KSL_NO_ALLOC
 #include <stdlib.h>
 
-/* n zeroed ksl_screw_t on the heap, to be freed by the caller; NULL for n <= 0 or when there is
+/* n ksl_screw_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there is
      no memory. */
 static inline ksl_screw_t *ksl_screw_alloc(int n) {
   return n > 0 ? (ksl_screw_t *)calloc((size_t)n, sizeof(ksl_screw_t)) : NULL;
 }
 
-/* n zeroed ksl_screwf_t on the heap, to be freed by the caller; NULL for n <= 0 or when there is
+/* n ksl_screwf_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there is
      no memory. */
 static inline ksl_screwf_t *ksl_screwf_alloc(int n) {
   return n > 0 ? (ksl_screwf_t *)calloc((size_t)n, sizeof(ksl_screwf_t)) : NULL;
