@@ -16,6 +16,7 @@ from pathlib import Path
 from types import ModuleType
 
 import numpy as np
+from numpy.typing import NDArray
 
 from coscrew_codegen import emit
 from coscrew_codegen.dynamics import derive
@@ -71,7 +72,7 @@ class Kernels:
         return dict(self.functions.parameters)
 
     @property
-    def neutral_q(self) -> np.ndarray:
+    def neutral_q(self) -> NDArray[np.float64]:
         """q where every joint is at rest in its placement, in double.  (NQ)."""
         return np.array(self.functions.neutral, float)
 
