@@ -669,15 +669,15 @@ static inline void ksl_euler_xyx_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *
    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
    |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
-  const double double = 2.0 * A->m10;
+  const double twice = 2.0 * A->m10;
   const double apart = A->m11 - A->m00;
-  const double divisor = double == 0.0 ? 1.0 : double;
+  const double divisor = twice == 0.0 ? 1.0 : twice;
   const double theta = apart / divisor;
   const double absolute = fabs(theta);
   const double size_a = theta * theta, size_b = 1.0 + size_a, size_c = sqrt(size_b),
       size = absolute + size_c;
-  const double signed_a = -size, signed = theta < 0.0 ? signed_a : size;
-  const double t_a = 1.0 / signed, t = double == 0.0 ? 0.0 : t_a;
+  const double along_a = -size, along = theta < 0.0 ? along_a : size;
+  const double t_a = 1.0 / along, t = twice == 0.0 ? 0.0 : t_a;
   const double secant_a = t * t, secant_b = 1.0 + secant_a, secant = sqrt(secant_b);
   const double c = 1.0 / secant;
   const double s = t * c;
@@ -782,38 +782,38 @@ static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_
   const double d_1 = first_0 - others_0;
   const double d_2 = first_1 + others_1;
   const double d_3 = first_1 - others_1;
-  const double low_0 = R->m11 < R->m00 ? p_0 : p_1;
-  const double low_1 = R->m11 < R->m00 ? d_1 : s_2;
-  const double low_2 = R->m11 < R->m00 ? s_2 : d_2;
-  const double low_3 = R->m11 < R->m00 ? s_1 : s_0;
-  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0;
-  const double high_1 = R->m00 < high_0a ? s_1 : p_0;
-  const double high_2 = R->m00 < high_0a ? s_0 : p_1;
-  const double high_3 = R->m00 < high_0a ? d_3 : p_2;
+  const double low_0 = R->m11 < R->m00 ? d_1 : s_2;
+  const double low_1 = R->m11 < R->m00 ? s_2 : d_2;
+  const double low_2 = R->m11 < R->m00 ? s_1 : s_0;
+  const double low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
+  const double high_1 = R->m00 < high_0a ? s_0 : p_1;
+  const double high_2 = R->m00 < high_0a ? d_3 : p_2;
+  const double high_3 = R->m00 < high_0a ? p_2 : d_0;
   const double column_0 = R->m22 < 0.0 ? low_0 : high_0;
   const double column_1 = R->m22 < 0.0 ? low_1 : high_1;
   const double column_2 = R->m22 < 0.0 ? low_2 : high_2;
   const double column_3 = R->m22 < 0.0 ? low_3 : high_3;
-  const double upper_0a = -column_0, upper_0 = column_0 < 0.0 ? upper_0a : column_0;
-  const double upper_1a = -column_1, upper_1 = column_0 < 0.0 ? upper_1a : column_1;
-  const double upper_2a = -column_2, upper_2 = column_0 < 0.0 ? upper_2a : column_2;
-  const double upper_3a = -column_3, upper_3 = column_0 < 0.0 ? upper_3a : column_3;
-  const double v_s_size_0 = fabs(upper_1);
-  const double v_s_size_1 = fabs(upper_2);
-  const double v_s_size_2 = fabs(upper_3);
+  const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
+  const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
+  const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
+  const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
+  const double v_s_size_0 = fabs(upper_0);
+  const double v_s_size_1 = fabs(upper_1);
+  const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0 = upper_1 * v_s;
-  const double v_y_1 = upper_2 * v_s;
-  const double v_y_2 = upper_3 * v_s;
+  const double v_y_0 = upper_0 * v_s;
+  const double v_y_1 = upper_1 * v_s;
+  const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
   const double n = v_n * v_r;
-  const double half = atan2(n, upper_0);
+  const double half = atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
   const double unit_0 = v_y_0 / divisor;
   const double unit_1 = v_y_1 / divisor;
@@ -1484,15 +1484,15 @@ static inline void ksl_euler_xyx_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_
    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
    |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
-  const float double = 2.0f * A->m10;
+  const float twice = 2.0f * A->m10;
   const float apart = A->m11 - A->m00;
-  const float divisor = double == 0.0f ? 1.0f : double;
+  const float divisor = twice == 0.0f ? 1.0f : twice;
   const float theta = apart / divisor;
   const float absolute = fabsf(theta);
   const float size_a = theta * theta, size_b = 1.0f + size_a, size_c = sqrtf(size_b),
       size = absolute + size_c;
-  const float signed_a = -size, signed = theta < 0.0f ? signed_a : size;
-  const float t_a = 1.0f / signed, t = double == 0.0f ? 0.0f : t_a;
+  const float along_a = -size, along = theta < 0.0f ? along_a : size;
+  const float t_a = 1.0f / along, t = twice == 0.0f ? 0.0f : t_a;
   const float secant_a = t * t, secant_b = 1.0f + secant_a, secant = sqrtf(secant_b);
   const float c = 1.0f / secant;
   const float s = t * c;
@@ -1597,37 +1597,37 @@ static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3
   const float d_1 = first_0 - others_0;
   const float d_2 = first_1 + others_1;
   const float d_3 = first_1 - others_1;
-  const float low_0 = R->m11 < R->m00 ? p_0 : p_1;
-  const float low_1 = R->m11 < R->m00 ? d_1 : s_2;
-  const float low_2 = R->m11 < R->m00 ? s_2 : d_2;
-  const float low_3 = R->m11 < R->m00 ? s_1 : s_0;
-  const float high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0;
-  const float high_1 = R->m00 < high_0a ? s_1 : p_0;
-  const float high_2 = R->m00 < high_0a ? s_0 : p_1;
-  const float high_3 = R->m00 < high_0a ? d_3 : p_2;
+  const float low_0 = R->m11 < R->m00 ? d_1 : s_2;
+  const float low_1 = R->m11 < R->m00 ? s_2 : d_2;
+  const float low_2 = R->m11 < R->m00 ? s_1 : s_0;
+  const float low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const float high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
+  const float high_1 = R->m00 < high_0a ? s_0 : p_1;
+  const float high_2 = R->m00 < high_0a ? d_3 : p_2;
+  const float high_3 = R->m00 < high_0a ? p_2 : d_0;
   const float column_0 = R->m22 < 0.0f ? low_0 : high_0;
   const float column_1 = R->m22 < 0.0f ? low_1 : high_1;
   const float column_2 = R->m22 < 0.0f ? low_2 : high_2;
   const float column_3 = R->m22 < 0.0f ? low_3 : high_3;
-  const float upper_0a = -column_0, upper_0 = column_0 < 0.0f ? upper_0a : column_0;
-  const float upper_1a = -column_1, upper_1 = column_0 < 0.0f ? upper_1a : column_1;
-  const float upper_2a = -column_2, upper_2 = column_0 < 0.0f ? upper_2a : column_2;
-  const float upper_3a = -column_3, upper_3 = column_0 < 0.0f ? upper_3a : column_3;
-  const float v_s_size_0 = fabsf(upper_1);
-  const float v_s_size_1 = fabsf(upper_2);
-  const float v_s_size_2 = fabsf(upper_3);
+  const float upper_0a = -column_0, upper_0 = column_3 < 0.0f ? upper_0a : column_0;
+  const float upper_1a = -column_1, upper_1 = column_3 < 0.0f ? upper_1a : column_1;
+  const float upper_2a = -column_2, upper_2 = column_3 < 0.0f ? upper_2a : column_2;
+  const float upper_3a = -column_3, upper_3 = column_3 < 0.0f ? upper_3a : column_3;
+  const float v_s_size_0 = fabsf(upper_0);
+  const float v_s_size_1 = fabsf(upper_1);
+  const float v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
       v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
-  const float v_y_0 = upper_1 * v_s;
-  const float v_y_1 = upper_2 * v_s;
-  const float v_y_2 = upper_3 * v_s;
+  const float v_y_0 = upper_0 * v_s;
+  const float v_y_1 = upper_1 * v_s;
+  const float v_y_2 = upper_2 * v_s;
   const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
   const float n = v_n * v_r;
-  const float half = atan2f(n, upper_0);
+  const float half = atan2f(n, upper_3);
   const float divisor = v_n == 0.0f ? 1.0f : v_n;
   const float unit_0 = v_y_0 / divisor;
   const float unit_1 = v_y_1 / divisor;

@@ -378,16 +378,26 @@ static inline void ksl_mat4x4f_getTranslation(const ksl_mat4x4f_t *M, ksl_vec3f_
 #ifndef KSL_NO_ALLOC
 #include <stdlib.h>
 
-/* n zeroed ksl_mat4x4_t on the heap, to be freed by the caller; NULL for n <= 0 or when there is
-     no memory. */
+/* n ksl_mat4x4_t on the heap, identities, to be freed by the caller; NULL for n <= 0 or when
+     there is no memory. */
 static inline ksl_mat4x4_t *ksl_mat4x4_alloc(int n) {
-  return n > 0 ? (ksl_mat4x4_t *)calloc((size_t)n, sizeof(ksl_mat4x4_t)) : NULL;
+  ksl_mat4x4_t *const all =
+      n > 0 ? (ksl_mat4x4_t *)calloc((size_t)n, sizeof(ksl_mat4x4_t)) : NULL;
+  for (int i = 0; all && i < n; i++) {
+    all[i].m00 = all[i].m11 = all[i].m22 = all[i].m33 = 1.0;
+  }
+  return all;
 }
 
-/* n zeroed ksl_mat4x4f_t on the heap, to be freed by the caller; NULL for n <= 0 or when there
-     is no memory. */
+/* n ksl_mat4x4f_t on the heap, identities, to be freed by the caller; NULL for n <= 0 or when
+     there is no memory. */
 static inline ksl_mat4x4f_t *ksl_mat4x4f_alloc(int n) {
-  return n > 0 ? (ksl_mat4x4f_t *)calloc((size_t)n, sizeof(ksl_mat4x4f_t)) : NULL;
+  ksl_mat4x4f_t *const all =
+      n > 0 ? (ksl_mat4x4f_t *)calloc((size_t)n, sizeof(ksl_mat4x4f_t)) : NULL;
+  for (int i = 0; all && i < n; i++) {
+    all[i].m00 = all[i].m11 = all[i].m22 = all[i].m33 = 1.0f;
+  }
+  return all;
 }
 
 #endif

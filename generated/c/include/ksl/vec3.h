@@ -946,7 +946,7 @@ static inline bool ksl_vec3i_isEqual(const ksl_vec3i_t *v1, const ksl_vec3i_t *v
 #ifndef KSL_NO_ALLOC
 #include <stdlib.h>
 
-/* n zeroed ksl_vec3i_t on the heap, to be freed by the caller; NULL for n <= 0 or when there is
+/* n ksl_vec3i_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there is
      no memory. */
 static inline ksl_vec3i_t *ksl_vec3i_alloc(int n) {
   return n > 0 ? (ksl_vec3i_t *)calloc((size_t)n, sizeof(ksl_vec3i_t)) : NULL;

@@ -435,13 +435,13 @@ static inline void ksl_vec4f_normalized(const ksl_vec4f_t *v, ksl_vec4f_t *vo) {
 #ifndef KSL_NO_ALLOC
 #include <stdlib.h>
 
-/* n zeroed ksl_vec4_t on the heap, to be freed by the caller; NULL for n <= 0 or when there is
+/* n ksl_vec4_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there is
      no memory. */
 static inline ksl_vec4_t *ksl_vec4_alloc(int n) {
   return n > 0 ? (ksl_vec4_t *)calloc((size_t)n, sizeof(ksl_vec4_t)) : NULL;
 }
 
-/* n zeroed ksl_vec4f_t on the heap, to be freed by the caller; NULL for n <= 0 or when there is
+/* n ksl_vec4f_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there is
      no memory. */
 static inline ksl_vec4f_t *ksl_vec4f_alloc(int n) {
   return n > 0 ? (ksl_vec4f_t *)calloc((size_t)n, sizeof(ksl_vec4f_t)) : NULL;
@@ -465,7 +465,7 @@ static inline ksl_vec4i_t ksl_vec4i(const int x, const int y, const int z, const
 #ifndef KSL_NO_ALLOC
 #include <stdlib.h>
 
-/* n zeroed ksl_vec4i_t on the heap, to be freed by the caller; NULL for n <= 0 or when there is
+/* n ksl_vec4i_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there is
      no memory. */
 static inline ksl_vec4i_t *ksl_vec4i_alloc(int n) {
   return n > 0 ? (ksl_vec4i_t *)calloc((size_t)n, sizeof(ksl_vec4i_t)) : NULL;
