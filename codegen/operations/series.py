@@ -37,13 +37,15 @@ class Angle:
         """The angle of a rotation vector.  θ² is rounded about once: the squares of the components'
         leading digits add up exactly.  θ = sqrt(θ²) is off by half an ulp, as much as 2 u of sin θ
         near π; the residual |v|² - θ² makes up for it."""
-        shifted = let("shifted", vector.applyfunc(lambda x: x + GRID))
-        high = let("high", shifted.applyfunc(lambda x: x - GRID))
+        sizes = let("size", vector.applyfunc(sp.Abs))
+        grid = let("grid", GRID * let("sizes", sizes[0] + sizes[1] + sizes[2]))
+        shifted = let("shifted", vector.applyfunc(lambda x: x + grid))
+        high = let("high", shifted.applyfunc(lambda x: x - grid))
         low, sum_ = let("low", vector - high), let("sum", vector + high)
         squares, cross = let("squares", high.dot(high)), let("cross", low.dot(sum_))
         x = let("x", squares + cross)
         theta = let("theta", far(x, sp.sqrt(x), sp.Integer(1)))
-        top = let("theta_high", let("theta_shifted", theta + GRID) - GRID)
+        top = let("theta_high", let("theta_shifted", theta + grid) - grid)
         bottom = let("theta_low", theta - top)
         rest = let("cross_rest", cross - bottom * let("theta_sum", theta + top))
         delta = let("delta", let("residual", let("exact", squares - top**2) + rest) / (2 * theta))

@@ -314,17 +314,18 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.\n"
-    "40 mul, 189 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11\n"
-    "less, 10 equal, 51 select.  Error <= vo: 5 u of its largest component; searched, not proved.\n",
+    "40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16\n"
+    "less, 10 equal, 58 select.  Error <= vo: 5 u of its largest component for R a rotation;\n"
+    "searched, not proved.\n",
    1, 1, SO3_log_loops},
   {"axis_angle_from_mat3x3", "(3,3)->(),(3)",
     "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing\n"
     "turns.\n"
     "\n"
     "(3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.\n"
-    "35 mul, 204 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11\n"
-    "less, 11 equal, 54 select.  Error <= angle: 8 u, axis: 5 u of its largest component;\n"
-    "searched, not proved.\n",
+    "35 mul, 235 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16\n"
+    "less, 11 equal, 61 select.  Error <= angle: 8 u, axis: 5 u of its largest component for R a\n"
+    "rotation; searched, not proved.\n",
    1, 2, axis_angle_from_mat3x3_loops},
   {"mat3x3_orthonormalize", "(3,3)->(3,3)",
     "self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.\n"

@@ -63,7 +63,7 @@ def vec3_l2norm(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[
     """|v| = sqrt(v·v).
 
     (3)->().  v: vector; norm: number.
-    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 3 abs, 6 less, 3 equal, 9
+    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 3 abs, 8 less, 3 equal, 11
     select.
     """
 
@@ -71,7 +71,7 @@ def vec3_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> ND
     """self = self / |self|; the zero vector stays zero.
 
     (3)->(3).  self: vector.
-    25 mul, 62 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+    25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 8 equal, 16
     select.
     """
 
@@ -79,7 +79,7 @@ def vec3_normalized(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDAr
     """vo = v / |v|; the zero vector stays zero.
 
     (3)->(3).  v, vo: vector.
-    25 mul, 62 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+    25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 8 equal, 16
     select.
     """
 
@@ -87,8 +87,8 @@ def angle_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float64] | None = ...
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
 
     (3),(3)->().  v1, v2: vector; angle: number.
-    42 mul, 95 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 11 abs, 15 less, 7
-    equal, 23 select.
+    42 mul, 120 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 3 neg, 11 abs, 22
+    less, 7 equal, 32 select.
     """
 
 def dot_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -573,7 +573,7 @@ def screw_norm(si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[
     """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  si: screw (v in m/s; ω in rad/s); norm: number.
-    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
+    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 4 equal, 17
     select.
     """
 
@@ -581,16 +581,16 @@ def screw_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> N
     """self = self / |self|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
-    43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
-    select.
+    43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal,
+    28 select.
     """
 
 def screw_normalized(si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = si / |si|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
-    43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
-    select.
+    43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal,
+    28 select.
     """
 
 def add_sst(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -828,7 +828,7 @@ def coscrew_norm(ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArra
     """|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  ci: coscrew (f in N; τ in N m); norm: number.
-    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
+    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 4 equal, 17
     select.
     """
 
@@ -836,16 +836,16 @@ def coscrew_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) ->
     """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
-    43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
-    select.
+    43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal,
+    28 select.
     """
 
 def coscrew_normalized(ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
-    43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
-    select.
+    43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal,
+    28 select.
     """
 
 def add_cct(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1127,7 +1127,7 @@ def quaternion_norm(q: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDAr
     """|q| = sqrt(w^2 + v·v).
 
     (4)->().  q: quaternion (w; x, y, z), the scalar first; norm: number.
-    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
+    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 3 equal, 12
     select.
     """
 
@@ -1135,7 +1135,7 @@ def quaternion_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...)
     """self = self / |self|; zero stays zero.
 
     (4)->(4).  self: quaternion (w; x, y, z), the scalar first.
-    33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
     select.
     """
 
@@ -1143,7 +1143,7 @@ def quaternion_normalized(q: ArrayLike, out: NDArray[np.float64] | None = ...) -
     """qo = q / |q|; zero stays zero.
 
     (4)->(4).  q, qo: quaternion (w; x, y, z), the scalar first.
-    33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
     select.
     """
 
@@ -1192,15 +1192,16 @@ def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.float64] | None = ...) 
 
     (4)->(3,3).  q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
     41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.  Error <= R: 5
-    u of its largest component; searched, not proved.
+    u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 < |q| < 2^63;
+    searched, not proved.
     """
 
 def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
-    21 mul, 176 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
-    select.  Error <= qo: 5 u of its largest component; searched, not proved.
+    21 mul, 182 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
+    select.  Error <= qo: 5 u of its largest component for R a rotation; searched, not proved.
     """
 
 def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -1208,8 +1209,8 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float64] | No
     nothing turns; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.
-    23 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
-    less, 8 equal, 23 select.  Error <= angle: 5 u, axis: 4 u of its largest component;
+    27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16
+    less, 8 equal, 31 select.  Error <= angle: 5 u, axis: 4 u of its largest component;
     searched, not proved.
     """
 
@@ -1218,16 +1219,17 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArr
     it.
 
     (4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.
-    25 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
-    less, 7 equal, 20 select.  Error <= vo: 5 u of its largest component; searched, not proved.
+    29 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16
+    less, 7 equal, 28 select.  Error <= vo: 5 u of its largest component; searched, not proved.
     """
 
 def SO3_log(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    40 mul, 189 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
-    less, 10 equal, 51 select.  Error <= vo: 5 u of its largest component; searched, not proved.
+    40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
+    less, 10 equal, 58 select.  Error <= vo: 5 u of its largest component for R a rotation;
+    searched, not proved.
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -1235,9 +1237,9 @@ def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float64] | None, 
     turns.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    35 mul, 204 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
-    less, 11 equal, 54 select.  Error <= angle: 8 u, axis: 5 u of its largest component;
-    searched, not proved.
+    35 mul, 235 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
+    less, 11 equal, 61 select.  Error <= angle: 8 u, axis: 5 u of its largest component for R a
+    rotation; searched, not proved.
     """
 
 def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1261,7 +1263,7 @@ def mat3x3_ldl(A: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.f
     pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
 
     (3,3)->(),(3,3).  A, L: rotation or other 3×3 matrix; pivot: number.
-    16 mul, 72 add, 6 product error, 4 product rest, 12 div, 6 less, 6 equal, 21 select.  |L D
+    16 mul, 96 add, 6 product error, 4 product rest, 12 div, 6 less, 6 equal, 21 select.  |L D
     L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and underflow.
     """
 
@@ -1280,7 +1282,7 @@ def mat3x3_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float64] | No
     positive, and x not a number.
 
     (3,3),(3)->(),(3).  A: rotation or other 3×3 matrix; b, x: vector; pivot: number.
-    89 mul, 327 add, 14 product error, 28 product rest, 28 div, 11 less, 5 equal, 38 select.
+    96 mul, 398 add, 16 product error, 31 product rest, 30 div, 11 less, 5 equal, 38 select.
     Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
     barring over- and underflow.
     """
@@ -1290,7 +1292,7 @@ def mat6x6_ldl(A: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.f
     pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
 
     (6,6)->(),(6,6).  A, L: 6×6 operator; pivot: number.
-    121 mul, 452 add, 21 product error, 35 product rest, 42 div, 15 less, 21 equal, 57 select.
+    121 mul, 512 add, 21 product error, 35 product rest, 42 div, 15 less, 21 equal, 57 select.
     |L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
     underflow.
     """
@@ -1312,7 +1314,7 @@ def mat6x6_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float64] | No
 
     (6,6),(6)->(),(6).  A: 6×6 operator; b: coscrew (f in N; τ in N m); pivot: number; x: screw
     (v in m/s; ω in rad/s).
-    497 mul, 1648 add, 44 product error, 165 product rest, 91 div, 23 less, 8 equal, 77 select.
+    516 mul, 1806 add, 49 product error, 171 product rest, 96 div, 23 less, 8 equal, 77 select.
     Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
     barring over- and underflow.
     """
@@ -1410,6 +1412,6 @@ def inertia_consistency(B: ArrayLike, out: NDArray[np.float64] | None = ...) -> 
 
     (10)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
     xz, yz in kg m^2); pivot: number.
-    43 mul, 204 add, 10 product error, 10 product rest, 20 div, 6 neg, 9 less, 1 equal, 26
+    43 mul, 258 add, 10 product error, 10 product rest, 20 div, 6 neg, 9 less, 1 equal, 26
     select.
     """
