@@ -101,7 +101,7 @@ class Domain:
 
 ANY, ROTATION = Domain(""), Domain("{x} a rotation")
 UNIT, FRACTION = Domain("|{x}| = 1"), Domain("0 <= {x} <= 1")
-TURN, HALF_TURN = Domain("|{x}| < 2^511, in single precision 2^63"), Domain("|{x}| <= π")
+TURN, HALF_TURN = Domain("|{x}| <= 1e13, in single precision 1e5"), Domain("|{x}| <= π")
 ORDINARY = Domain("2^-450 < |{x}| < 2^511, in single precision 2^-45 < |{x}| < 2^63")
 """ROTATION, UNIT: but for one rounding of each component.  TURN, HALF_TURN: the angle of a rotation
 vector, or of a screw's angular part."""

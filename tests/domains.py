@@ -121,8 +121,8 @@ def _turns(rng: Generator, n: int, dtype: np.dtype) -> Rows:
 
 
 def _large_turns(rng: Generator, n: int, dtype: np.dtype) -> Rows:
-    """A third beyond π, to 1e6, half of them next to a multiple of π/2."""
-    far = np.exp(rng.uniform(np.log(np.pi), np.log(1e6), n))
+    """A third beyond π, to 1e5, half of them next to a multiple of π/2."""
+    far = np.exp(rng.uniform(np.log(np.pi), np.log(5e4), n))
     near = np.rint(far / (np.pi / 2)) * (np.pi / 2) + np.exp2(-rng.uniform(0, 40, n))
     large = np.where(rng.random(n) < 0.5, far, near)
     return directions(rng, n) * np.where(rng.random(n) < 1 / 3, large, angles(rng, n))[:, None]
@@ -182,10 +182,10 @@ FRACTION = Domain(lambda rng, n, dtype: rng.choice([0, 1, 0.5, *rng.uniform(0, 1
 ROTATION = Domain(_turns, rotation_matrices)
 DISPLACEMENT = Domain(lambda rng, n, dtype: np.hstack([_turns(rng, n, dtype),
                                                        _wide(rng, n, dtype)]), _displacements)
-LARGE_TURN = Domain(_large_turns, lambda p: np.clip(p, -1e6, 1e6))
+LARGE_TURN = Domain(_large_turns, lambda p: np.clip(p, -5e4, 5e4))
 LARGE_MOTION = Domain(lambda rng, n, dtype: np.hstack([_wide(rng, n, dtype),
                                                        _large_turns(rng, n, dtype)]),
-                      lambda p: np.hstack([p[:, :3], np.clip(p[:, 3:], -1e6, 1e6)]))
+                      lambda p: np.hstack([p[:, :3], np.clip(p[:, 3:], -5e4, 5e4)]))
 MOTION = Domain(lambda rng, n, dtype: np.hstack([_wide(rng, n, dtype), _turns(rng, n, dtype)]),
                 lambda p: np.hstack([p[:, :3], _within_pi(p[:, 3:])]))
 

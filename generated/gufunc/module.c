@@ -74,7 +74,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "b166367caa54a1e1") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "90170ccaad29b3c4") < 0) {
     Py_DECREF(module);
     return NULL;
   }

@@ -1637,8 +1637,8 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the rotation vector v.\n"
     "\n"
     "(3)->(4).  v: vector; qo: quaternion (w; x, y, z), the scalar first.\n"
-    "43 mul, 53 add, 2 div, 1 sqrt, 1 sin, 1 cos, 3 abs, 1 less, 5 select.  Error <= qo: (7 +\n"
-    "θ/200) u of its largest component for |v| < 2^511, in single precision 2^63; searched, not\n"
+    "43 mul, 53 add, 2 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 2 less, 6 select.  Error <= qo: (7 +\n"
+    "θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not\n"
     "proved.\n",
    1, 1, quaternion_exp_loops},
   {"quaternion_log", "(4)->(3)",
@@ -1653,7 +1653,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.\n"
     "\n"
     "(4),(4),()->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first; k: number.\n"
-    "85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 6 abs, 10 less, 1 equal, 18\n"
+    "85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19\n"
     "select.  Error <= qo: 12 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <=\n"
     "1; searched, not proved.\n",
    3, 1, quaternion_slerp_loops},

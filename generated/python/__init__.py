@@ -12,7 +12,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "b166367caa54a1e1")
+COMPILED: bool = is_compiled("coscrew._gufunc", "90170ccaad29b3c4")
 
 if COMPILED:
     from coscrew._gufunc import (

@@ -1556,8 +1556,8 @@ def quaternion_exp(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDAr
     """qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the rotation vector v.
 
     (3)->(4).  v: vector; qo: quaternion (w; x, y, z), the scalar first.
-    43 mul, 53 add, 2 div, 1 sqrt, 1 sin, 1 cos, 3 abs, 1 less, 5 select.  Error <= qo: (7 +
-    θ/200) u of its largest component for |v| < 2^511, in single precision 2^63; searched, not
+    43 mul, 53 add, 2 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 2 less, 6 select.  Error <= qo: (7 +
+    θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
     proved.
     """
 
@@ -1574,7 +1574,7 @@ def quaternion_slerp(q1: ArrayLike, q2: ArrayLike, k: ArrayLike, out: NDArray[np
     """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first; k: number.
-    85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 6 abs, 10 less, 1 equal, 18
+    85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
     select.  Error <= qo: 12 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <=
     1; searched, not proved.
     """
@@ -1583,8 +1583,8 @@ def SO3_exp(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 abs, 4 less, 10 select.  Error <= R: (5 +
-    θ/200) u of its largest component for |v| < 2^511, in single precision 2^63; searched, not
+    49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 5 less, 11 select.  Error <= R: (5 +
+    θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
     proved.
     """
 
@@ -1600,8 +1600,8 @@ def SO3_leftJacobian(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> ND
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 abs, 5 less, 11 select.  Error <= R: (6 +
-    θ/200) u of its largest component for |v| < 2^511, in single precision 2^63; searched, not
+    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.  Error <= R: (6 +
+    θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
     proved.
     """
 
@@ -1609,8 +1609,8 @@ def SO3_rightJacobian(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> N
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 3 abs, 5 less, 11 select.  Error <= R:
-    (6 + θ/200) u of its largest component for |v| < 2^511, in single precision 2^63; searched,
+    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 6 less, 12 select.  Error <= R:
+    (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
     not proved.
     """
 
@@ -1619,7 +1619,7 @@ def SO3_leftJacobianInverse(v: ArrayLike, out: NDArray[np.floating] | None = ...
     but 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 3 abs, 6 less, 11 select.  Error <= R: 5
+    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.  Error <= R: 5
     u of its largest component for |v| <= π; searched, not proved.
     """
 
@@ -1628,7 +1628,7 @@ def SO3_rightJacobianInverse(v: ArrayLike, out: NDArray[np.floating] | None = ..
     but 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 abs, 6 less, 11 select.  Error <= R: 5 u of
+    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.  Error <= R: 5 u of
     its largest component for |v| <= π; searched, not proved.
     """
 
@@ -1669,9 +1669,9 @@ def SE3_exp(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     """D = exp s = [exp ω~ | J_l(ω) v].
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-    80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 abs, 5 less, 12 select.  Error <= R: (5 +
+    80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (5 +
     θ/200) u, t: (8 + θ/200) u of its largest component, or of s.lin if that is larger for |ω of
-    s| < 2^511, in single precision 2^63; searched, not proved.
+    s| <= 1e13, in single precision 1e5; searched, not proved.
     """
 
 def SE3_log(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1686,7 +1686,7 @@ def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> ND
     """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 3 abs, 6 less, 14 select.  Error <= M:
+    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.  Error <= M:
     14 u of its largest component for |ω of s| <= π; searched, not proved.
     """
 
@@ -1694,7 +1694,7 @@ def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> N
     """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 3 abs, 6 less, 14 select.  Error <=
+    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.  Error <=
     M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
     """
 
@@ -1702,7 +1702,7 @@ def SE3_leftJacobianInverse(s: ArrayLike, out: NDArray[np.floating] | None = ...
     """M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 3 abs, 6 less, 12 select.  Error <= M:
+    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
     9 u of its largest component for |ω of s| <= π; searched, not proved.
     """
 
@@ -1710,7 +1710,7 @@ def SE3_rightJacobianInverse(s: ArrayLike, out: NDArray[np.floating] | None = ..
     """M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 3 abs, 6 less, 12 select.  Error <= M:
+    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
     9 u of its largest component for |ω of s| <= π; searched, not proved.
     """
 
@@ -1718,7 +1718,7 @@ def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 6 abs, 19 less, 1 equal, 41
+    208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
     select.  Error <= R: 12 u, t: 20 u of its largest component, or of D1.t or D2.t if that is
     larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.
     """

@@ -13,8 +13,8 @@ def SO3_exp(v):
     """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 abs, 4 less, 10 select.  Error <= R: (5 +
-    θ/200) u of its largest component for |v| < 2^511, in single precision 2^63; searched, not
+    49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 5 less, 11 select.  Error <= R: (5 +
+    θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
     proved.
     """
     v_0, v_1, v_2 = v
@@ -46,7 +46,8 @@ def SO3_exp(v):
     cross_rest = cross - theta_low * theta_sum
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
-    delta = 0.5 * residual / theta
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
     far_sine = where(x < 1, 1, sin(theta))
     far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
@@ -195,8 +196,8 @@ def SO3_leftJacobian(v):
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 abs, 5 less, 11 select.  Error <= R: (6 +
-    θ/200) u of its largest component for |v| < 2^511, in single precision 2^63; searched, not
+    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.  Error <= R: (6 +
+    θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
     proved.
     """
     v_0, v_1, v_2 = v
@@ -228,7 +229,8 @@ def SO3_leftJacobian(v):
     cross_rest = cross - theta_low * theta_sum
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
-    delta = 0.5 * residual / theta
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
     far_sine = where(x < 1, 1, sin(theta))
     far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
@@ -335,8 +337,8 @@ def SO3_rightJacobian(v):
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 3 abs, 5 less, 11 select.  Error <= R:
-    (6 + θ/200) u of its largest component for |v| < 2^511, in single precision 2^63; searched,
+    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 6 less, 12 select.  Error <= R:
+    (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
     not proved.
     """
     v_0, v_1, v_2 = v
@@ -368,7 +370,8 @@ def SO3_rightJacobian(v):
     cross_rest = cross - theta_low * theta_sum
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
-    delta = 0.5 * residual / theta
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
     far_sine = where(x < 1, 1, sin(theta))
     far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
@@ -476,7 +479,7 @@ def SO3_leftJacobianInverse(v):
     but 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 3 abs, 6 less, 11 select.  Error <= R: 5
+    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.  Error <= R: 5
     u of its largest component for |v| <= π; searched, not proved.
     """
     v_0, v_1, v_2 = v
@@ -508,7 +511,8 @@ def SO3_leftJacobianInverse(v):
     cross_rest = cross - theta_low * theta_sum
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
-    delta = 0.5 * residual / theta
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
     far_sine = where(x < 1, 1, sin(theta))
     far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
@@ -583,7 +587,7 @@ def SO3_rightJacobianInverse(v):
     but 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 abs, 6 less, 11 select.  Error <= R: 5 u of
+    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.  Error <= R: 5 u of
     its largest component for |v| <= π; searched, not proved.
     """
     v_0, v_1, v_2 = v
@@ -615,7 +619,8 @@ def SO3_rightJacobianInverse(v):
     cross_rest = cross - theta_low * theta_sum
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
-    delta = 0.5 * residual / theta
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
     far_sine = where(x < 1, 1, sin(theta))
     far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
@@ -866,9 +871,9 @@ def SE3_exp(s):
     """D = exp s = [exp ω~ | J_l(ω) v].
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-    80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 abs, 5 less, 12 select.  Error <= R: (5 +
+    80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (5 +
     θ/200) u, t: (8 + θ/200) u of its largest component, or of s.lin if that is larger for |ω of
-    s| < 2^511, in single precision 2^63; searched, not proved.
+    s| <= 1e13, in single precision 1e5; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -899,7 +904,8 @@ def SE3_exp(s):
     cross_rest = cross - theta_low * theta_sum
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
-    delta = 0.5 * residual / theta
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
     far_sine = where(x < 1, 1, sin(theta))
     far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
@@ -1143,7 +1149,7 @@ def SE3_leftJacobian(s):
     """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 3 abs, 6 less, 14 select.  Error <= M:
+    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.  Error <= M:
     14 u of its largest component for |ω of s| <= π; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
@@ -1175,7 +1181,8 @@ def SE3_leftJacobian(s):
     cross_rest = cross - theta_low * theta_sum
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
-    delta = 0.5 * residual / theta
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
     far_sine = where(x < 1, 1, sin(theta))
     far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
@@ -1361,7 +1368,7 @@ def SE3_rightJacobian(s):
     """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 3 abs, 6 less, 14 select.  Error <=
+    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.  Error <=
     M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
@@ -1393,7 +1400,8 @@ def SE3_rightJacobian(s):
     cross_rest = cross - theta_low * theta_sum
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
-    delta = 0.5 * residual / theta
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
     far_sine = where(x < 1, 1, sin(theta))
     far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
@@ -1579,7 +1587,7 @@ def SE3_leftJacobianInverse(s):
     """M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 3 abs, 6 less, 12 select.  Error <= M:
+    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
     9 u of its largest component for |ω of s| <= π; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
@@ -1611,7 +1619,8 @@ def SE3_leftJacobianInverse(s):
     cross_rest = cross - theta_low * theta_sum
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
-    delta = 0.5 * residual / theta
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
     far_sine = where(x < 1, 1, sin(theta))
     far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
@@ -1752,7 +1761,7 @@ def SE3_rightJacobianInverse(s):
     """M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 3 abs, 6 less, 12 select.  Error <= M:
+    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
     9 u of its largest component for |ω of s| <= π; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
@@ -1784,7 +1793,8 @@ def SE3_rightJacobianInverse(s):
     cross_rest = cross - theta_low * theta_sum
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
-    delta = 0.5 * residual / theta
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
     far_sine = where(x < 1, 1, sin(theta))
     far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
@@ -1925,7 +1935,7 @@ def SE3_interpolated(D1, D2, k):
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 6 abs, 19 less, 1 equal, 41
+    208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
     select.  Error <= R: 12 u, t: 20 u of its largest component, or of D1.t or D2.t if that is
     larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.
     """
@@ -2089,7 +2099,8 @@ def SE3_interpolated(D1, D2, k):
     exp_cross_rest = exp_cross - exp_theta_low * exp_theta_sum
     exp_exact = exp_squares - exp_theta_high * exp_theta_high
     exp_residual = exp_cross_rest + exp_exact
-    exp_delta = 0.5 * exp_residual / exp_theta
+    exp_small = 0.5 * exp_residual / exp_theta
+    exp_delta = where(absolute(exp_small) < 0.0078125, exp_small, 0)
     exp_far_sine = where(exp_x < 1, 1, sin(exp_theta))
     exp_far_cosine = where(exp_x < 1, 0, cos(exp_theta))
     exp_sine = exp_delta * exp_far_cosine + exp_far_sine

@@ -442,8 +442,8 @@ def quaternion_exp(v):
     """qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the rotation vector v.
 
     (3)->(4).  v: vector; qo: quaternion (w; x, y, z), the scalar first.
-    43 mul, 53 add, 2 div, 1 sqrt, 1 sin, 1 cos, 3 abs, 1 less, 5 select.  Error <= qo: (7 +
-    θ/200) u of its largest component for |v| < 2^511, in single precision 2^63; searched, not
+    43 mul, 53 add, 2 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 2 less, 6 select.  Error <= qo: (7 +
+    θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
     proved.
     """
     v_0, v_1, v_2 = v
@@ -478,7 +478,8 @@ def quaternion_exp(v):
     cross_rest = cross - theta_low * theta_sum
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
-    delta = 0.5 * residual / theta
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
     far_sine = where(x < 1, 1, sin(theta))
     far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
@@ -587,7 +588,7 @@ def quaternion_slerp(q1, q2, k):
     """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first; k: number.
-    85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 6 abs, 10 less, 1 equal, 18
+    85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
     select.  Error <= qo: 12 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <=
     1; searched, not proved.
     """
@@ -653,7 +654,8 @@ def quaternion_slerp(q1, q2, k):
     exp_cross_rest = exp_cross - exp_theta_low * exp_theta_sum
     exp_exact = exp_squares - exp_theta_high * exp_theta_high
     exp_residual = exp_cross_rest + exp_exact
-    exp_delta = 0.5 * exp_residual / exp_theta
+    exp_small = 0.5 * exp_residual / exp_theta
+    exp_delta = where(absolute(exp_small) < 0.0078125, exp_small, 0)
     exp_far_sine = where(exp_x < 1, 1, sin(exp_theta))
     exp_far_cosine = where(exp_x < 1, 0, cos(exp_theta))
     exp_sine = exp_delta * exp_far_cosine + exp_far_sine

@@ -10,8 +10,8 @@
 
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 abs, 4 less, 10 select.
-   Error <= R: (5 + θ/200) u of its largest component for |v| < 2^511, in single precision 2^63;
+   49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 5 less, 11 select.
+   Error <= R: (5 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double size_0 = fabs(v->x);
@@ -45,7 +45,8 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -176,8 +177,8 @@ static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
 
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 abs, 5 less, 11 select.
-   Error <= R: (6 + θ/200) u of its largest component for |v| < 2^511, in single precision 2^63;
+   60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.
+   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double size_0 = fabs(v->x);
@@ -211,7 +212,8 @@ static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -289,8 +291,8 @@ static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 3 abs, 5 less, 11 select.
-   Error <= R: (6 + θ/200) u of its largest component for |v| < 2^511, in single precision 2^63;
+   60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 6 less, 12 select.
+   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double size_0 = fabs(v->x);
@@ -324,7 +326,8 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -403,7 +406,7 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
-   43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 3 abs, 6 less, 11 select.
+   43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.
    Error <= R: 5 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double size_0 = fabs(v->x);
@@ -437,7 +440,8 @@ static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -503,7 +507,7 @@ static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
-   43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 abs, 6 less, 11 select.
+   43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.
    Error <= R: 5 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double size_0 = fabs(v->x);
@@ -537,7 +541,8 @@ static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -851,9 +856,9 @@ static inline void ksl_mat3x3_orthonormalized(const ksl_mat3x3_t *R, ksl_mat3x3_
 
 /* D = exp s = [exp ω~ | J_l(ω) v].
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-   80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 abs, 5 less, 12 select.
+   80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.
    Error <= R: (5 + θ/200) u, t: (8 + θ/200) u of its largest component, or of s.lin if that is
-     larger for |ω of s| < 2^511, in single precision 2^63; searched, not proved. */
+     larger for |ω of s| <= 1e13, in single precision 1e5; searched, not proved. */
 static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -886,7 +891,8 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -1091,7 +1097,7 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 3 abs, 6 less, 14 select.
+   121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.
    Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double size_0 = fabs(s->m3);
@@ -1125,7 +1131,8 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -1307,7 +1314,7 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
 
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 3 abs, 6 less, 14 select.
+   121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.
    Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double size_0 = fabs(s->m3);
@@ -1341,7 +1348,8 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -1523,7 +1531,7 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
 
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 3 abs, 6 less, 12 select.
+   93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
    Error <= M: 9 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double size_0 = fabs(s->m3);
@@ -1557,7 +1565,8 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -1715,7 +1724,7 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
 
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 3 abs, 6 less, 12 select.
+   93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
    Error <= M: 9 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double size_0 = fabs(s->m3);
@@ -1749,7 +1758,8 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -1907,7 +1917,7 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
 
 /* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-   208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 6 abs, 19 less, 1 equal, 41
+   208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
      select.
    Error <= R: 12 u, t: 20 u of its largest component, or of D1.t or D2.t if that is larger for
      D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved. */
@@ -2099,7 +2109,8 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
       exp_cross_rest = exp_cross - exp_cross_rest_a;
   const double exp_exact_a = exp_theta_high * exp_theta_high, exp_exact = exp_squares - exp_exact_a;
   const double exp_residual = exp_cross_rest + exp_exact;
-  const double exp_delta_a = 0.5 * exp_residual, exp_delta = exp_delta_a / exp_theta;
+  const double exp_small_a = 0.5 * exp_residual, exp_small = exp_small_a / exp_theta;
+  const double exp_delta_a = fabs(exp_small), exp_delta = exp_delta_a < 0.0078125 ? exp_small : 0.0;
   const double exp_far_sine_a = sin(exp_theta), exp_far_sine = exp_x < 1.0 ? 1.0 : exp_far_sine_a;
   const double exp_far_cosine_a = cos(exp_theta),
       exp_far_cosine = exp_x < 1.0 ? 0.0 : exp_far_cosine_a;
@@ -2240,8 +2251,8 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
 
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 abs, 4 less, 10 select.
-   Error <= R: (5 + θ/200) u of its largest component for |v| < 2^511, in single precision 2^63;
+   49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 5 less, 11 select.
+   Error <= R: (5 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float size_0 = fabsf(v->x);
@@ -2275,7 +2286,8 @@ static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -2402,8 +2414,8 @@ static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
 
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 abs, 5 less, 11 select.
-   Error <= R: (6 + θ/200) u of its largest component for |v| < 2^511, in single precision 2^63;
+   60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.
+   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float size_0 = fabsf(v->x);
@@ -2437,7 +2449,8 @@ static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -2510,8 +2523,8 @@ static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
 
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 3 abs, 5 less, 11 select.
-   Error <= R: (6 + θ/200) u of its largest component for |v| < 2^511, in single precision 2^63;
+   60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 6 less, 12 select.
+   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float size_0 = fabsf(v->x);
@@ -2545,7 +2558,8 @@ static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -2619,7 +2633,7 @@ static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
-   43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 3 abs, 6 less, 11 select.
+   43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.
    Error <= R: 5 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float size_0 = fabsf(v->x);
@@ -2653,7 +2667,8 @@ static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -2717,7 +2732,7 @@ static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
-   43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 abs, 6 less, 11 select.
+   43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.
    Error <= R: 5 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float size_0 = fabsf(v->x);
@@ -2751,7 +2766,8 @@ static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -3062,9 +3078,9 @@ static inline void ksl_mat3x3f_orthonormalized(const ksl_mat3x3f_t *R, ksl_mat3x
 
 /* D = exp s = [exp ω~ | J_l(ω) v].
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-   80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 abs, 5 less, 12 select.
+   80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.
    Error <= R: (5 + θ/200) u, t: (8 + θ/200) u of its largest component, or of s.lin if that is
-     larger for |ω of s| < 2^511, in single precision 2^63; searched, not proved. */
+     larger for |ω of s| <= 1e13, in single precision 1e5; searched, not proved. */
 static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
   const float size_0 = fabsf(s->m3);
   const float size_1 = fabsf(s->m4);
@@ -3097,7 +3113,8 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -3294,7 +3311,7 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 3 abs, 6 less, 14 select.
+   121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.
    Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float size_0 = fabsf(s->m3);
@@ -3328,7 +3345,8 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -3499,7 +3517,7 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
 
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 3 abs, 6 less, 14 select.
+   121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.
    Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float size_0 = fabsf(s->m3);
@@ -3533,7 +3551,8 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -3704,7 +3723,7 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
 
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 3 abs, 6 less, 12 select.
+   93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
    Error <= M: 9 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float size_0 = fabsf(s->m3);
@@ -3738,7 +3757,8 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -3894,7 +3914,7 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
 
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 3 abs, 6 less, 12 select.
+   93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
    Error <= M: 9 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float size_0 = fabsf(s->m3);
@@ -3928,7 +3948,8 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -4084,7 +4105,7 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
 
 /* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-   208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 6 abs, 19 less, 1 equal, 41
+   208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
      select.
    Error <= R: 12 u, t: 20 u of its largest component, or of D1.t or D2.t if that is larger for
      D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved. */
@@ -4275,7 +4296,9 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
       exp_cross_rest = exp_cross - exp_cross_rest_a;
   const float exp_exact_a = exp_theta_high * exp_theta_high, exp_exact = exp_squares - exp_exact_a;
   const float exp_residual = exp_cross_rest + exp_exact;
-  const float exp_delta_a = 0.5f * exp_residual, exp_delta = exp_delta_a / exp_theta;
+  const float exp_small_a = 0.5f * exp_residual, exp_small = exp_small_a / exp_theta;
+  const float exp_delta_a = fabsf(exp_small),
+      exp_delta = exp_delta_a < 0.0078125f ? exp_small : 0.0f;
   const float exp_far_sine_a = sinf(exp_theta), exp_far_sine = exp_x < 1.0f ? 1.0f : exp_far_sine_a;
   const float exp_far_cosine_a = cosf(exp_theta),
       exp_far_cosine = exp_x < 1.0f ? 0.0f : exp_far_cosine_a;

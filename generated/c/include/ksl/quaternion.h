@@ -468,8 +468,8 @@ static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, k
 
 /* qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the rotation vector v.
    v: vector; qo: quaternion (w; x, y, z), the scalar first.
-   43 mul, 53 add, 2 div, 1 sqrt, 1 sin, 1 cos, 3 abs, 1 less, 5 select.
-   Error <= qo: (7 + θ/200) u of its largest component for |v| < 2^511, in single precision 2^63;
+   43 mul, 53 add, 2 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 2 less, 6 select.
+   Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo) {
   const double h_0 = 0.5 * v->x;
@@ -506,7 +506,8 @@ static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo)
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -593,7 +594,7 @@ static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo)
 
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (w; x, y, z), the scalar first; k: number.
-   85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 6 abs, 10 less, 1 equal, 18
+   85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
      select.
    Error <= qo: 12 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
      searched, not proved. */
@@ -674,7 +675,8 @@ static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1, const ksl_qu
       exp_cross_rest = exp_cross - exp_cross_rest_a;
   const double exp_exact_a = exp_theta_high * exp_theta_high, exp_exact = exp_squares - exp_exact_a;
   const double exp_residual = exp_cross_rest + exp_exact;
-  const double exp_delta_a = 0.5 * exp_residual, exp_delta = exp_delta_a / exp_theta;
+  const double exp_small_a = 0.5 * exp_residual, exp_small = exp_small_a / exp_theta;
+  const double exp_delta_a = fabs(exp_small), exp_delta = exp_delta_a < 0.0078125 ? exp_small : 0.0;
   const double exp_far_sine_a = sin(exp_theta), exp_far_sine = exp_x < 1.0 ? 1.0 : exp_far_sine_a;
   const double exp_far_cosine_a = cos(exp_theta),
       exp_far_cosine = exp_x < 1.0 ? 0.0 : exp_far_cosine_a;
@@ -1185,8 +1187,8 @@ static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, 
 
 /* qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the rotation vector v.
    v: vector; qo: quaternion (w; x, y, z), the scalar first.
-   43 mul, 53 add, 2 div, 1 sqrt, 1 sin, 1 cos, 3 abs, 1 less, 5 select.
-   Error <= qo: (7 + θ/200) u of its largest component for |v| < 2^511, in single precision 2^63;
+   43 mul, 53 add, 2 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 2 less, 6 select.
+   Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *qo) {
   const float h_0 = 0.5f * v->x;
@@ -1223,7 +1225,8 @@ static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -1307,7 +1310,7 @@ static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *
 
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (w; x, y, z), the scalar first; k: number.
-   85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 6 abs, 10 less, 1 equal, 18
+   85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
      select.
    Error <= qo: 12 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
      searched, not proved. */
@@ -1387,7 +1390,9 @@ static inline void ksl_quaternionf_slerp(const ksl_quaternionf_t *q1, const ksl_
       exp_cross_rest = exp_cross - exp_cross_rest_a;
   const float exp_exact_a = exp_theta_high * exp_theta_high, exp_exact = exp_squares - exp_exact_a;
   const float exp_residual = exp_cross_rest + exp_exact;
-  const float exp_delta_a = 0.5f * exp_residual, exp_delta = exp_delta_a / exp_theta;
+  const float exp_small_a = 0.5f * exp_residual, exp_small = exp_small_a / exp_theta;
+  const float exp_delta_a = fabsf(exp_small),
+      exp_delta = exp_delta_a < 0.0078125f ? exp_small : 0.0f;
   const float exp_far_sine_a = sinf(exp_theta), exp_far_sine = exp_x < 1.0f ? 1.0f : exp_far_sine_a;
   const float exp_far_cosine_a = cosf(exp_theta),
       exp_far_cosine = exp_x < 1.0f ? 0.0f : exp_far_cosine_a;
