@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* Exponentials and logarithms of rotations and displacements, their Jacobians, interpolation. */
 #ifndef KSL_EXPONENTIAL_H
 #define KSL_EXPONENTIAL_H
@@ -130,46 +132,46 @@ static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double d_1 = first_0 - others_0;
   const double d_2 = first_1 + others_1;
   const double d_3 = first_1 - others_1;
-  const double low_0 = R->m11 < R->m00 ? p_0 : p_1;
-  const double low_1 = R->m11 < R->m00 ? d_1 : s_2;
-  const double low_2 = R->m11 < R->m00 ? s_2 : d_2;
-  const double low_3 = R->m11 < R->m00 ? s_1 : s_0;
-  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0;
-  const double high_1 = R->m00 < high_0a ? s_1 : p_0;
-  const double high_2 = R->m00 < high_0a ? s_0 : p_1;
-  const double high_3 = R->m00 < high_0a ? d_3 : p_2;
+  const double low_0 = R->m11 < R->m00 ? d_1 : s_2;
+  const double low_1 = R->m11 < R->m00 ? s_2 : d_2;
+  const double low_2 = R->m11 < R->m00 ? s_1 : s_0;
+  const double low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
+  const double high_1 = R->m00 < high_0a ? s_0 : p_1;
+  const double high_2 = R->m00 < high_0a ? d_3 : p_2;
+  const double high_3 = R->m00 < high_0a ? p_2 : d_0;
   const double column_0 = R->m22 < 0.0 ? low_0 : high_0;
   const double column_1 = R->m22 < 0.0 ? low_1 : high_1;
   const double column_2 = R->m22 < 0.0 ? low_2 : high_2;
   const double column_3 = R->m22 < 0.0 ? low_3 : high_3;
-  const double upper_0a = -column_0, upper_0 = column_0 < 0.0 ? upper_0a : column_0;
-  const double upper_1a = -column_1, upper_1 = column_0 < 0.0 ? upper_1a : column_1;
-  const double upper_2a = -column_2, upper_2 = column_0 < 0.0 ? upper_2a : column_2;
-  const double upper_3a = -column_3, upper_3 = column_0 < 0.0 ? upper_3a : column_3;
-  const double v_s_size_0 = fabs(upper_1);
-  const double v_s_size_1 = fabs(upper_2);
-  const double v_s_size_2 = fabs(upper_3);
+  const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
+  const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
+  const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
+  const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
+  const double v_s_size_0 = fabs(upper_0);
+  const double v_s_size_1 = fabs(upper_1);
+  const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
-  const double v_y_0 = upper_1 * v_s;
-  const double v_y_1 = upper_2 * v_s;
-  const double v_y_2 = upper_3 * v_s;
+  const double v_y_0 = upper_0 * v_s;
+  const double v_y_1 = upper_1 * v_s;
+  const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
       v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n = v_n * v_r;
-  const double half = atan2(n, upper_0);
+  const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = 2.0 * half;
   const double k = theta / divisor;
-  const double vector_0 = upper_1 * k;
-  const double vector_1 = upper_2 * k;
-  const double vector_2 = upper_3 * k;
+  const double vector_0 = upper_0 * k;
+  const double vector_1 = upper_1 * k;
+  const double vector_2 = upper_2 * k;
   vo->x = vector_0;
   vo->y = vector_1;
   vo->z = vector_2;
@@ -672,40 +674,40 @@ static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_
   const double d_1 = first_0 - others_0;
   const double d_2 = first_1 + others_1;
   const double d_3 = first_1 - others_1;
-  const double low_0 = R->m11 < R->m00 ? p_0 : p_1;
-  const double low_1 = R->m11 < R->m00 ? d_1 : s_2;
-  const double low_2 = R->m11 < R->m00 ? s_2 : d_2;
-  const double low_3 = R->m11 < R->m00 ? s_1 : s_0;
-  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0;
-  const double high_1 = R->m00 < high_0a ? s_1 : p_0;
-  const double high_2 = R->m00 < high_0a ? s_0 : p_1;
-  const double high_3 = R->m00 < high_0a ? d_3 : p_2;
+  const double low_0 = R->m11 < R->m00 ? d_1 : s_2;
+  const double low_1 = R->m11 < R->m00 ? s_2 : d_2;
+  const double low_2 = R->m11 < R->m00 ? s_1 : s_0;
+  const double low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
+  const double high_1 = R->m00 < high_0a ? s_0 : p_1;
+  const double high_2 = R->m00 < high_0a ? d_3 : p_2;
+  const double high_3 = R->m00 < high_0a ? p_2 : d_0;
   const double column_0 = R->m22 < 0.0 ? low_0 : high_0;
   const double column_1 = R->m22 < 0.0 ? low_1 : high_1;
   const double column_2 = R->m22 < 0.0 ? low_2 : high_2;
   const double column_3 = R->m22 < 0.0 ? low_3 : high_3;
-  const double upper_0a = -column_0, upper_0 = column_0 < 0.0 ? upper_0a : column_0;
-  const double upper_1a = -column_1, upper_1 = column_0 < 0.0 ? upper_1a : column_1;
-  const double upper_2a = -column_2, upper_2 = column_0 < 0.0 ? upper_2a : column_2;
-  const double upper_3a = -column_3, upper_3 = column_0 < 0.0 ? upper_3a : column_3;
-  const double v_s_size_0 = fabs(upper_1);
-  const double v_s_size_1 = fabs(upper_2);
-  const double v_s_size_2 = fabs(upper_3);
+  const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
+  const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
+  const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
+  const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
+  const double v_s_size_0 = fabs(upper_0);
+  const double v_s_size_1 = fabs(upper_1);
+  const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
-  const double v_y_0 = upper_1 * v_s;
-  const double v_y_1 = upper_2 * v_s;
-  const double v_y_2 = upper_3 * v_s;
+  const double v_y_0 = upper_0 * v_s;
+  const double v_y_1 = upper_1 * v_s;
+  const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
       v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n = v_n * v_r;
-  const double half = atan2(n, upper_0);
+  const double half = atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
   const double unit_0 = v_y_0 / divisor;
   const double unit_1 = v_y_1 / divisor;
@@ -1009,49 +1011,49 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double d_1 = first_0 - others_0;
   const double d_2 = first_1 + others_1;
   const double d_3 = first_1 - others_1;
-  const double low_0 = D->m11 < D->m00 ? p_0 : p_1;
-  const double low_1 = D->m11 < D->m00 ? d_1 : s_2;
-  const double low_2 = D->m11 < D->m00 ? s_2 : d_2;
-  const double low_3 = D->m11 < D->m00 ? s_1 : s_0;
-  const double high_0a = -D->m11, high_0 = D->m00 < high_0a ? p_2 : d_0;
-  const double high_1 = D->m00 < high_0a ? s_1 : p_0;
-  const double high_2 = D->m00 < high_0a ? s_0 : p_1;
-  const double high_3 = D->m00 < high_0a ? d_3 : p_2;
+  const double low_0 = D->m11 < D->m00 ? d_1 : s_2;
+  const double low_1 = D->m11 < D->m00 ? s_2 : d_2;
+  const double low_2 = D->m11 < D->m00 ? s_1 : s_0;
+  const double low_3 = D->m11 < D->m00 ? p_0 : p_1;
+  const double high_0a = -D->m11, high_0 = D->m00 < high_0a ? s_1 : p_0;
+  const double high_1 = D->m00 < high_0a ? s_0 : p_1;
+  const double high_2 = D->m00 < high_0a ? d_3 : p_2;
+  const double high_3 = D->m00 < high_0a ? p_2 : d_0;
   const double column_0 = D->m22 < 0.0 ? low_0 : high_0;
   const double column_1 = D->m22 < 0.0 ? low_1 : high_1;
   const double column_2 = D->m22 < 0.0 ? low_2 : high_2;
   const double column_3 = D->m22 < 0.0 ? low_3 : high_3;
-  const double upper_0a = -column_0, upper_0 = column_0 < 0.0 ? upper_0a : column_0;
-  const double upper_1a = -column_1, upper_1 = column_0 < 0.0 ? upper_1a : column_1;
-  const double upper_2a = -column_2, upper_2 = column_0 < 0.0 ? upper_2a : column_2;
-  const double upper_3a = -column_3, upper_3 = column_0 < 0.0 ? upper_3a : column_3;
-  const double v_s_size_0 = fabs(upper_1);
-  const double v_s_size_1 = fabs(upper_2);
-  const double v_s_size_2 = fabs(upper_3);
+  const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
+  const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
+  const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
+  const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
+  const double v_s_size_0 = fabs(upper_0);
+  const double v_s_size_1 = fabs(upper_1);
+  const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
-  const double v_y_0 = upper_1 * v_s;
-  const double v_y_1 = upper_2 * v_s;
-  const double v_y_2 = upper_3 * v_s;
+  const double v_y_0 = upper_0 * v_s;
+  const double v_y_1 = upper_1 * v_s;
+  const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
       v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n = v_n * v_r;
-  const double half = atan2(n, upper_0);
+  const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = 2.0 * half;
   const double k = theta / divisor;
-  const double vector_0 = upper_1 * k;
-  const double vector_1 = upper_2 * k;
-  const double vector_2 = upper_3 * k;
+  const double vector_0 = upper_0 * k;
+  const double vector_1 = upper_1 * k;
+  const double vector_2 = upper_2 * k;
   const double x = theta * theta;
   const double far_sine = x < 1.0 ? 1.0 : n;
-  const double cotangent = upper_0 / far_sine;
+  const double cotangent = upper_3 / far_sine;
   const double half_cotangent_a = 0.5 * theta, half_cotangent = half_cotangent_a * cotangent;
   const double b_rest = 1.0 - half_cotangent;
   const double b_divisor = x < 4.0 ? 4.0 : x;
@@ -1976,37 +1978,37 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
   const double log_d_1 = log_first_0 - log_others_0;
   const double log_d_2 = log_first_1 + log_others_1;
   const double log_d_3 = log_first_1 - log_others_1;
-  const double log_low_0 = between_5 < between_0 ? log_p_0 : log_p_1;
-  const double log_low_1 = between_5 < between_0 ? log_d_1 : log_s_2;
-  const double log_low_2 = between_5 < between_0 ? log_s_2 : log_d_2;
-  const double log_low_3 = between_5 < between_0 ? log_s_1 : log_s_0;
-  const double log_high_0a = -between_5, log_high_0 = between_0 < log_high_0a ? log_p_2 : log_d_0;
-  const double log_high_1 = between_0 < log_high_0a ? log_s_1 : log_p_0;
-  const double log_high_2 = between_0 < log_high_0a ? log_s_0 : log_p_1;
-  const double log_high_3 = between_0 < log_high_0a ? log_d_3 : log_p_2;
+  const double log_low_0 = between_5 < between_0 ? log_d_1 : log_s_2;
+  const double log_low_1 = between_5 < between_0 ? log_s_2 : log_d_2;
+  const double log_low_2 = between_5 < between_0 ? log_s_1 : log_s_0;
+  const double log_low_3 = between_5 < between_0 ? log_p_0 : log_p_1;
+  const double log_high_0a = -between_5, log_high_0 = between_0 < log_high_0a ? log_s_1 : log_p_0;
+  const double log_high_1 = between_0 < log_high_0a ? log_s_0 : log_p_1;
+  const double log_high_2 = between_0 < log_high_0a ? log_d_3 : log_p_2;
+  const double log_high_3 = between_0 < log_high_0a ? log_p_2 : log_d_0;
   const double log_column_0 = between_10 < 0.0 ? log_low_0 : log_high_0;
   const double log_column_1 = between_10 < 0.0 ? log_low_1 : log_high_1;
   const double log_column_2 = between_10 < 0.0 ? log_low_2 : log_high_2;
   const double log_column_3 = between_10 < 0.0 ? log_low_3 : log_high_3;
   const double log_upper_0a = -log_column_0,
-      log_upper_0 = log_column_0 < 0.0 ? log_upper_0a : log_column_0;
+      log_upper_0 = log_column_3 < 0.0 ? log_upper_0a : log_column_0;
   const double log_upper_1a = -log_column_1,
-      log_upper_1 = log_column_0 < 0.0 ? log_upper_1a : log_column_1;
+      log_upper_1 = log_column_3 < 0.0 ? log_upper_1a : log_column_1;
   const double log_upper_2a = -log_column_2,
-      log_upper_2 = log_column_0 < 0.0 ? log_upper_2a : log_column_2;
+      log_upper_2 = log_column_3 < 0.0 ? log_upper_2a : log_column_2;
   const double log_upper_3a = -log_column_3,
-      log_upper_3 = log_column_0 < 0.0 ? log_upper_3a : log_column_3;
-  const double log_v_s_size_0 = fabs(log_upper_1);
-  const double log_v_s_size_1 = fabs(log_upper_2);
-  const double log_v_s_size_2 = fabs(log_upper_3);
+      log_upper_3 = log_column_3 < 0.0 ? log_upper_3a : log_column_3;
+  const double log_v_s_size_0 = fabs(log_upper_0);
+  const double log_v_s_size_1 = fabs(log_upper_1);
+  const double log_v_s_size_2 = fabs(log_upper_2);
   const double log_v_s_largest1 = log_v_s_size_0 < log_v_s_size_1 ? log_v_s_size_1 : log_v_s_size_0;
   const double log_v_s_largest2 = log_v_s_largest1 < log_v_s_size_2 ? log_v_s_size_2 : log_v_s_largest1;
   const double log_v_s_b = 6.703903964971299e+153 < log_v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       log_v_s_d = log_v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : log_v_s_b,
       log_v_s = log_v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : log_v_s_d;
-  const double log_v_y_0 = log_upper_1 * log_v_s;
-  const double log_v_y_1 = log_upper_2 * log_v_s;
-  const double log_v_y_2 = log_upper_3 * log_v_s;
+  const double log_v_y_0 = log_upper_0 * log_v_s;
+  const double log_v_y_1 = log_upper_1 * log_v_s;
+  const double log_v_y_2 = log_upper_2 * log_v_s;
   const double log_v_n_a = log_v_y_0 * log_v_y_0, log_v_n_b = log_v_y_1 * log_v_y_1,
       log_v_n_c = log_v_n_a + log_v_n_b, log_v_n_d = log_v_y_2 * log_v_y_2,
       log_v_n_e = log_v_n_c + log_v_n_d, log_v_n = sqrt(log_v_n_e);
@@ -2014,16 +2016,16 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
       log_v_r_d = 1.0 < log_v_s ? 7.637340908749012e-152 : log_v_r_b,
       log_v_r = 1.3093562431584567e+151 < log_v_s ? 9.332636185032189e-302 : log_v_r_d;
   const double log_n = log_v_n * log_v_r;
-  const double log_half = atan2(log_n, log_upper_0);
+  const double log_half = atan2(log_n, log_upper_3);
   const double log_divisor = log_n == 0.0 ? 1.0 : log_n;
   const double log_theta = 2.0 * log_half;
   const double log_k = log_theta / log_divisor;
-  const double log_vector_0 = log_upper_1 * log_k;
-  const double log_vector_1 = log_upper_2 * log_k;
-  const double log_vector_2 = log_upper_3 * log_k;
+  const double log_vector_0 = log_upper_0 * log_k;
+  const double log_vector_1 = log_upper_1 * log_k;
+  const double log_vector_2 = log_upper_2 * log_k;
   const double log_x = log_theta * log_theta;
   const double log_far_sine = log_x < 1.0 ? 1.0 : log_n;
-  const double log_cotangent = log_upper_0 / log_far_sine;
+  const double log_cotangent = log_upper_3 / log_far_sine;
   const double log_half_cotangent_a = 0.5 * log_theta,
       log_half_cotangent = log_half_cotangent_a * log_cotangent;
   const double log_b_rest = 1.0 - log_half_cotangent;
@@ -2368,45 +2370,45 @@ static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const float d_1 = first_0 - others_0;
   const float d_2 = first_1 + others_1;
   const float d_3 = first_1 - others_1;
-  const float low_0 = R->m11 < R->m00 ? p_0 : p_1;
-  const float low_1 = R->m11 < R->m00 ? d_1 : s_2;
-  const float low_2 = R->m11 < R->m00 ? s_2 : d_2;
-  const float low_3 = R->m11 < R->m00 ? s_1 : s_0;
-  const float high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0;
-  const float high_1 = R->m00 < high_0a ? s_1 : p_0;
-  const float high_2 = R->m00 < high_0a ? s_0 : p_1;
-  const float high_3 = R->m00 < high_0a ? d_3 : p_2;
+  const float low_0 = R->m11 < R->m00 ? d_1 : s_2;
+  const float low_1 = R->m11 < R->m00 ? s_2 : d_2;
+  const float low_2 = R->m11 < R->m00 ? s_1 : s_0;
+  const float low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const float high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
+  const float high_1 = R->m00 < high_0a ? s_0 : p_1;
+  const float high_2 = R->m00 < high_0a ? d_3 : p_2;
+  const float high_3 = R->m00 < high_0a ? p_2 : d_0;
   const float column_0 = R->m22 < 0.0f ? low_0 : high_0;
   const float column_1 = R->m22 < 0.0f ? low_1 : high_1;
   const float column_2 = R->m22 < 0.0f ? low_2 : high_2;
   const float column_3 = R->m22 < 0.0f ? low_3 : high_3;
-  const float upper_0a = -column_0, upper_0 = column_0 < 0.0f ? upper_0a : column_0;
-  const float upper_1a = -column_1, upper_1 = column_0 < 0.0f ? upper_1a : column_1;
-  const float upper_2a = -column_2, upper_2 = column_0 < 0.0f ? upper_2a : column_2;
-  const float upper_3a = -column_3, upper_3 = column_0 < 0.0f ? upper_3a : column_3;
-  const float v_s_size_0 = fabsf(upper_1);
-  const float v_s_size_1 = fabsf(upper_2);
-  const float v_s_size_2 = fabsf(upper_3);
+  const float upper_0a = -column_0, upper_0 = column_3 < 0.0f ? upper_0a : column_0;
+  const float upper_1a = -column_1, upper_1 = column_3 < 0.0f ? upper_1a : column_1;
+  const float upper_2a = -column_2, upper_2 = column_3 < 0.0f ? upper_2a : column_2;
+  const float upper_3a = -column_3, upper_3 = column_3 < 0.0f ? upper_3a : column_3;
+  const float v_s_size_0 = fabsf(upper_0);
+  const float v_s_size_1 = fabsf(upper_1);
+  const float v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
       v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
       v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
-  const float v_y_0 = upper_1 * v_s;
-  const float v_y_1 = upper_2 * v_s;
-  const float v_y_2 = upper_3 * v_s;
+  const float v_y_0 = upper_0 * v_s;
+  const float v_y_1 = upper_1 * v_s;
+  const float v_y_2 = upper_2 * v_s;
   const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = v_n * v_r;
-  const float half = atan2f(n, upper_0);
+  const float half = atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
   const float theta = 2.0f * half;
   const float k = theta / divisor;
-  const float vector_0 = upper_1 * k;
-  const float vector_1 = upper_2 * k;
-  const float vector_2 = upper_3 * k;
+  const float vector_0 = upper_0 * k;
+  const float vector_1 = upper_1 * k;
+  const float vector_2 = upper_2 * k;
   vo->x = vector_0;
   vo->y = vector_1;
   vo->z = vector_2;
@@ -2895,39 +2897,39 @@ static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3
   const float d_1 = first_0 - others_0;
   const float d_2 = first_1 + others_1;
   const float d_3 = first_1 - others_1;
-  const float low_0 = R->m11 < R->m00 ? p_0 : p_1;
-  const float low_1 = R->m11 < R->m00 ? d_1 : s_2;
-  const float low_2 = R->m11 < R->m00 ? s_2 : d_2;
-  const float low_3 = R->m11 < R->m00 ? s_1 : s_0;
-  const float high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0;
-  const float high_1 = R->m00 < high_0a ? s_1 : p_0;
-  const float high_2 = R->m00 < high_0a ? s_0 : p_1;
-  const float high_3 = R->m00 < high_0a ? d_3 : p_2;
+  const float low_0 = R->m11 < R->m00 ? d_1 : s_2;
+  const float low_1 = R->m11 < R->m00 ? s_2 : d_2;
+  const float low_2 = R->m11 < R->m00 ? s_1 : s_0;
+  const float low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const float high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
+  const float high_1 = R->m00 < high_0a ? s_0 : p_1;
+  const float high_2 = R->m00 < high_0a ? d_3 : p_2;
+  const float high_3 = R->m00 < high_0a ? p_2 : d_0;
   const float column_0 = R->m22 < 0.0f ? low_0 : high_0;
   const float column_1 = R->m22 < 0.0f ? low_1 : high_1;
   const float column_2 = R->m22 < 0.0f ? low_2 : high_2;
   const float column_3 = R->m22 < 0.0f ? low_3 : high_3;
-  const float upper_0a = -column_0, upper_0 = column_0 < 0.0f ? upper_0a : column_0;
-  const float upper_1a = -column_1, upper_1 = column_0 < 0.0f ? upper_1a : column_1;
-  const float upper_2a = -column_2, upper_2 = column_0 < 0.0f ? upper_2a : column_2;
-  const float upper_3a = -column_3, upper_3 = column_0 < 0.0f ? upper_3a : column_3;
-  const float v_s_size_0 = fabsf(upper_1);
-  const float v_s_size_1 = fabsf(upper_2);
-  const float v_s_size_2 = fabsf(upper_3);
+  const float upper_0a = -column_0, upper_0 = column_3 < 0.0f ? upper_0a : column_0;
+  const float upper_1a = -column_1, upper_1 = column_3 < 0.0f ? upper_1a : column_1;
+  const float upper_2a = -column_2, upper_2 = column_3 < 0.0f ? upper_2a : column_2;
+  const float upper_3a = -column_3, upper_3 = column_3 < 0.0f ? upper_3a : column_3;
+  const float v_s_size_0 = fabsf(upper_0);
+  const float v_s_size_1 = fabsf(upper_1);
+  const float v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
       v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
       v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
-  const float v_y_0 = upper_1 * v_s;
-  const float v_y_1 = upper_2 * v_s;
-  const float v_y_2 = upper_3 * v_s;
+  const float v_y_0 = upper_0 * v_s;
+  const float v_y_1 = upper_1 * v_s;
+  const float v_y_2 = upper_2 * v_s;
   const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = v_n * v_r;
-  const float half = atan2f(n, upper_0);
+  const float half = atan2f(n, upper_3);
   const float divisor = v_n == 0.0f ? 1.0f : v_n;
   const float unit_0 = v_y_0 / divisor;
   const float unit_1 = v_y_1 / divisor;
@@ -3226,48 +3228,48 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float d_1 = first_0 - others_0;
   const float d_2 = first_1 + others_1;
   const float d_3 = first_1 - others_1;
-  const float low_0 = D->m11 < D->m00 ? p_0 : p_1;
-  const float low_1 = D->m11 < D->m00 ? d_1 : s_2;
-  const float low_2 = D->m11 < D->m00 ? s_2 : d_2;
-  const float low_3 = D->m11 < D->m00 ? s_1 : s_0;
-  const float high_0a = -D->m11, high_0 = D->m00 < high_0a ? p_2 : d_0;
-  const float high_1 = D->m00 < high_0a ? s_1 : p_0;
-  const float high_2 = D->m00 < high_0a ? s_0 : p_1;
-  const float high_3 = D->m00 < high_0a ? d_3 : p_2;
+  const float low_0 = D->m11 < D->m00 ? d_1 : s_2;
+  const float low_1 = D->m11 < D->m00 ? s_2 : d_2;
+  const float low_2 = D->m11 < D->m00 ? s_1 : s_0;
+  const float low_3 = D->m11 < D->m00 ? p_0 : p_1;
+  const float high_0a = -D->m11, high_0 = D->m00 < high_0a ? s_1 : p_0;
+  const float high_1 = D->m00 < high_0a ? s_0 : p_1;
+  const float high_2 = D->m00 < high_0a ? d_3 : p_2;
+  const float high_3 = D->m00 < high_0a ? p_2 : d_0;
   const float column_0 = D->m22 < 0.0f ? low_0 : high_0;
   const float column_1 = D->m22 < 0.0f ? low_1 : high_1;
   const float column_2 = D->m22 < 0.0f ? low_2 : high_2;
   const float column_3 = D->m22 < 0.0f ? low_3 : high_3;
-  const float upper_0a = -column_0, upper_0 = column_0 < 0.0f ? upper_0a : column_0;
-  const float upper_1a = -column_1, upper_1 = column_0 < 0.0f ? upper_1a : column_1;
-  const float upper_2a = -column_2, upper_2 = column_0 < 0.0f ? upper_2a : column_2;
-  const float upper_3a = -column_3, upper_3 = column_0 < 0.0f ? upper_3a : column_3;
-  const float v_s_size_0 = fabsf(upper_1);
-  const float v_s_size_1 = fabsf(upper_2);
-  const float v_s_size_2 = fabsf(upper_3);
+  const float upper_0a = -column_0, upper_0 = column_3 < 0.0f ? upper_0a : column_0;
+  const float upper_1a = -column_1, upper_1 = column_3 < 0.0f ? upper_1a : column_1;
+  const float upper_2a = -column_2, upper_2 = column_3 < 0.0f ? upper_2a : column_2;
+  const float upper_3a = -column_3, upper_3 = column_3 < 0.0f ? upper_3a : column_3;
+  const float v_s_size_0 = fabsf(upper_0);
+  const float v_s_size_1 = fabsf(upper_1);
+  const float v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
       v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
       v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
-  const float v_y_0 = upper_1 * v_s;
-  const float v_y_1 = upper_2 * v_s;
-  const float v_y_2 = upper_3 * v_s;
+  const float v_y_0 = upper_0 * v_s;
+  const float v_y_1 = upper_1 * v_s;
+  const float v_y_2 = upper_2 * v_s;
   const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = v_n * v_r;
-  const float half = atan2f(n, upper_0);
+  const float half = atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
   const float theta = 2.0f * half;
   const float k = theta / divisor;
-  const float vector_0 = upper_1 * k;
-  const float vector_1 = upper_2 * k;
-  const float vector_2 = upper_3 * k;
+  const float vector_0 = upper_0 * k;
+  const float vector_1 = upper_1 * k;
+  const float vector_2 = upper_2 * k;
   const float x = theta * theta;
   const float far_sine = x < 1.0f ? 1.0f : n;
-  const float cotangent = upper_0 / far_sine;
+  const float cotangent = upper_3 / far_sine;
   const float half_cotangent_a = 0.5f * theta, half_cotangent = half_cotangent_a * cotangent;
   const float b_rest = 1.0f - half_cotangent;
   const float b_divisor = x < 4.0f ? 4.0f : x;
@@ -4164,37 +4166,37 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
   const float log_d_1 = log_first_0 - log_others_0;
   const float log_d_2 = log_first_1 + log_others_1;
   const float log_d_3 = log_first_1 - log_others_1;
-  const float log_low_0 = between_5 < between_0 ? log_p_0 : log_p_1;
-  const float log_low_1 = between_5 < between_0 ? log_d_1 : log_s_2;
-  const float log_low_2 = between_5 < between_0 ? log_s_2 : log_d_2;
-  const float log_low_3 = between_5 < between_0 ? log_s_1 : log_s_0;
-  const float log_high_0a = -between_5, log_high_0 = between_0 < log_high_0a ? log_p_2 : log_d_0;
-  const float log_high_1 = between_0 < log_high_0a ? log_s_1 : log_p_0;
-  const float log_high_2 = between_0 < log_high_0a ? log_s_0 : log_p_1;
-  const float log_high_3 = between_0 < log_high_0a ? log_d_3 : log_p_2;
+  const float log_low_0 = between_5 < between_0 ? log_d_1 : log_s_2;
+  const float log_low_1 = between_5 < between_0 ? log_s_2 : log_d_2;
+  const float log_low_2 = between_5 < between_0 ? log_s_1 : log_s_0;
+  const float log_low_3 = between_5 < between_0 ? log_p_0 : log_p_1;
+  const float log_high_0a = -between_5, log_high_0 = between_0 < log_high_0a ? log_s_1 : log_p_0;
+  const float log_high_1 = between_0 < log_high_0a ? log_s_0 : log_p_1;
+  const float log_high_2 = between_0 < log_high_0a ? log_d_3 : log_p_2;
+  const float log_high_3 = between_0 < log_high_0a ? log_p_2 : log_d_0;
   const float log_column_0 = between_10 < 0.0f ? log_low_0 : log_high_0;
   const float log_column_1 = between_10 < 0.0f ? log_low_1 : log_high_1;
   const float log_column_2 = between_10 < 0.0f ? log_low_2 : log_high_2;
   const float log_column_3 = between_10 < 0.0f ? log_low_3 : log_high_3;
   const float log_upper_0a = -log_column_0,
-      log_upper_0 = log_column_0 < 0.0f ? log_upper_0a : log_column_0;
+      log_upper_0 = log_column_3 < 0.0f ? log_upper_0a : log_column_0;
   const float log_upper_1a = -log_column_1,
-      log_upper_1 = log_column_0 < 0.0f ? log_upper_1a : log_column_1;
+      log_upper_1 = log_column_3 < 0.0f ? log_upper_1a : log_column_1;
   const float log_upper_2a = -log_column_2,
-      log_upper_2 = log_column_0 < 0.0f ? log_upper_2a : log_column_2;
+      log_upper_2 = log_column_3 < 0.0f ? log_upper_2a : log_column_2;
   const float log_upper_3a = -log_column_3,
-      log_upper_3 = log_column_0 < 0.0f ? log_upper_3a : log_column_3;
-  const float log_v_s_size_0 = fabsf(log_upper_1);
-  const float log_v_s_size_1 = fabsf(log_upper_2);
-  const float log_v_s_size_2 = fabsf(log_upper_3);
+      log_upper_3 = log_column_3 < 0.0f ? log_upper_3a : log_column_3;
+  const float log_v_s_size_0 = fabsf(log_upper_0);
+  const float log_v_s_size_1 = fabsf(log_upper_1);
+  const float log_v_s_size_2 = fabsf(log_upper_2);
   const float log_v_s_largest1 = log_v_s_size_0 < log_v_s_size_1 ? log_v_s_size_1 : log_v_s_size_0;
   const float log_v_s_largest2 = log_v_s_largest1 < log_v_s_size_2 ? log_v_s_size_2 : log_v_s_largest1;
   const float log_v_s_b = 4.611686e+18f < log_v_s_largest2 ? 2.7105054e-20f : 1.0f,
       log_v_s_d = log_v_s_largest2 < 256.0f ? 1.8014399e+16f : log_v_s_b,
       log_v_s = log_v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : log_v_s_d;
-  const float log_v_y_0 = log_upper_1 * log_v_s;
-  const float log_v_y_1 = log_upper_2 * log_v_s;
-  const float log_v_y_2 = log_upper_3 * log_v_s;
+  const float log_v_y_0 = log_upper_0 * log_v_s;
+  const float log_v_y_1 = log_upper_1 * log_v_s;
+  const float log_v_y_2 = log_upper_2 * log_v_s;
   const float log_v_n_a = log_v_y_0 * log_v_y_0, log_v_n_b = log_v_y_1 * log_v_y_1,
       log_v_n_c = log_v_n_a + log_v_n_b, log_v_n_d = log_v_y_2 * log_v_y_2,
       log_v_n_e = log_v_n_c + log_v_n_d, log_v_n = sqrtf(log_v_n_e);
@@ -4202,16 +4204,16 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
       log_v_r_d = 1.0f < log_v_s ? 5.551115e-17f : log_v_r_b,
       log_v_r = 1.8014399e+16f < log_v_s ? 3.081488e-33f : log_v_r_d;
   const float log_n = log_v_n * log_v_r;
-  const float log_half = atan2f(log_n, log_upper_0);
+  const float log_half = atan2f(log_n, log_upper_3);
   const float log_divisor = log_n == 0.0f ? 1.0f : log_n;
   const float log_theta = 2.0f * log_half;
   const float log_k = log_theta / log_divisor;
-  const float log_vector_0 = log_upper_1 * log_k;
-  const float log_vector_1 = log_upper_2 * log_k;
-  const float log_vector_2 = log_upper_3 * log_k;
+  const float log_vector_0 = log_upper_0 * log_k;
+  const float log_vector_1 = log_upper_1 * log_k;
+  const float log_vector_2 = log_upper_2 * log_k;
   const float log_x = log_theta * log_theta;
   const float log_far_sine = log_x < 1.0f ? 1.0f : log_n;
-  const float log_cotangent = log_upper_0 / log_far_sine;
+  const float log_cotangent = log_upper_3 / log_far_sine;
   const float log_half_cotangent_a = 0.5f * log_theta,
       log_half_cotangent = log_half_cotangent_a * log_cotangent;
   const float log_b_rest = 1.0f - log_half_cotangent;
