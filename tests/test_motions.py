@@ -112,7 +112,7 @@ def test_angles_beyond_pi(name: str, precision: Precision):
 def test_angles_beyond_the_domain(name: str, precision: Precision):
     """Rotations, but of angles off by rounding; where θ² overflows, NaN."""
     operation = TABLE[name]
-    for size in (LARGEST_ANGLE[precision.name] * 100, 2.0**50):  # still a rotation, of another angle
+    for size in (LARGEST_ANGLE[precision.name] * 100, 2.0**50):  # still rotations, of other angles
         x = np.zeros((1, operation.inputs[0].quantity.size), precision.numpy_type)
         x[0, -3:] = size, -size / 3, size / 7
         if name in ("SO3_exp", "quaternion_exp"):

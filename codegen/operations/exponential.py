@@ -26,7 +26,8 @@ _v, _small_v, _vo = Argument("v", VEC3, TURN), Argument("v", VEC3, HALF_TURN), A
 _axis, _axis_out = Argument("axis", VEC3, UNIT), Argument("axis", VEC3)
 _R, _Ro, _self = Argument("R", MAT3X3, ROTATION), Argument("Ro", MAT3X3), Argument("self", MAT3X3)
 _D, _D1, _D2 = (Argument(name, SE3, ROTATION) for name in ("D", "D1", "D2"))
-_s, _small_s, _so = Argument("s", SCREW, TURN), Argument("s", SCREW, HALF_TURN), Argument("so", SCREW)
+_s, _small_s = Argument("s", SCREW, TURN), Argument("s", SCREW, HALF_TURN)
+_so = Argument("so", SCREW)
 _Do, _M = Argument("Do", SE3), Argument("M", MAT6X6)
 _angle, _k = Argument("angle", SCALAR), Argument("k", SCALAR, FRACTION)
 
@@ -105,8 +106,9 @@ _ROTATIONS = (
           partial(_bound_jacobian, sign), (Normwise("R", 6, per_angle=200),))
       for side, sign in (("left", 1), ("right", -1))),
     *(_op(f"SO3_{side}JacobianInverse", f"R = J_{side[0]}(v)^-1 = I {'-+'[sign < 0]} v~/2 + "
-          "(1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π but 0", (_small_v,), (_R,),
-          partial(_jacobian_inverse, sign), partial(_bound_jacobian_inverse, sign), (Normwise("R", 5),))
+          "(1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π but 0",
+          (_small_v,), (_R,), partial(_jacobian_inverse, sign),
+          partial(_bound_jacobian_inverse, sign), (Normwise("R", 5),))
       for side, sign in (("left", 1), ("right", -1))),
     _op("mat3x3_from_axis_angle",
         "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1",
@@ -114,7 +116,8 @@ _ROTATIONS = (
         (Normwise("R", 8),)),
     _op("axis_angle_from_mat3x3", f"angle and axis of the rotation R; {ANGLE}", (_R,),
         (_angle, _axis_out), lambda R: axis_and_angle(_log_of(R)),
-        lambda let, R: axis_angle(let, quaternion_of(let, R)), (Normwise("angle", 8), Normwise("axis", 5))),
+        lambda let, R: axis_angle(let, quaternion_of(let, R)),
+        (Normwise("angle", 8), Normwise("axis", 5))),
     _op("mat3x3_orthonormalize", f"self = {_NEWTON}", (_self,), (_self,),
         lambda R: _newton(unnamed, R), _newton),
     _op("mat3x3_orthonormalized", f"Ro = {_NEWTON}", (Argument("R", MAT3X3),), (_Ro,),
@@ -219,7 +222,8 @@ _DISPLACEMENTS = (
     _op("SE3_log", "so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R", (_D,), (_so,),
         _screw_of, _bound_screw_of, (Normwise("lin", 14), Normwise("ang", 8))),
     *(_op(f"SE3_{side}Jacobian", f"M = J_{side[0]}(s) = Σ ({'-' * (sign < 0)}[ad](s))^k / (k+1)!",
-          (_small_s,), (_M,), partial(_motion_jacobian, sign), partial(_bound_motion_jacobian, sign),
+          (_small_s,), (_M,), partial(_motion_jacobian, sign),
+          partial(_bound_motion_jacobian, sign),
           (Normwise("M", 14),)) for side, sign in (("left", 1), ("right", -1))),
     *(_op(f"SE3_{side}JacobianInverse", f"M = J_{side[0]}(s)^-1; singular where |ω| is a multiple "
           "of 2π but 0", (_small_s,), (_M,), partial(_motion_jacobian_inverse, sign),
