@@ -13,7 +13,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "3bbc162c3ed50dff")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "1ef17978d957dd15")
 
 if COMPILED:
     from coscrew.certified._gufunc import (
