@@ -32,8 +32,8 @@ _Do, _M = Argument("Do", SE3), Argument("M", MAT6X6)
 _angle, _k = Argument("angle", SCALAR), Argument("k", SCALAR, FRACTION)
 
 
-def _op(name, statement, inputs, outputs, formula, derivation=None, normwise=()):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation,
+def _op(name, statement, inputs, outputs, formula, derivation=None, normwise=(), family=FAMILY):
+    return Operation(name, family, statement, inputs, outputs, formula, derivation,
                      normwise=normwise)
 
 
@@ -113,11 +113,11 @@ _ROTATIONS = (
     _op("mat3x3_from_axis_angle",
         "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1",
         (_axis, _angle), (_R,), lambda a, t: _matrix(a, sp.sin(t), 1 - sp.cos(t)), _bound_turn,
-        (Normwise("R", 8),)),
+        (Normwise("R", 8),), "mat3x3"),
     _op("axis_angle_from_mat3x3", f"angle and axis of the rotation R; {ANGLE}", (_R,),
         (_angle, _axis_out), lambda R: axis_and_angle(_log_of(R)),
         lambda let, R: axis_angle(let, quaternion_of(let, R)),
-        (Normwise("angle", 8), Normwise("axis", 5))),
+        (Normwise("angle", 8), Normwise("axis", 5)), "mat3x3"),
     _op("mat3x3_orthonormalize", f"self = {_NEWTON}", (_self,), (_self,),
         lambda R: _newton(unnamed, R), _newton),
     _op("mat3x3_orthonormalized", f"Ro = {_NEWTON}", (Argument("R", MAT3X3),), (_Ro,),
