@@ -195,7 +195,7 @@ def vec4_l2norm(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray
     """|v| = sqrt(v·v), all four components.
 
     (4)->().  v: vector (x, y, z) and a homogeneous coordinate w; norm: number.
-    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
+    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 3 equal, 12
     select.
     """
 
@@ -203,7 +203,7 @@ def vec4_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> N
     """self = self / |self|; the zero vector stays zero.
 
     (4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.
-    33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
     select.
     """
 
@@ -211,7 +211,7 @@ def vec4_normalized(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDA
     """vo = v / |v|; the zero vector stays zero.
 
     (4)->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w.
-    33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
     select.
     """
 
@@ -228,8 +228,8 @@ def mat3x3_inverse(R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray
     u times the sum of its terms' sizes), and Ro = NaN.
 
     (3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.
-    52 mul, 161 add, 9 product error, 21 product rest, 18 div, 10 abs, 1 less, 11 equal, 33
-    select.  Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p
+    56 mul, 194 add, 9 product error, 31 product rest, 18 div, 1 neg, 10 abs, 2 less, 11 equal,
+    34 select.  Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p
     the sums of the sizes of the terms of the cofactor and of det R; barring over- and
     underflow.
     """
@@ -239,8 +239,8 @@ def mat3x3_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) ->
     side of it, the third its side of both; NaN where rows depend on each other to rounding.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
-    142 mul, 333 add, 16 product error, 30 product rest, 30 div, 4 sqrt, 6 neg, 10 abs, 21 less,
-    24 equal, 71 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not
+    154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
+    27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not
     proved.
     """
 
@@ -249,8 +249,8 @@ def mat3x3_normalized(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> N
     side of it, the third its side of both; NaN where rows depend on each other to rounding.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
-    142 mul, 333 add, 16 product error, 30 product rest, 30 div, 4 sqrt, 6 neg, 10 abs, 21 less,
-    24 equal, 71 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not
+    154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
+    27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not
     proved.
     """
 
@@ -288,7 +288,7 @@ def mat3x3_jacobi(A: ArrayLike, V: ArrayLike, out: tuple[NDArray[np.floating] | 
     I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
 
     (3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.
-    51 mul, 147 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13
+    51 mul, 153 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13
     equal, 18 select.  |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched,
     not proved.
     """

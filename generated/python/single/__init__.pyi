@@ -243,21 +243,21 @@ def vec4_l2norm(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[
     """|v| = sqrt(v·v), all four components.
 
     (4)->().  v: vector (x, y, z) and a homogeneous coordinate w; norm: number.
-    9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select.
+    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.
     """
 
 def vec4_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """self = self / |self|; the zero vector stays zero.
 
     (4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
 
 def vec4_normalized(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = v / |v|; the zero vector stays zero.
 
     (4)->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
 
 def mat3x3_copy(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -325,7 +325,7 @@ def mat3x3_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> 
     side of it, the third its side of both; NaN where rows depend on each other to rounding.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
-    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 21 less, 5 equal, 36 select.  Rows are
+    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
     perpendicular, and of length 1, but for 4 u; searched, not proved.
     """
 
@@ -334,7 +334,7 @@ def mat3x3_normalized(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> ND
     side of it, the third its side of both; NaN where rows depend on each other to rounding.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
-    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 21 less, 5 equal, 36 select.  Rows are
+    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
     perpendicular, and of length 1, but for 4 u; searched, not proved.
     """
 
