@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "b8fd8ab9a74c7f2d")
+COMPILED: bool = is_compiled("coscrew._gufunc", "2fec3cf08fbf87f4")
 
 if COMPILED:
     from coscrew._gufunc import (
