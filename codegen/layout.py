@@ -10,7 +10,7 @@ from coscrew_codegen.passes import simplified
 from coscrew_codegen.program import Program
 from coscrew_codegen.render import LICENSE, render
 from coscrew_codegen.selection import Selection
-from coscrew_codegen.targets import c, c_storage, numpy
+from coscrew_codegen.targets import c, c_ksl, c_storage, numpy
 from coscrew_codegen.targets.precision import Precision
 from coscrew_codegen.tiers.plain import plain
 from coscrew_codegen.tiers.table import TIERS, Tier
@@ -99,7 +99,8 @@ def _headers(selection: Selection, programs: Programs) -> dict[str, str]:
     for family in families:
         functions = [function for precision in selection.precisions
                      for function in (*c_storage.storage_functions(family, precision),
-                                      *_c_functions(selection, programs, family, precision))]
+                                      *_c_functions(selection, programs, family, precision),
+                                      *c_ksl.ksl_functions(family, precision))]
         allocations = [c_storage.allocation(family, precision)
                        for precision in selection.precisions]
         headers[family] = render(

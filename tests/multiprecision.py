@@ -22,7 +22,7 @@ from coscrew_codegen.operations.operation import GRID
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from tests.c_reader import Arithmetic
 
-DIGITS = 60
+DIGITS = 90
 
 
 @dataclass(frozen=True)

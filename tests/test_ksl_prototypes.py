@@ -7,13 +7,16 @@ behind the arrow.  A C compiler compares them with ours, in both precisions.
 import pytest
 
 from coscrew_codegen.targets.c import c_name
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
+from coscrew_codegen.targets.c_ksl import single_names
+from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, Precision
 from tests.c_harness import C11, COMPILERS, INCLUDE, STRICT, run
 
-TYPES = {"V": "vec3", "M": "mat3x3", "D": "SE3", "S": "screw", "C": "coscrew"}
+TYPES = {"V": "vec3", "M": "mat3x3", "D": "SE3", "S": "screw", "C": "coscrew",
+         "Q": "quaternion"}
 
 # What is passed → names.  A letter is a pointer to const, one with ! a pointer that is written,
-# a the number, d the pair dc[2]; before the colon, what is returned.
+# a the number, t its address, d the pair dc[2]; before the colon, what is returned.  KSL declares
+# some of what it only reads without const: slerp's t, both factors of uqinverseq.
 PROTOTYPES = {
     "a:V": "vec3_l2norm", "a:V,V": "dot_vv", "a:M": "mat3x3_determinant",
     "a:S": "screw_norm", "a:C": "coscrew_norm", "a:C,S": "dot_cs",
@@ -57,6 +60,18 @@ PROTOTYPES = {
     "void:V,C,C!": "product_CoAdtc product_CoAdtcinv product_CoAdtinvc",
     "void:M,C,C!": "product_CoAdrc product_CoAdrcinv product_CoAdrinvc",
     "void:D,C,C!": "product_CoAdc product_CoAdcinv product_CoAdinvc",
+    "a:Q,Q": "dot_qq", "void:Q!": "quaternion_normalize", "void:a,Q,Q!": "axpy_qq",
+    "void:M,Q!": "mat3x3_toQuaternion", "void:Q!,M!": "quaternion_toMat3x3",
+    "void:Q,Q,t,Q!": "quaternion_slerp quaternion_nlerp", "void:Q,t,Q!": "quaternion_squad",
+    "void:V,Q!": "add_dpiToq subtract_dpiFromq",
+    "void:V,Q,Q!": "omega_to_dquaternion quaternion_product_vq quaternion_product_vqconj",
+    "void:Q,Q,Q!": "quaternion_product_qq quaternion_product_qconjq quaternion_product_qqconj "
+                   "quaternion_product_qconjqconj quaternion_product_uqinverseq",
+    "void:Q,V,Q!": "quaternion_product_qv quaternion_product_qconjv",
+    "void:d,Q,Q!": " ".join(f"quaternion_product_q{x}{a}q{b}" for x in "xyz"
+                            for a in ("", "conj") for b in ("", "conj")),
+    "void:Q,d,Q!": " ".join(f"quaternion_product_q{a}q{x}{b}" for x in "xyz"
+                            for a in ("", "conj") for b in ("", "conj")),
 }
 
 
@@ -64,12 +79,20 @@ def declaration(prototype: str, name: str, precision: Precision) -> str:
     """C: a pointer to a function of KSL's type, set to our function."""
     kind, _, passed = prototype.partition(":")
     real = precision.c_type
-    spelled = {"a": real, "d": f"const {real} [2]"} | {
+    spelled = {"a": real, "t": f"const {real} *", "d": f"const {real} [2]"} | {
         letter + mark: f"{const}ksl_{stem}{precision.suffix}_t *"
         for letter, stem in TYPES.items() for mark, const in (("", "const "), ("!", ""))}
     parameters = ", ".join(spelled[p] for p in passed.split(","))
     returned = real if kind == "a" else "void"
-    return f"{returned} (*const is_{name})({parameters}) = {c_name(name, precision)};"
+    return f"{returned} (*const is_{name})({parameters}) = {_function(name, precision)};"
+
+
+def _function(name: str, precision: Precision) -> str:
+    """Our function: of the table, or made of such."""
+    others = single_names("quaternion")
+    if f"ksl_{name}" in others:
+        return f"ksl_{name}" if precision is DOUBLE else others[f"ksl_{name}"]
+    return c_name(name, precision)
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)

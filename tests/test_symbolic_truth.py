@@ -13,6 +13,7 @@ import coscrew
 import pytest
 import sympy as sp
 from coscrew_codegen.operations import FAMILIES, NORM_THRESHOLD, OPERATIONS, Operation
+from coscrew_codegen.targets.c_ksl import ksl_functions, single_names
 from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, SINGLE, Precision
 from sympy.core.relational import Relational
 
@@ -40,6 +41,9 @@ def truth(operation: Operation) -> tuple[sp.Expr, ...]:
 def c_name(name: str, precision: Precision) -> str:
     """Single names put an f behind the type they start with (ksl_screwf_copy), else last."""
     head, *tail = name.split("_", 1)
+    if name.startswith("quaternion_product") and precision is SINGLE:
+        head, tail = "", []
+        name = name.removeprefix("quaternion_")  # as in KSL
     return f"ksl_{'_'.join([head + precision.suffix, *tail])}" if head in SHAPES \
         else f"ksl_{name}{precision.suffix}"
 
@@ -157,6 +161,7 @@ def test_c_header_holds_its_family_and_no_more(family):
         wanted |= {stem} if family in set(SHAPES) - {"mat6x6"} else set()
         wanted |= {f"{stem}_cmo"} if family in ("mat3x3", "SE3") else set()
         wanted |= {f"{stem}_identity"} if family == "SE3" else set()
+        wanted |= {function.name for function in ksl_functions(family, p)}
         wanted |= {f"{stem}_get", f"{stem}_set"} if len(SHAPES.get(family, ())) == 2 else set()
     assert set(functions_in(family)) == wanted
 
@@ -169,7 +174,9 @@ def test_every_double_function_has_its_single_twin():
     double, single = ({name for name in header().texts if header().precisions(name) == {c_type}}
                       for c_type in ("double", "float"))
     assert double | single == set(header().texts)
-    assert single == {c_name(name.removeprefix("ksl_"), SINGLE) for name in double}
+    others = {name: twin for family in FAMILIES for name, twin in single_names(family).items()}
+    assert single == {others.get(name) or c_name(name.removeprefix("ksl_"), SINGLE)
+                      for name in double}
 
 
 # C functions that only move numbers

@@ -75,7 +75,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "e06bc88fd28e44a5") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "cdcb3754d4a29e27") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2 with FMA") < 0) {
     Py_DECREF(module);

@@ -74,7 +74,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "17e8c9843f0f0ddb") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "b6f604a5a8b164e4") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);
