@@ -72,12 +72,14 @@ def _halves(name: str, words: str) -> Quantity:
 SCALAR = _whole("scalar", (), "number")
 DC = _whole("dc", (2,), "(sin θ, cos θ)")
 VEC3 = _whole("vec3", (3,), "vector")
+VEC4 = _whole("vec4", (4,), "vector (x, y, z) and a homogeneous coordinate w")
 MAT3X3 = _whole("mat3x3", (3, 3), "rotation or other 3×3 matrix")
 SE3 = Quantity("SE3", (3, 4), (Part("R", range(3), range(3)), Part("t", range(3), range(3, 4))),
                "displacement [R | t], R rotation, t in m")
 SCREW = _halves("screw", "screw (v in m/s; ω in rad/s)")
 COSCREW = _halves("coscrew", "coscrew (f in N; τ in N m)")
 ANGULAR_FIRST = _whole("angular_first", (6,), "six components with the angular part on top")
+MAT4X4 = _whole("mat4x4", (4, 4), "4×4 matrix")
 MAT6X6 = _whole("mat6x6", (6, 6), "6×6 operator")
 QUATERNION = Quantity("quaternion", (4,), (Part("v", range(3), range(1)),
                                            Part("w", range(3, 4), range(1))),
@@ -88,7 +90,7 @@ INERTIA = Quantity("inertia", (10,), (Part("m", range(1), range(1)),
                    "spatial inertia (m in kg; h = m c in kg m; I about the origin, "
                    "xx, yy, zz, xy, xz, yz in kg m^2)")
 
-QUANTITIES = (SCALAR, DC, VEC3, MAT3X3, SE3, SCREW, COSCREW, ANGULAR_FIRST, MAT6X6,
+QUANTITIES = (SCALAR, DC, VEC3, VEC4, MAT3X3, MAT4X4, SE3, SCREW, COSCREW, ANGULAR_FIRST, MAT6X6,
               QUATERNION, INERTIA)
 
 

@@ -22,7 +22,7 @@ from coscrew_codegen.operations.operation import GRID
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from tests.c_reader import Arithmetic
 
-DIGITS = 90
+DIGITS = 60
 
 
 @dataclass(frozen=True)

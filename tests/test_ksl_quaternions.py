@@ -9,7 +9,6 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from coscrew_codegen.targets.c_ksl import single_names
 from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, Precision
 from tests.c_harness import C11, COMPILERS, INCLUDE, STRICT, run
 from tests.motions import DIGITS, Matrix, conjugate, matrix_of, norm, product
@@ -17,9 +16,10 @@ from tests.motions import DIGITS, Matrix, conjugate, matrix_of, norm, product
 NUMBERS = ((0.1, -0.7, 0.3, 0.6), (0.5, 0.2, -0.4, 0.3), (-0.6, 0.1, 0.2, -0.5),
            (0.2, 0.8, 0.1, 0.4), (-0.1, 0.65, -0.35, -0.55))
 FRACTIONS = (0.0, 0.25, 0.5, 0.75, 1.0)
-NAMES = {f"ksl_{name}": name for name in (
-    "quaternion_slerp", "quaternion_nlerp", "quaternion_squad", "mat3x3_toQuaternion",
-    "quaternion_toMat3x3", "quaternion_product_uqinverseq")}
+SINGLE = {"ksl_quaternion_slerp": "ksl_slerpf", "ksl_quaternion_nlerp": "ksl_nlerpf",
+          "ksl_quaternion_squad": "ksl_squadf", "ksl_mat3x3_toQuaternion": "ksl_mat3x3f_toQuaternion",
+          "ksl_quaternion_toMat3x3": "ksl_quaternionf_toMat3x3f",
+          "ksl_quaternion_product_uqinverseq": "ksl_product_uqinverseqf"}
 
 
 def slerp(p: Matrix, q: Matrix, t: mp.mpf) -> Matrix:
@@ -42,7 +42,7 @@ def squad(q: Sequence[Matrix], t: mp.mpf) -> Matrix:
 def program(precision: Precision) -> str:
     """Prints line by line what CASES wants."""
     f, real = precision.suffix, precision.c_type
-    name = {key: key if precision is DOUBLE else single_names("quaternion")[key] for key in NAMES}
+    name = {key: key if precision is DOUBLE else twin for key, twin in SINGLE.items()}
     numbers = ",\n".join("{{{" + ", ".join(f"{x}{f}" for x in row) + "}}}" for row in NUMBERS)
     pairs = "\n".join(
         f"    {name[f'ksl_quaternion_{what}']}(&q[0], &q[{k}], &t, &o); show(&o);"

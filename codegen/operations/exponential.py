@@ -28,8 +28,8 @@ _s, _so, _M = Argument("s", SCREW), Argument("so", SCREW), Argument("M", MAT6X6)
 _angle, _k = Argument("angle", SCALAR), Argument("k", SCALAR)
 
 
-def _op(name, statement, inputs, outputs, formula, derivation=None, normwise=()):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation,
+def _op(name, statement, inputs, outputs, formula, derivation=None, normwise=(), family=FAMILY):
+    return Operation(name, family, statement, inputs, outputs, formula, derivation,
                      normwise=normwise)
 
 
@@ -108,10 +108,11 @@ _ROTATIONS = (
     _op("mat3x3_from_axis_angle",
         f"R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; {UNIT_AXIS}",
         (_axis, _angle), (_R,), lambda a, t: _matrix(a, sp.sin(t), 1 - sp.cos(t)), _bound_turn,
-        (("R", 8),)),
+        (("R", 8),), "mat3x3"),
     _op("axis_angle_from_mat3x3", f"angle and axis of the rotation R; {ANGLE}", (_R,),
         (_angle, _axis), lambda R: axis_and_angle(_log_of(R)),
-        lambda let, R: axis_angle(let, quaternion_of(let, R)), (("angle", 8), ("axis", 5))),
+        lambda let, R: axis_angle(let, quaternion_of(let, R)), (("angle", 8), ("axis", 5)),
+        "mat3x3"),
     _op("mat3x3_orthonormalize", f"self = {_NEWTON}", (_self,), (_self,),
         lambda R: _newton(unnamed, R), _newton),
     _op("mat3x3_orthonormalized", f"Ro = {_NEWTON}", (_R,), (_Ro,),

@@ -21,6 +21,12 @@ GRID = sp.Symbol("grid", positive=True)
 # 1 - 50 u: A whose diagonal entries, times this, leave it positive definite is regular to rounding.
 REGULAR = sp.Symbol("regular", positive=True)
 
+# 16 u: vectors of length 1 that leave less than this beside others depend on them to rounding.
+DEPENDENT = sp.Symbol("dependent", positive=True)
+
+# 8 u, and the least size of terms that no underflow has spoiled: what a determinant is held to.
+INDISTINCT, SPOILED = sp.symbols("indistinct spoiled", positive=True)
+
 PER_PRECISION: dict[sp.Symbol, tuple[sp.Rational, sp.Rational]] = {
     NORM_THRESHOLD: (sp.Rational(1, 10**9), sp.Rational(1, 10**6)),
     SMALL: (sp.Rational(1, 2**450), sp.Rational(1, 2**50)),
@@ -28,6 +34,9 @@ PER_PRECISION: dict[sp.Symbol, tuple[sp.Rational, sp.Rational]] = {
     ENLARGING: (sp.Integer(2**600), sp.Integer(2**100)),
     REDUCING: (sp.Rational(1, 2**513), sp.Rational(1, 2**65)),
     REGULAR: (1 - sp.Rational(50, 2**53), 1 - sp.Rational(50, 2**24)),
+    DEPENDENT: (sp.Rational(16, 2**53), sp.Rational(16, 2**24)),
+    INDISTINCT: (sp.Rational(8, 2**53), sp.Rational(8, 2**24)),
+    SPOILED: (sp.Rational(1, 2**960), sp.Rational(1, 2**96)),
     GRID: (sp.Integer(3 * 2**29), sp.Integer(3 * 2**14)),
 }
 """The constants that differ between double and single precision."""

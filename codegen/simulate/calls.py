@@ -41,7 +41,7 @@ class Step(Protocol[Real]):
 
 
 class Functions(Generic[Real]):
-    """The functions of one precision as attributes: methods of a class of the scene's own."""
+    """The functions of one precision as attributes."""
 
     if TYPE_CHECKING:  # what every scene has; others, jacobian_hand, are a Function too
         inverse_dynamics: Function[Real]
@@ -65,12 +65,15 @@ class Functions(Generic[Real]):
         self._kernels: object = None  # what they are functions of, for pickle
 
     def __dir__(self) -> list[str]:
-        return [name for name in vars(type(self)) if not name.startswith("_")]
+        return [name for name in self.__dict__ if not name.startswith("_")]
 
     def __iter__(self) -> Iterator[str]:
         return iter(dir(self))
 
     def __getattr__(self, name: str) -> Function[Real]:
+        if not dir(self):
+            raise AttributeError(f"{self._about} is not there: the scene is of double precision "
+                                 "alone, as it says", name=name, obj=self)
         near = get_close_matches(name, dir(self), n=1, cutoff=0.0)
         hint = f": did you mean {near[0]!r}?" if near else ""
         raise AttributeError(f"{self._about} has no function {name!r}{hint}", name=name, obj=self)
@@ -88,10 +91,29 @@ class Functions(Generic[Real]):
         return self
 
 
+class _Callable:
+    """A function of a scene: an object, so that pickle and cloudpickle ask it what it is."""
+
+    def __init__(self, of: Functions, function: Callable):
+        self.__dict__.update(vars(function))
+        self.__name__ = self.__qualname__ = function.__name__
+        self._of = of
+
+    def __reduce__(self) -> tuple[Callable, tuple[Functions, str]]:
+        return getattr, (self._of, self.__name__)
+
+    def __repr__(self) -> str:
+        return f"<{self.__name__} of {self._of._about}>"
+
+
 def gathered(scene: SceneFunctions, precision: Precision,
              functions: Mapping[str, Callable]) -> Functions:
     """The functions, each taking `self` first, as attributes of one object."""
-    return type("Functions", (Functions,), dict(functions))(scene.name, precision)
+    found = Functions(scene.name, precision)
+    for name, function in functions.items():
+        members = {"__call__": function, "__doc__": function.__doc__, "__module__": __name__}
+        found.__dict__[name] = type(name, (_Callable,), members)(found, function)
+    return found
 
 
 @functools.cache
@@ -104,7 +126,7 @@ def _checks() -> ModuleType:
 
 def compiled(scene: SceneFunctions, library: ctypes.PyDLL, described: scene_calls.Callable,
              precision: Precision) -> Callable:
-    """A function of the library as a method of the same name and arguments."""
+    """A function of the library of the same name and arguments, behind `self`."""
     kind, name = np.dtype(precision.numpy_type), c_name(scene, described.name, precision)
     getattr(library, f"know_{precision.name}")(ctypes.py_object(np.ndarray))
     call = getattr(library, f"call_{name}")
@@ -122,7 +144,7 @@ def compiled(scene: SceneFunctions, library: ctypes.PyDLL, described: scene_call
 
 
 def in_numpy(twin: Callable, described: scene_calls.Callable) -> Callable:
-    """A function of a generated package as a method of the same name and arguments."""
+    """A function of a generated package with the same name and arguments, behind `self`."""
     given = ", ".join(x for x, _ in described.inputs)
     names = {"twin": twin}
     exec(f"def {described.name}(self, {given}, *, out=None):\n    return twin({given}, out=out)\n",

@@ -1,91 +1,78 @@
-"""C functions of KSL that are made of the library's: other names, arguments and side effects.
+"""What KSL declares beside formulas: integers, sequences of axes, rows of matrices, loops.
 
-They exist in C alone: Python has the functions that they call.
+C alone has it.  The text stands in templates/c/ksl, one file a header, and at the end of that; what
+it calls is made of the table of operations.
 """
 
-from coscrew_codegen.targets.c import CFunction
-from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
-from coscrew_codegen.targets.precision import DOUBLE, Precision
+from fractions import Fraction
 
-# family → (name in double, name in single, comment, parameters, body)
-_FUNCTIONS: dict[str, tuple[tuple[str, str, str, str, str], ...]] = {"quaternion": (
-    ("mat3x3_toQuaternion", "mat3x3f_toQuaternion", "The same as ksl_quaternion{f}_from_mat3x3.",
-     "const ksl_mat3x3{f}_t *ri, ksl_quaternion{f}_t *qo",
-     "  ksl_quaternion{f}_from_mat3x3(ri, qo);"),
-    ("quaternion_toMat3x3", "quaternionf_toMat3x3f",
-     "Normalizes qi, and sets ro to its rotation: ro = R(qi / |qi|), qi = qi / |qi|.",
-     "ksl_quaternion{f}_t *qi, ksl_mat3x3{f}_t *ro",
-     "  ksl_quaternion{f}_normalize(qi);\n  ksl_mat3x3{f}_from_quaternion(qi, ro);"),
-    ("quaternion_slerp", "slerpf",
-     "qo = q1i (q1i* q2i)^t along the arc from q1i to q2i, which is the longer one where "
-     "q1i·q2i < 0: q1i at t = 0, q2i at t = 1; |q1i| = |q2i| = 1; not defined where q2i = -q1i. "
-     "ksl_quaternion{f}_interpolated goes the shorter way.",
-     "const ksl_quaternion{f}_t *q1i, const ksl_quaternion{f}_t *q2i, const {real} *t, "
-     "ksl_quaternion{f}_t *qo",
-     """\
-  const {real} k = *t;
-  if (ksl_dot_qq{f}(q1i, q2i) >= 0) {{
-    ksl_quaternion{f}_interpolated(q1i, q2i, k, qo);
-  }} else {{ /* by way of the middle: either half is the shorter arc */
-    ksl_quaternion{f}_t middle = *q2i;
-    ksl_axpy_qq{f}(1, q1i, &middle);
-    ksl_quaternion{f}_normalize(&middle);
-    if (2 * k <= 1) {{
-      ksl_quaternion{f}_interpolated(q1i, &middle, 2 * k, qo);
-    }} else {{
-      ksl_quaternion{f}_interpolated(&middle, q2i, 2 * k - 1, qo);
-    }}
-  }}"""),
-    ("quaternion_squad", "squadf",
-     "qo = slerp(slerp(qi[0], qi[3], t), slerp(qi[1], qi[2], t), 2 t (1 - t)), Shoemake's curve "
-     "from qi[0] to qi[3] with the inner control points qi[1], qi[2]; all of norm 1.",
-     "const ksl_quaternion{f}_t qi[4], const {real} *t, ksl_quaternion{f}_t *qo",
-     """\
-  ksl_quaternion{f}_t ends, inner;
-  const {real} k = 2 * *t * (1 - *t);
-  {slerp}(&qi[0], &qi[3], t, &ends);
-  {slerp}(&qi[1], &qi[2], t, &inner);
-  {slerp}(&ends, &inner, &k, qo);"""),
-    ("quaternion_nlerp", "nlerpf",
-     "qo = (1 - t) q1i ± t q2i along the shorter arc, normalized; q1i where t < 1e-9, q2i where "
-     "t >= 1.",
-     "const ksl_quaternion{f}_t *q1i, const ksl_quaternion{f}_t *q2i, const {real} *t, "
-     "ksl_quaternion{f}_t *qo",
-     """\
-  const {real} k = *t, signed_k = ksl_dot_qq{f}(q1i, q2i) < 0 ? -k : k;
-  ksl_quaternion{f}_t o = k >= 1 ? *q2i : *q1i;
-  if (k >= 1e-9{f} && k < 1) {{
-    ksl_quaternion{f}_scale(&o, 1 - k);
-    ksl_axpy_qq{f}(signed_k, q2i, &o);
-    ksl_quaternion{f}_normalize(&o);
-  }}
-  *qo = o;"""),
-    ("quaternion_product_uqinverseq", "product_uqinverseqf",
-     "qo = q1i^-1 q2i, q1i^-1 = q1i* / q1i·q1i: q1i of any norm but zero whose square neither "
-     "over- nor underflows.",
-     "const ksl_quaternion{f}_t *q1i, const ksl_quaternion{f}_t *q2i, ksl_quaternion{f}_t *qo",
-     """\
-  const {real} square = ksl_dot_qq{f}(q1i, q1i);
-  {qconjq}(q1i, q2i, qo);
-  ksl_quaternion{f}_scale(qo, 1 / square);"""),
-)}
+import mpmath
+
+from coscrew_codegen.program import Constant, Input, Instruction, Op, Program
+from coscrew_codegen.quantity import SCALAR, Argument
+from coscrew_codegen.render import render
+from coscrew_codegen.targets.c_statements import Statements
+from coscrew_codegen.targets.c_storage import INTEGER, allocation, integers
+from coscrew_codegen.targets.precision import Precision
+
+SEQUENCES = tuple((name, tuple("XYZ".index(axis) for axis in name)) for name in (
+    "XYZ", "YZX", "ZXY", "XZY", "YXZ", "ZYX", "XYX", "XZX", "YXY", "YZY", "ZXZ", "ZYZ"))
+"""Of Euler angles, in the order of KSL's enumeration: name, axes."""
+
+HEADERS = {"axis": ("vec3", "Axes, and sequences of axes of Euler angles."),
+           "array": ("vec3", "Numbers in arrays: exchanged, and added in multiples.")}
+"""Headers of nothing else: name → the family that brings them, their first line."""
+
+SYSTEM = {"vec3": ("stdbool.h",), "mat3x3": ("stdarg.h",)}
+"""Headers of C's own that they need."""
+
+REFUSED = {
+    "linalg": ("Linear algebra on arrays",
+               "ksl/linalg.h is not here: for A x = b see ksl/symmetric.h and ksl_mat3x3_inverted in "
+               "ksl/mat3x3.h, else use LAPACK"),
+    "print": ("Printing to streams",
+              "ksl/print.h is not here: print the members, as in printf(\\\"%g\\\", v.x)"),
+    "memory": ("Arrays of pointers",
+               "ksl/memory.h is not here: use calloc and free; for the system's memory.h include "
+               "string.h"),
+}
+"""Headers that refuse to be included: name → what KSL has there, what to do instead."""
+
+MARK = "/* What KSL declares beside formulas. */"
+
+_NEEDED = {"vec3": (), "vec4": (), "trig": (), "screw": (), "array": (), "axis": ("vec3",),
+           "quaternion": (),
+           "mat3x3": ("vec3", "axis")}  # header → those its text calls
 
 
-def ksl_functions(family: str, precision: Precision) -> tuple[CFunction, ...]:
-    """KSL's functions of this family that the table does not hold."""
-    double = precision is DOUBLE
-    words = {"f": precision.suffix, "real": precision.c_type,
-             "slerp": "ksl_quaternion_slerp" if double else "ksl_slerpf",
-             "qconjq": "ksl_quaternion_product_qconjq" if double else "ksl_product_qconjqf"}
-    made = []
-    for name, single, comment, parameters, body in _FUNCTIONS.get(family, ()):
-        stem = f"ksl_{name if double else single}"
-        made.append(CFunction(stem, comment_of([comment.format(**words)]),
-                              listed(f"void {stem}(", parameters.format(**words).split(", "), ")",
-                                     WIDTH - 16), body.format(**words)))
-    return tuple(made)
+def text(header: str, headers: tuple[str, ...], precisions: tuple[Precision, ...]) -> str:
+    """The functions of a header; empty where there are none, or where a header they need is left
+    out."""
+    if header not in _NEEDED or not set(_NEEDED[header]) <= set(headers):
+        return ""
+    made = integers(header)
+    return f"\n{MARK}\n" + render(
+        f"c/ksl/{header}.h", made=made, allocated=allocation(header, INTEGER) if made else None,
+        sequences=SEQUENCES, numbers=(*precisions, INTEGER),
+        precisions=[_holes(precision) for precision in precisions])
 
 
-def single_names(family: str) -> dict[str, str]:
-    """Name in double → name in single, for the functions here."""
-    return {f"ksl_{name}": f"ksl_{single}" for name, single, *_ in _FUNCTIONS.get(family, ())}
+def _holes(precision: Precision) -> dict[str, object]:
+    with mpmath.workdps(60):
+        pi = Fraction(*mpmath.libmp.to_rational((+mpmath.pi)._mpf_))
+
+    def literal(number: Fraction | int) -> str:
+        return precision.literal(Constant(*(Fraction(number),) * 2)) + precision.suffix
+
+    return {"suffix": precision.suffix, "c_type": precision.c_type, "one": literal(1),
+            "eighth": literal(pi / 4), "half": literal(pi), "whole": literal(2 * pi),
+            "turns": (("Degrees", literal(360), "360"), ("Radians", literal(2 * pi), "2 π")),
+            "product": _product(precision)}
+
+
+def _product(precision: Precision) -> str:
+    """const double product = a * x[i]; as kernels spell products."""
+    program = Program("axpy", (Argument("a", SCALAR), Argument("x[i]", SCALAR)), (), (Instruction(
+        "product", Op.MUL, (Input(0, 0), Input(1, 0)), "product"),), ())
+    statements = Statements(program, precision, lambda x: program.inputs[x.argument].name)
+    return statements.declared(program.instructions, 100)

@@ -13,7 +13,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "b6f604a5a8b164e4")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "7b732cac3f352f47")
 
 if COMPILED:
     from coscrew.certified._gufunc import (
@@ -35,7 +35,10 @@ if COMPILED:
         add_vvyinv,
         add_vvz,
         add_vvzinv,
+        vec4_scale,
+        vec4_scaled,
         mat3x3_determinant,
+        mat3x3_setFromAxisDC,
         SE3_invert,
         SE3_inverted,
         product_drv,
@@ -108,6 +111,8 @@ if COMPILED:
         cross_sst,
         hsra,
         hsta,
+        hsrainv,
+        hstainv,
         coscrew_scale,
         axpy_cc,
         xpy_cc,
@@ -218,7 +223,10 @@ else:
         add_vvyinv,
         add_vvz,
         add_vvzinv,
+        vec4_scale,
+        vec4_scaled,
         mat3x3_determinant,
+        mat3x3_setFromAxisDC,
         SE3_invert,
         SE3_inverted,
         product_drv,
@@ -291,6 +299,8 @@ else:
         cross_sst,
         hsra,
         hsta,
+        hsrainv,
+        hstainv,
         coscrew_scale,
         axpy_cc,
         xpy_cc,
@@ -402,7 +412,10 @@ __all__ = [
     "add_vvyinv",
     "add_vvz",
     "add_vvzinv",
+    "vec4_scale",
+    "vec4_scaled",
     "mat3x3_determinant",
+    "mat3x3_setFromAxisDC",
     "SE3_invert",
     "SE3_inverted",
     "product_drv",
@@ -475,6 +488,8 @@ __all__ = [
     "cross_sst",
     "hsra",
     "hsta",
+    "hsrainv",
+    "hstainv",
     "coscrew_scale",
     "axpy_cc",
     "xpy_cc",

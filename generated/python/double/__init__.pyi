@@ -197,6 +197,69 @@ def add_vvzinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...
     1 add.  Error <= u |result|, barring over- and underflow.
     """
 
+def vec4_copy(vi: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """vo = vi.
+
+    (4)->(4).  vi, vo: vector (x, y, z) and a homogeneous coordinate w.
+    No arithmetic.  Exact.
+    """
+
+def vec4_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """self = a self.
+
+    (4),()->(4).  self: vector (x, y, z) and a homogeneous coordinate w; a: number.
+    4 mul.  Error <= u |result|, barring over- and underflow.
+    """
+
+def vec4_inverted(vi: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """vo = -vi.
+
+    (4)->(4).  vi, vo: vector (x, y, z) and a homogeneous coordinate w.
+    4 neg.  Exact.
+    """
+
+def vec4_invert(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """self = -self.
+
+    (4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.
+    4 neg.  Exact.
+    """
+
+def vec4_scaled(v: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """vo = k v.
+
+    (4),()->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w; k: number.
+    4 mul.  Error <= u |result|, barring over- and underflow.
+    """
+
+def vec4_swap(v1: ArrayLike, v2: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """v1, v2 = v2, v1.
+
+    (4),(4)->(4),(4).  v1, v2: vector (x, y, z) and a homogeneous coordinate w.
+    No arithmetic.  Exact.
+    """
+
+def vec4_l2norm(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """|v| = sqrt(v·v), all four components.
+
+    (4)->().  v: vector (x, y, z) and a homogeneous coordinate w; norm: number.
+    9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select.
+    """
+
+def vec4_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """self = self / |self|; the zero vector stays zero.
+
+    (4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    """
+
+def vec4_normalized(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """vo = v / |v|; the zero vector stays zero.
+
+    (4)->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    """
+
 def mat3x3_copy(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = R.
 
@@ -247,6 +310,84 @@ def mat3x3_determinant(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> N
     formula; barring over- and underflow.
     """
 
+def mat3x3_inverse(R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8
+    u times the sum of its terms' sizes), and Ro = NaN.
+
+    (3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.
+    31 mul, 17 add, 9 div, 10 abs, 1 less, 1 equal, 12 select.  Ro_ij is off by 2 u m_ji / |det
+    R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of the sizes of the terms of the
+    cofactor and of det R; barring over- and underflow.
+    """
+
+def mat3x3_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
+    side of it, the third its side of both; NaN where rows depend on each other to rounding.
+
+    (3,3)->(3,3).  self: rotation or other 3×3 matrix.
+    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 21 less, 5 equal, 36 select.  Rows are
+    perpendicular, and of length 1, but for 4 u; searched, not proved.
+    """
+
+def mat3x3_normalized(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
+    side of it, the third its side of both; NaN where rows depend on each other to rounding.
+
+    (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
+    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 21 less, 5 equal, 36 select.  Rows are
+    perpendicular, and of length 1, but for 4 u; searched, not proved.
+    """
+
+def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+
+    (3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.
+    12 mul, 10 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def mat3x3_from_euler_xyz(angles: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
+
+    (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
+    14 mul, 4 add, 3 sin, 3 cos, 3 neg.
+    """
+
+def euler_xyz_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
+    [-π/2, π/2]; c = 0 in gimbal lock.
+
+    (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
+    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.  The rotation by these
+    angles is R but for 6 u in each entry, near gimbal lock too; searched, not proved.
+    """
+
+def mat3x3_from_euler_xyx(angles: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
+
+    (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
+    14 mul, 4 add, 3 sin, 3 cos, 2 neg.
+    """
+
+def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in
+    [0, π]; c = 0 in gimbal lock.
+
+    (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
+    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.  The rotation by these angles is R
+    but for 6 u in each entry, near gimbal lock too; searched, not proved.
+    """
+
+def mat3x3_jacobi(A: ArrayLike, V: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
+    A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
+    I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+
+    (3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.
+    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.  |V A V^T - the same
+    before| <= 12 u max |A| for orthonormal V; searched, not proved.
+    """
+
 def SE3_fromRt(R: ArrayLike, t: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """D = [R | t].
 
@@ -291,12 +432,54 @@ def SE3_invert(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArra
     the expanded formula; barring over- and underflow.
     """
 
+def SE3_toMat4x4(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """M = [[R, t], [0, 1]] of D = [R | t].
+
+    (3,4)->(4,4).  D: displacement [R | t], R rotation, t in m; M: 4×4 matrix.
+    No arithmetic.  Exact.
+    """
+
 def SE3_inverted(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D^-1 = [R^T | -R^T t].
 
     (3,4)->(3,4).  D, Do: displacement [R | t], R rotation, t in m.
     9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of
     the expanded formula; barring over- and underflow.
+    """
+
+def mat4x4_fromSE3(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """M = [[R, t], [0, 1]] of D = [R | t].
+
+    (3,4)->(4,4).  D: displacement [R | t], R rotation, t in m; M: 4×4 matrix.
+    No arithmetic.  Exact.
+    """
+
+def mat4x4_fromRt(R: ArrayLike, t: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """M = [[R, t], [0, 1]].
+
+    (3,3),(3)->(4,4).  R: rotation or other 3×3 matrix; t: vector; M: 4×4 matrix.
+    No arithmetic.  Exact.
+    """
+
+def mat4x4_toSE3(M: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """D = [R | t], the first three rows of M.
+
+    (4,4)->(3,4).  M: 4×4 matrix; D: displacement [R | t], R rotation, t in m.
+    No arithmetic.  Exact.
+    """
+
+def mat4x4_setIdentity(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """self = I.
+
+    (4,4)->(4,4).  self: 4×4 matrix.
+    No arithmetic.  Exact.
+    """
+
+def mat4x4_getTranslation(M: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """t, the first three entries of the last column of M.
+
+    (4,4)->(3).  M: 4×4 matrix; t: vector.
+    No arithmetic.  Exact.
     """
 
 def mat6x6_copy(M: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -985,6 +1168,24 @@ def hsta(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float64] | None = ...) -
     m/s; ω in rad/s).
     9 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
+    """
+
+def hsrainv(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """so = -(t×R a ; R a), a = axis in the body's frame.
+
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    15 mul, 9 add, 3 neg.  Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
+    """
+
+def hstainv(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """so = -(R a ; 0), a = axis in the body's frame.
+
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    9 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
     """
 
 def ad(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:

@@ -818,6 +818,46 @@ def hsta(D, axis):
     return (so_0, so_1, so_2, 0, 0, 0)
 
 
+@kernel("(3,4),(3)->(6)")
+def hsrainv(D, axis):
+    """so = -(t×R a ; R a), a = axis in the body's frame.
+
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    15 mul, 9 add, 3 neg.  Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    axis_0, axis_1, axis_2 = axis
+    a_0 = D_00 * axis_0 + D_01 * axis_1 + D_02 * axis_2
+    a_1 = D_10 * axis_0 + D_11 * axis_1 + D_12 * axis_2
+    a_2 = D_20 * axis_0 + D_21 * axis_1 + D_22 * axis_2
+    so_0 = D_23 * a_1 - D_13 * a_2
+    so_1 = D_03 * a_2 - D_23 * a_0
+    so_2 = D_13 * a_0 - D_03 * a_1
+    so_3 = -a_0
+    so_4 = -a_1
+    so_5 = -a_2
+    return (so_0, so_1, so_2, so_3, so_4, so_5)
+
+
+@kernel("(3,4),(3)->(6)")
+def hstainv(D, axis):
+    """so = -(R a ; 0), a = axis in the body's frame.
+
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    9 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    axis_0, axis_1, axis_2 = axis
+    so_0 = -(D_00 * axis_0 + D_01 * axis_1 + D_02 * axis_2)
+    so_1 = -(D_10 * axis_0 + D_11 * axis_1 + D_12 * axis_2)
+    so_2 = -(D_20 * axis_0 + D_21 * axis_1 + D_22 * axis_2)
+    return (so_0, so_1, so_2, 0, 0, 0)
+
+
 @kernel("(6)->(6,6)")
 def ad(s):
     """M = [ad](s) = [Ad]' [Ad]^-1 = [[ω~, v~], [0, ω~]].

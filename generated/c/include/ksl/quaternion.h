@@ -1243,71 +1243,6 @@ static inline void ksl_quaternion_interpolated(const ksl_quaternion_t *q1,
   qo->w = qo_3;
 }
 
-/* The same as ksl_quaternion_from_mat3x3. */
-static inline void ksl_mat3x3_toQuaternion(const ksl_mat3x3_t *ri, ksl_quaternion_t *qo) {
-  ksl_quaternion_from_mat3x3(ri, qo);
-}
-
-/* Normalizes qi, and sets ro to its rotation: ro = R(qi / |qi|), qi = qi / |qi|. */
-static inline void ksl_quaternion_toMat3x3(ksl_quaternion_t *qi, ksl_mat3x3_t *ro) {
-  ksl_quaternion_normalize(qi);
-  ksl_mat3x3_from_quaternion(qi, ro);
-}
-
-/* qo = q1i (q1i* q2i)^t along the arc from q1i to q2i, which is the longer one where q1i·q2i <
-     0: q1i at t = 0, q2i at t = 1; |q1i| = |q2i| = 1; not defined where q2i = -q1i.
-     ksl_quaternion_interpolated goes the shorter way. */
-static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1i, const ksl_quaternion_t *q2i,
-    const double *t, ksl_quaternion_t *qo) {
-  const double k = *t;
-  if (ksl_dot_qq(q1i, q2i) >= 0) {
-    ksl_quaternion_interpolated(q1i, q2i, k, qo);
-  } else { /* by way of the middle: either half is the shorter arc */
-    ksl_quaternion_t middle = *q2i;
-    ksl_axpy_qq(1, q1i, &middle);
-    ksl_quaternion_normalize(&middle);
-    if (2 * k <= 1) {
-      ksl_quaternion_interpolated(q1i, &middle, 2 * k, qo);
-    } else {
-      ksl_quaternion_interpolated(&middle, q2i, 2 * k - 1, qo);
-    }
-  }
-}
-
-/* qo = slerp(slerp(qi[0], qi[3], t), slerp(qi[1], qi[2], t), 2 t (1 - t)), Shoemake's curve from
-     qi[0] to qi[3] with the inner control points qi[1], qi[2]; all of norm 1. */
-static inline void ksl_quaternion_squad(const ksl_quaternion_t qi[4], const double *t,
-    ksl_quaternion_t *qo) {
-  ksl_quaternion_t ends, inner;
-  const double k = 2 * *t * (1 - *t);
-  ksl_quaternion_slerp(&qi[0], &qi[3], t, &ends);
-  ksl_quaternion_slerp(&qi[1], &qi[2], t, &inner);
-  ksl_quaternion_slerp(&ends, &inner, &k, qo);
-}
-
-/* qo = (1 - t) q1i ± t q2i along the shorter arc, normalized; q1i where t < 1e-9, q2i where t >=
-     1. */
-static inline void ksl_quaternion_nlerp(const ksl_quaternion_t *q1i, const ksl_quaternion_t *q2i,
-    const double *t, ksl_quaternion_t *qo) {
-  const double k = *t, signed_k = ksl_dot_qq(q1i, q2i) < 0 ? -k : k;
-  ksl_quaternion_t o = k >= 1 ? *q2i : *q1i;
-  if (k >= 1e-9 && k < 1) {
-    ksl_quaternion_scale(&o, 1 - k);
-    ksl_axpy_qq(signed_k, q2i, &o);
-    ksl_quaternion_normalize(&o);
-  }
-  *qo = o;
-}
-
-/* qo = q1i^-1 q2i, q1i^-1 = q1i* / q1i·q1i: q1i of any norm but zero whose square neither over-
-     nor underflows. */
-static inline void ksl_quaternion_product_uqinverseq(const ksl_quaternion_t *q1i,
-    const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
-  const double square = ksl_dot_qq(q1i, q1i);
-  ksl_quaternion_product_qconjq(q1i, q2i, qo);
-  ksl_quaternion_scale(qo, 1 / square);
-}
-
 /* The quaternion of these entries, in order. */
 static inline ksl_quaternionf_t ksl_quaternionf(const float x, const float y, const float z,
     const float w) {
@@ -2537,71 +2472,6 @@ static inline void ksl_quaternionf_interpolated(const ksl_quaternionf_t *q1,
   qo->w = qo_3;
 }
 
-/* The same as ksl_quaternionf_from_mat3x3. */
-static inline void ksl_mat3x3f_toQuaternion(const ksl_mat3x3f_t *ri, ksl_quaternionf_t *qo) {
-  ksl_quaternionf_from_mat3x3(ri, qo);
-}
-
-/* Normalizes qi, and sets ro to its rotation: ro = R(qi / |qi|), qi = qi / |qi|. */
-static inline void ksl_quaternionf_toMat3x3f(ksl_quaternionf_t *qi, ksl_mat3x3f_t *ro) {
-  ksl_quaternionf_normalize(qi);
-  ksl_mat3x3f_from_quaternion(qi, ro);
-}
-
-/* qo = q1i (q1i* q2i)^t along the arc from q1i to q2i, which is the longer one where q1i·q2i <
-     0: q1i at t = 0, q2i at t = 1; |q1i| = |q2i| = 1; not defined where q2i = -q1i.
-     ksl_quaternionf_interpolated goes the shorter way. */
-static inline void ksl_slerpf(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i,
-    const float *t, ksl_quaternionf_t *qo) {
-  const float k = *t;
-  if (ksl_dot_qqf(q1i, q2i) >= 0) {
-    ksl_quaternionf_interpolated(q1i, q2i, k, qo);
-  } else { /* by way of the middle: either half is the shorter arc */
-    ksl_quaternionf_t middle = *q2i;
-    ksl_axpy_qqf(1, q1i, &middle);
-    ksl_quaternionf_normalize(&middle);
-    if (2 * k <= 1) {
-      ksl_quaternionf_interpolated(q1i, &middle, 2 * k, qo);
-    } else {
-      ksl_quaternionf_interpolated(&middle, q2i, 2 * k - 1, qo);
-    }
-  }
-}
-
-/* qo = slerp(slerp(qi[0], qi[3], t), slerp(qi[1], qi[2], t), 2 t (1 - t)), Shoemake's curve from
-     qi[0] to qi[3] with the inner control points qi[1], qi[2]; all of norm 1. */
-static inline void ksl_squadf(const ksl_quaternionf_t qi[4], const float *t,
-    ksl_quaternionf_t *qo) {
-  ksl_quaternionf_t ends, inner;
-  const float k = 2 * *t * (1 - *t);
-  ksl_slerpf(&qi[0], &qi[3], t, &ends);
-  ksl_slerpf(&qi[1], &qi[2], t, &inner);
-  ksl_slerpf(&ends, &inner, &k, qo);
-}
-
-/* qo = (1 - t) q1i ± t q2i along the shorter arc, normalized; q1i where t < 1e-9, q2i where t >=
-     1. */
-static inline void ksl_nlerpf(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i,
-    const float *t, ksl_quaternionf_t *qo) {
-  const float k = *t, signed_k = ksl_dot_qqf(q1i, q2i) < 0 ? -k : k;
-  ksl_quaternionf_t o = k >= 1 ? *q2i : *q1i;
-  if (k >= 1e-9f && k < 1) {
-    ksl_quaternionf_scale(&o, 1 - k);
-    ksl_axpy_qqf(signed_k, q2i, &o);
-    ksl_quaternionf_normalize(&o);
-  }
-  *qo = o;
-}
-
-/* qo = q1i^-1 q2i, q1i^-1 = q1i* / q1i·q1i: q1i of any norm but zero whose square neither over-
-     nor underflows. */
-static inline void ksl_product_uqinverseqf(const ksl_quaternionf_t *q1i,
-    const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
-  const float square = ksl_dot_qqf(q1i, q1i);
-  ksl_product_qconjqf(q1i, q2i, qo);
-  ksl_quaternionf_scale(qo, 1 / square);
-}
-
 #ifndef KSL_NO_ALLOC
 #include <stdlib.h>
 
@@ -2628,5 +2498,144 @@ static inline ksl_quaternionf_t *ksl_quaternionf_alloc(int n) {
 }
 
 #endif
+
+/* What KSL declares beside formulas. */
+
+
+/* The same as ksl_quaternion_from_mat3x3. */
+static inline void ksl_mat3x3_toQuaternion(const ksl_mat3x3_t *ri,
+    ksl_quaternion_t *qo) {
+  ksl_quaternion_from_mat3x3(ri, qo);
+}
+
+/* Normalizes qi, and sets ro to its rotation: qi = qi / |qi|, ro = R(qi). */
+static inline void ksl_quaternion_toMat3x3(ksl_quaternion_t *qi,
+    ksl_mat3x3_t *ro) {
+  ksl_quaternion_normalize(qi);
+  ksl_mat3x3_from_quaternion(qi, ro);
+}
+
+/* qo = q1i (q1i* q2i)^t along the arc from q1i to q2i, which is the longer one where q1i·q2i < 0: q1i
+     at t = 0, q2i at t = 1.  |q1i| = |q2i| = 1; not defined where q2i = -q1i.
+     ksl_quaternion_interpolated goes the shorter way. */
+static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1i,
+    const ksl_quaternion_t *q2i, double *t, ksl_quaternion_t *qo) {
+  const double k = *t, twice = 2 * k;
+  if (ksl_dot_qq(q1i, q2i) >= 0) {
+    ksl_quaternion_interpolated(q1i, q2i, k, qo);
+  } else { /* by way of the middle: either half is the shorter arc */
+    ksl_quaternion_t middle = *q2i;
+    ksl_axpy_qq(1.0, q1i, &middle);
+    ksl_quaternion_normalize(&middle);
+    if (twice <= 1) {
+      ksl_quaternion_interpolated(q1i, &middle, twice, qo);
+    } else {
+      ksl_quaternion_interpolated(&middle, q2i, twice - 1, qo);
+    }
+  }
+}
+
+/* qo = slerp(slerp(qi[0], qi[3], t), slerp(qi[1], qi[2], t), 2 t (1 - t)): Shoemake's curve from qi[0]
+     to qi[3] with the inner control points qi[1], qi[2]; all of norm 1. */
+static inline void ksl_quaternion_squad(
+    ksl_quaternion_t qi[4], double *t, ksl_quaternion_t *qo) {
+  ksl_quaternion_t ends, inner;
+  const double rest = 1 - *t, twice = 2 * *t;
+  double k = twice * rest;
+  ksl_quaternion_slerp(&qi[0], &qi[3], t, &ends);
+  ksl_quaternion_slerp(&qi[1], &qi[2], t, &inner);
+  ksl_quaternion_slerp(&ends, &inner, &k, qo);
+}
+
+/* qo = (1 - t) q1i ± t q2i along the shorter arc, normalized; q1i where t < 1e-9, q2i where t >= 1. */
+static inline void ksl_quaternion_nlerp(
+    const ksl_quaternion_t *q1i, const ksl_quaternion_t *q2i, const double *t,
+    ksl_quaternion_t *qo) {
+  const double k = *t, towards = ksl_dot_qq(q1i, q2i) < 0 ? -k : k;
+  ksl_quaternion_t o = k >= 1 ? *q2i : *q1i;
+  if (k >= 1e-9 && k < 1) {
+    ksl_quaternion_scale(&o, 1 - k);
+    ksl_axpy_qq(towards, q2i, &o);
+    ksl_quaternion_normalize(&o);
+  }
+  *qo = o;
+}
+
+/* qo = q1i^-1 q2i, q1i^-1 = q1i* / q1i·q1i: q1i of any norm but zero whose square neither over- nor
+     underflows. */
+static inline void ksl_quaternion_product_uqinverseq(
+    ksl_quaternion_t *q1i, ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
+  const double square = ksl_dot_qq(q1i, q1i);
+  ksl_quaternion_product_qconjq(q1i, q2i, qo);
+  ksl_quaternion_scale(qo, 1 / square);
+}
+
+/* The same as ksl_quaternionf_from_mat3x3. */
+static inline void ksl_mat3x3f_toQuaternion(const ksl_mat3x3f_t *ri,
+    ksl_quaternionf_t *qo) {
+  ksl_quaternionf_from_mat3x3(ri, qo);
+}
+
+/* Normalizes qi, and sets ro to its rotation: qi = qi / |qi|, ro = R(qi). */
+static inline void ksl_quaternionf_toMat3x3f(ksl_quaternionf_t *qi,
+    ksl_mat3x3f_t *ro) {
+  ksl_quaternionf_normalize(qi);
+  ksl_mat3x3f_from_quaternion(qi, ro);
+}
+
+/* qo = q1i (q1i* q2i)^t along the arc from q1i to q2i, which is the longer one where q1i·q2i < 0: q1i
+     at t = 0, q2i at t = 1.  |q1i| = |q2i| = 1; not defined where q2i = -q1i.
+     ksl_quaternionf_interpolated goes the shorter way. */
+static inline void ksl_slerpf(const ksl_quaternionf_t *q1i,
+    const ksl_quaternionf_t *q2i, float *t, ksl_quaternionf_t *qo) {
+  const float k = *t, twice = 2 * k;
+  if (ksl_dot_qqf(q1i, q2i) >= 0) {
+    ksl_quaternionf_interpolated(q1i, q2i, k, qo);
+  } else { /* by way of the middle: either half is the shorter arc */
+    ksl_quaternionf_t middle = *q2i;
+    ksl_axpy_qqf(1.0f, q1i, &middle);
+    ksl_quaternionf_normalize(&middle);
+    if (twice <= 1) {
+      ksl_quaternionf_interpolated(q1i, &middle, twice, qo);
+    } else {
+      ksl_quaternionf_interpolated(&middle, q2i, twice - 1, qo);
+    }
+  }
+}
+
+/* qo = slerp(slerp(qi[0], qi[3], t), slerp(qi[1], qi[2], t), 2 t (1 - t)): Shoemake's curve from qi[0]
+     to qi[3] with the inner control points qi[1], qi[2]; all of norm 1. */
+static inline void ksl_squadf(
+    ksl_quaternionf_t qi[4], float *t, ksl_quaternionf_t *qo) {
+  ksl_quaternionf_t ends, inner;
+  const float rest = 1 - *t, twice = 2 * *t;
+  float k = twice * rest;
+  ksl_slerpf(&qi[0], &qi[3], t, &ends);
+  ksl_slerpf(&qi[1], &qi[2], t, &inner);
+  ksl_slerpf(&ends, &inner, &k, qo);
+}
+
+/* qo = (1 - t) q1i ± t q2i along the shorter arc, normalized; q1i where t < 1e-9, q2i where t >= 1. */
+static inline void ksl_nlerpf(
+    const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i, const float *t,
+    ksl_quaternionf_t *qo) {
+  const float k = *t, towards = ksl_dot_qqf(q1i, q2i) < 0 ? -k : k;
+  ksl_quaternionf_t o = k >= 1 ? *q2i : *q1i;
+  if (k >= 1e-9f && k < 1) {
+    ksl_quaternionf_scale(&o, 1 - k);
+    ksl_axpy_qqf(towards, q2i, &o);
+    ksl_quaternionf_normalize(&o);
+  }
+  *qo = o;
+}
+
+/* qo = q1i^-1 q2i, q1i^-1 = q1i* / q1i·q1i: q1i of any norm but zero whose square neither over- nor
+     underflows. */
+static inline void ksl_product_uqinverseqf(
+    ksl_quaternionf_t *q1i, ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
+  const float square = ksl_dot_qqf(q1i, q1i);
+  ksl_product_qconjqf(q1i, q2i, qo);
+  ksl_quaternionf_scale(qo, 1 / square);
+}
 
 #endif

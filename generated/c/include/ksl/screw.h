@@ -1042,6 +1042,52 @@ static inline void ksl_hsta(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_scre
   so->m5 = 0.0;
 }
 
+/* so = -(t×R a ; R a), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   15 mul, 9 add, 3 neg.
+   Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsrainv(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
+  const double a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
+      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
+  const double a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
+      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
+  const double a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
+      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
+  const double so_0a = D->m23 * a_1, so_0b = D->m13 * a_2, so_0 = so_0a - so_0b;
+  const double so_1a = D->m03 * a_2, so_1b = D->m23 * a_0, so_1 = so_1a - so_1b;
+  const double so_2a = D->m13 * a_0, so_2b = D->m03 * a_1, so_2 = so_2a - so_2b;
+  const double so_3 = -a_0;
+  const double so_4 = -a_1;
+  const double so_5 = -a_2;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = -(R a ; 0), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   9 mul, 6 add, 3 neg.
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hstainv(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
+  const double so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
+      so_0d = D->m02 * axis->z, so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const double so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
+      so_1d = D->m12 * axis->z, so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const double so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
+      so_2d = D->m22 * axis->z, so_2e = so_2c + so_2d, so_2 = -so_2e;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0;
+  so->m4 = 0.0;
+  so->m5 = 0.0;
+}
+
 /* M = [ad](s) = [Ad]' [Ad]^-1 = [[ω~, v~], [0, ω~]].
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    6 neg.
@@ -2129,6 +2175,52 @@ static inline void ksl_hstaf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_s
   so->m5 = 0.0f;
 }
 
+/* so = -(t×R a ; R a), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   15 mul, 9 add, 3 neg.
+   Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsrainvf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
+  const float a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
+      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
+  const float a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
+      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
+  const float a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
+      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
+  const float so_0a = D->m23 * a_1, so_0b = D->m13 * a_2, so_0 = so_0a - so_0b;
+  const float so_1a = D->m03 * a_2, so_1b = D->m23 * a_0, so_1 = so_1a - so_1b;
+  const float so_2a = D->m13 * a_0, so_2b = D->m03 * a_1, so_2 = so_2a - so_2b;
+  const float so_3 = -a_0;
+  const float so_4 = -a_1;
+  const float so_5 = -a_2;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = -(R a ; 0), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   9 mul, 6 add, 3 neg.
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hstainvf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
+  const float so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
+      so_0d = D->m02 * axis->z, so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const float so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
+      so_1d = D->m12 * axis->z, so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const float so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
+      so_2d = D->m22 * axis->z, so_2e = so_2c + so_2d, so_2 = -so_2e;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0f;
+  so->m4 = 0.0f;
+  so->m5 = 0.0f;
+}
+
 /* M = [ad](s) = [Ad]' [Ad]^-1 = [[ω~, v~], [0, ω~]].
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    6 neg.
@@ -2200,5 +2292,93 @@ static inline ksl_screwf_t *ksl_screwf_alloc(int n) {
 }
 
 #endif
+
+/* What KSL declares beside formulas. */
+
+
+/* Six entries of A, down from (rowIndex, columnIndex), become si; A lies row by row, stride
+   apart. */
+static inline void ksl_screw_copy_rmo(
+    const ksl_screw_t *si, double *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[(rowIndex + i) * stride + columnIndex] = si->at[i];
+  }
+}
+
+/* Six entries of A, down from (rowIndex, columnIndex), become -si; A lies row by row, stride
+   apart. */
+static inline void ksl_screw_ncopy_rmo(
+    const ksl_screw_t *si, double *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[(rowIndex + i) * stride + columnIndex] = -si->at[i];
+  }
+}
+
+/* Six entries of A, down from (rowIndex, columnIndex), become si; A lies column by column, stride
+   apart. */
+static inline void ksl_screw_copy_cmo(
+    const ksl_screw_t *si, double *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[columnIndex * stride + rowIndex + i] = si->at[i];
+  }
+}
+
+/* Six entries of A, down from (rowIndex, columnIndex), become -si; A lies column by column, stride
+   apart. */
+static inline void ksl_screw_ncopy_cmo(
+    const ksl_screw_t *si, double *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[columnIndex * stride + rowIndex + i] = -si->at[i];
+  }
+}
+
+/* Six entries of A, down from (rowIndex, columnIndex), become si; A lies row by row, stride
+   apart. */
+static inline void ksl_screwf_copy_rmo(
+    const ksl_screwf_t *si, float *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[(rowIndex + i) * stride + columnIndex] = si->at[i];
+  }
+}
+
+/* Six entries of A, down from (rowIndex, columnIndex), become -si; A lies row by row, stride
+   apart. */
+static inline void ksl_screwf_ncopy_rmo(
+    const ksl_screwf_t *si, float *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[(rowIndex + i) * stride + columnIndex] = -si->at[i];
+  }
+}
+
+/* Six entries of A, down from (rowIndex, columnIndex), become si; A lies column by column, stride
+   apart. */
+static inline void ksl_screwf_copy_cmo(
+    const ksl_screwf_t *si, float *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[columnIndex * stride + rowIndex + i] = si->at[i];
+  }
+}
+
+/* Six entries of A, down from (rowIndex, columnIndex), become -si; A lies column by column, stride
+   apart. */
+static inline void ksl_screwf_ncopy_cmo(
+    const ksl_screwf_t *si, float *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[columnIndex * stride + rowIndex + i] = -si->at[i];
+  }
+}
+
+/* ksl_hsrxinvf, as KSL spells it, too. */
+static inline void ksl_hrxinvf(const ksl_SE3f_t *Di, ksl_screwf_t *ho) {
+  ksl_hsrxinvf(Di, ho);
+}
 
 #endif

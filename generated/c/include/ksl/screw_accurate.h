@@ -1940,6 +1940,123 @@ static inline void ksl_hsta_accurate(const ksl_SE3_t *D, const ksl_vec3_t *axis,
   so->m5 = 0.0;
 }
 
+/* so = -(t×R a ; R a), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   21 mul, 54 add, 15 product rest, 6 neg.
+   Error <= u |result| + (lin: 28, ang: 11) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_hsrainv_accurate(const ksl_SE3_t *D, const ksl_vec3_t *axis,
+    ksl_screw_t *so) {
+  const double a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
+      a_0c_right = a_0c - a_0a, a_0c_left = a_0c - a_0c_right,
+      a_0c_left_rest = ksl_product_rest(D->m00, axis->x, a_0a, a_0c_left),
+      a_0c_right_rest = ksl_product_rest(D->m01, axis->y, a_0b, a_0c_right),
+      a_0c_lo = a_0c_left_rest + a_0c_right_rest, a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d,
+      a_0_right = a_0 - a_0c, a_0_left = a_0 - a_0_right, a_0_left_rest = a_0c - a_0_left,
+      a_0_right_rest = ksl_product_rest(D->m02, axis->z, a_0d, a_0_right),
+      a_0_lo1 = a_0_left_rest + a_0_right_rest, a_0_lo = a_0_lo1 + a_0c_lo;
+  const double a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
+      a_1c_right = a_1c - a_1a, a_1c_left = a_1c - a_1c_right,
+      a_1c_left_rest = ksl_product_rest(D->m10, axis->x, a_1a, a_1c_left),
+      a_1c_right_rest = ksl_product_rest(D->m11, axis->y, a_1b, a_1c_right),
+      a_1c_lo = a_1c_left_rest + a_1c_right_rest, a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d,
+      a_1_right = a_1 - a_1c, a_1_left = a_1 - a_1_right, a_1_left_rest = a_1c - a_1_left,
+      a_1_right_rest = ksl_product_rest(D->m12, axis->z, a_1d, a_1_right),
+      a_1_lo1 = a_1_left_rest + a_1_right_rest, a_1_lo = a_1_lo1 + a_1c_lo;
+  const double a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
+      a_2c_right = a_2c - a_2a, a_2c_left = a_2c - a_2c_right,
+      a_2c_left_rest = ksl_product_rest(D->m20, axis->x, a_2a, a_2c_left),
+      a_2c_right_rest = ksl_product_rest(D->m21, axis->y, a_2b, a_2c_right),
+      a_2c_lo = a_2c_left_rest + a_2c_right_rest, a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d,
+      a_2_right = a_2 - a_2c, a_2_left = a_2 - a_2_right, a_2_left_rest = a_2c - a_2_left,
+      a_2_right_rest = ksl_product_rest(D->m22, axis->z, a_2d, a_2_right),
+      a_2_lo1 = a_2_left_rest + a_2_right_rest, a_2_lo = a_2_lo1 + a_2c_lo;
+  const double so_0a = D->m23 * a_1, so_0a_cross2 = D->m23 * a_1_lo, so_0b = D->m13 * a_2,
+      so_0b_cross2 = D->m13 * a_2_lo, so_0 = so_0a - so_0b, so_0_right = so_0a - so_0,
+      so_0_left = so_0 + so_0_right,
+      so_0_left_rest = ksl_product_rest(D->m23, a_1, so_0a, so_0_left),
+      so_0_right_rest = ksl_product_rest(D->m13, a_2, so_0b, so_0_right),
+      so_0_cross = so_0a_cross2 - so_0b_cross2, so_0_lo1 = so_0_left_rest - so_0_right_rest,
+      so_0_lo = so_0_lo1 + so_0_cross;
+  const double so_1a = D->m03 * a_2, so_1a_cross2 = D->m03 * a_2_lo, so_1b = D->m23 * a_0,
+      so_1b_cross2 = D->m23 * a_0_lo, so_1 = so_1a - so_1b, so_1_right = so_1a - so_1,
+      so_1_left = so_1 + so_1_right,
+      so_1_left_rest = ksl_product_rest(D->m03, a_2, so_1a, so_1_left),
+      so_1_right_rest = ksl_product_rest(D->m23, a_0, so_1b, so_1_right),
+      so_1_cross = so_1a_cross2 - so_1b_cross2, so_1_lo1 = so_1_left_rest - so_1_right_rest,
+      so_1_lo = so_1_lo1 + so_1_cross;
+  const double so_2a = D->m13 * a_0, so_2a_cross2 = D->m13 * a_0_lo, so_2b = D->m03 * a_1,
+      so_2b_cross2 = D->m03 * a_1_lo, so_2 = so_2a - so_2b, so_2_right = so_2a - so_2,
+      so_2_left = so_2 + so_2_right,
+      so_2_left_rest = ksl_product_rest(D->m13, a_0, so_2a, so_2_left),
+      so_2_right_rest = ksl_product_rest(D->m03, a_1, so_2b, so_2_right),
+      so_2_cross = so_2a_cross2 - so_2b_cross2, so_2_lo1 = so_2_left_rest - so_2_right_rest,
+      so_2_lo = so_2_lo1 + so_2_cross;
+  const double so_3 = -a_0, so_3_lo = -a_0_lo;
+  const double so_4 = -a_1, so_4_lo = -a_1_lo;
+  const double so_5 = -a_2, so_5_lo = -a_2_lo;
+  const double so_0_rounded = so_0 + so_0_lo;
+  const double so_1_rounded = so_1 + so_1_lo;
+  const double so_2_rounded = so_2 + so_2_lo;
+  const double so_3_rounded = so_3 + so_3_lo;
+  const double so_4_rounded = so_4 + so_4_lo;
+  const double so_5_rounded = so_5 + so_5_lo;
+  so->m0 = so_0_rounded;
+  so->m1 = so_1_rounded;
+  so->m2 = so_2_rounded;
+  so->m3 = so_3_rounded;
+  so->m4 = so_4_rounded;
+  so->m5 = so_5_rounded;
+}
+
+/* so = -(R a ; 0), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   9 mul, 33 add, 9 product rest, 6 neg.
+   Error <= u |result| + (lin: 11, ang: 0) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_hstainv_accurate(const ksl_SE3_t *D, const ksl_vec3_t *axis,
+    ksl_screw_t *so) {
+  const double so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
+      so_0c_right = so_0c - so_0a, so_0c_left = so_0c - so_0c_right,
+      so_0c_left_rest = ksl_product_rest(D->m00, axis->x, so_0a, so_0c_left),
+      so_0c_right_rest = ksl_product_rest(D->m01, axis->y, so_0b, so_0c_right),
+      so_0c_lo = so_0c_left_rest + so_0c_right_rest, so_0d = D->m02 * axis->z,
+      so_0e = so_0c + so_0d, so_0e_right = so_0e - so_0c, so_0e_left = so_0e - so_0e_right,
+      so_0e_left_rest = so_0c - so_0e_left,
+      so_0e_right_rest = ksl_product_rest(D->m02, axis->z, so_0d, so_0e_right),
+      so_0e_lo1 = so_0e_left_rest + so_0e_right_rest, so_0e_lo = so_0e_lo1 + so_0c_lo,
+      so_0 = -so_0e, so_0_lo = -so_0e_lo;
+  const double so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
+      so_1c_right = so_1c - so_1a, so_1c_left = so_1c - so_1c_right,
+      so_1c_left_rest = ksl_product_rest(D->m10, axis->x, so_1a, so_1c_left),
+      so_1c_right_rest = ksl_product_rest(D->m11, axis->y, so_1b, so_1c_right),
+      so_1c_lo = so_1c_left_rest + so_1c_right_rest, so_1d = D->m12 * axis->z,
+      so_1e = so_1c + so_1d, so_1e_right = so_1e - so_1c, so_1e_left = so_1e - so_1e_right,
+      so_1e_left_rest = so_1c - so_1e_left,
+      so_1e_right_rest = ksl_product_rest(D->m12, axis->z, so_1d, so_1e_right),
+      so_1e_lo1 = so_1e_left_rest + so_1e_right_rest, so_1e_lo = so_1e_lo1 + so_1c_lo,
+      so_1 = -so_1e, so_1_lo = -so_1e_lo;
+  const double so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
+      so_2c_right = so_2c - so_2a, so_2c_left = so_2c - so_2c_right,
+      so_2c_left_rest = ksl_product_rest(D->m20, axis->x, so_2a, so_2c_left),
+      so_2c_right_rest = ksl_product_rest(D->m21, axis->y, so_2b, so_2c_right),
+      so_2c_lo = so_2c_left_rest + so_2c_right_rest, so_2d = D->m22 * axis->z,
+      so_2e = so_2c + so_2d, so_2e_right = so_2e - so_2c, so_2e_left = so_2e - so_2e_right,
+      so_2e_left_rest = so_2c - so_2e_left,
+      so_2e_right_rest = ksl_product_rest(D->m22, axis->z, so_2d, so_2e_right),
+      so_2e_lo1 = so_2e_left_rest + so_2e_right_rest, so_2e_lo = so_2e_lo1 + so_2c_lo,
+      so_2 = -so_2e, so_2_lo = -so_2e_lo;
+  const double so_0_rounded = so_0 + so_0_lo;
+  const double so_1_rounded = so_1 + so_1_lo;
+  const double so_2_rounded = so_2 + so_2_lo;
+  so->m0 = so_0_rounded;
+  so->m1 = so_1_rounded;
+  so->m2 = so_2_rounded;
+  so->m3 = 0.0;
+  so->m4 = 0.0;
+  so->m5 = 0.0;
+}
+
 /* self = a self.
    self: screw (v in m/s; ω in rad/s); a: number.
    6 mul.
@@ -2808,6 +2925,57 @@ static inline void ksl_hstaf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *ax
       so_1c = so_1a + so_1b, so_1d = (double)D->m12 * (double)axis->z, so_1 = so_1c + so_1d;
   const double so_2a = (double)D->m20 * (double)axis->x, so_2b = (double)D->m21 * (double)axis->y,
       so_2c = so_2a + so_2b, so_2d = (double)D->m22 * (double)axis->z, so_2 = so_2c + so_2d;
+  so->m0 = (float)so_0;
+  so->m1 = (float)so_1;
+  so->m2 = (float)so_2;
+  so->m3 = (float)0.0;
+  so->m4 = (float)0.0;
+  so->m5 = (float)0.0;
+}
+
+/* so = -(t×R a ; R a), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   15 mul, 9 add, 3 neg.
+   Error <= u |result| + (lin: 5/32, ang: 3/32) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_hsrainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
+    ksl_screwf_t *so) {
+  const double a_0a = (double)D->m00 * (double)axis->x, a_0b = (double)D->m01 * (double)axis->y,
+      a_0c = a_0a + a_0b, a_0d = (double)D->m02 * (double)axis->z, a_0 = a_0c + a_0d;
+  const double a_1a = (double)D->m10 * (double)axis->x, a_1b = (double)D->m11 * (double)axis->y,
+      a_1c = a_1a + a_1b, a_1d = (double)D->m12 * (double)axis->z, a_1 = a_1c + a_1d;
+  const double a_2a = (double)D->m20 * (double)axis->x, a_2b = (double)D->m21 * (double)axis->y,
+      a_2c = a_2a + a_2b, a_2d = (double)D->m22 * (double)axis->z, a_2 = a_2c + a_2d;
+  const double so_0a = (double)D->m23 * a_1, so_0b = (double)D->m13 * a_2, so_0 = so_0a - so_0b;
+  const double so_1a = (double)D->m03 * a_2, so_1b = (double)D->m23 * a_0, so_1 = so_1a - so_1b;
+  const double so_2a = (double)D->m13 * a_0, so_2b = (double)D->m03 * a_1, so_2 = so_2a - so_2b;
+  const double so_3 = -a_0;
+  const double so_4 = -a_1;
+  const double so_5 = -a_2;
+  so->m0 = (float)so_0;
+  so->m1 = (float)so_1;
+  so->m2 = (float)so_2;
+  so->m3 = (float)so_3;
+  so->m4 = (float)so_4;
+  so->m5 = (float)so_5;
+}
+
+/* so = -(R a ; 0), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   9 mul, 6 add, 3 neg.
+   Error <= u |result| + (lin: 3/32, ang: 0) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_hstainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
+    ksl_screwf_t *so) {
+  const double so_0a = (double)D->m00 * (double)axis->x, so_0b = (double)D->m01 * (double)axis->y,
+      so_0c = so_0a + so_0b, so_0d = (double)D->m02 * (double)axis->z, so_0e = so_0c + so_0d,
+      so_0 = -so_0e;
+  const double so_1a = (double)D->m10 * (double)axis->x, so_1b = (double)D->m11 * (double)axis->y,
+      so_1c = so_1a + so_1b, so_1d = (double)D->m12 * (double)axis->z, so_1e = so_1c + so_1d,
+      so_1 = -so_1e;
+  const double so_2a = (double)D->m20 * (double)axis->x, so_2b = (double)D->m21 * (double)axis->y,
+      so_2c = so_2a + so_2b, so_2d = (double)D->m22 * (double)axis->z, so_2e = so_2c + so_2d,
+      so_2 = -so_2e;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;

@@ -5,6 +5,7 @@
 #ifndef KSL_VEC3_H
 #define KSL_VEC3_H
 
+#include <stdbool.h>
 #include "ksl_types.h"
 
 /* The vec3 of these entries, in order. */
@@ -921,6 +922,34 @@ static inline ksl_vec3_t *ksl_vec3_alloc(int n) {
      no memory. */
 static inline ksl_vec3f_t *ksl_vec3f_alloc(int n) {
   return n > 0 ? (ksl_vec3f_t *)calloc((size_t)n, sizeof(ksl_vec3f_t)) : NULL;
+}
+
+#endif
+
+/* What KSL declares beside formulas. */
+
+
+/* The vec3 of these entries, in order. */
+static inline ksl_vec3i_t ksl_vec3i(const int x, const int y, const int z) {
+  ksl_vec3i_t value;
+  value.x = x;
+  value.y = y;
+  value.z = z;
+  return value;
+}
+
+/* Whether all components are equal. */
+static inline bool ksl_vec3i_isEqual(const ksl_vec3i_t *v1, const ksl_vec3i_t *v2) {
+  return v1->x == v2->x && v1->y == v2->y && v1->z == v2->z;
+}
+
+#ifndef KSL_NO_ALLOC
+#include <stdlib.h>
+
+/* n ksl_vec3i_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there is
+     no memory. */
+static inline ksl_vec3i_t *ksl_vec3i_alloc(int n) {
+  return n > 0 ? (ksl_vec3i_t *)calloc((size_t)n, sizeof(ksl_vec3i_t)) : NULL;
 }
 
 #endif

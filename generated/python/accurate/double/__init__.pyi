@@ -173,12 +173,120 @@ def add_vvzinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...
     7 add.  Error <= u |result|, barring over- and underflow.
     """
 
+def vec4_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """self = a self.
+
+    (4),()->(4).  self: vector (x, y, z) and a homogeneous coordinate w; a: number.
+    4 mul, 4 add, 4 product error.  Error <= u |result|, barring over- and underflow.
+    """
+
+def vec4_scaled(v: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """vo = k v.
+
+    (4),()->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w; k: number.
+    4 mul, 4 add, 4 product error.  Error <= u |result|, barring over- and underflow.
+    """
+
+def vec4_l2norm(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """|v| = sqrt(v·v), all four components.
+
+    (4)->().  v: vector (x, y, z) and a homogeneous coordinate w; norm: number.
+    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
+    select.
+    """
+
+def vec4_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """self = self / |self|; the zero vector stays zero.
+
+    (4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.
+    33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+    select.
+    """
+
+def vec4_normalized(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """vo = v / |v|; the zero vector stays zero.
+
+    (4)->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w.
+    33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+    select.
+    """
+
 def mat3x3_determinant(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """det R.
 
     (3,3)->().  R: rotation or other 3×3 matrix; det: number.
     12 mul, 26 add, 9 product rest.  Error <= u |result| + 28 u^2 S, S the sum of the |terms| of
     the expanded formula; barring over- and underflow.
+    """
+
+def mat3x3_inverse(R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8
+    u times the sum of its terms' sizes), and Ro = NaN.
+
+    (3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.
+    52 mul, 161 add, 9 product error, 21 product rest, 18 div, 10 abs, 1 less, 11 equal, 33
+    select.  Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p
+    the sums of the sizes of the terms of the cofactor and of det R; barring over- and
+    underflow.
+    """
+
+def mat3x3_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
+    side of it, the third its side of both; NaN where rows depend on each other to rounding.
+
+    (3,3)->(3,3).  self: rotation or other 3×3 matrix.
+    142 mul, 333 add, 16 product error, 30 product rest, 30 div, 4 sqrt, 6 neg, 10 abs, 21 less,
+    24 equal, 71 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not
+    proved.
+    """
+
+def mat3x3_normalized(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
+    side of it, the third its side of both; NaN where rows depend on each other to rounding.
+
+    (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
+    142 mul, 333 add, 16 product error, 30 product rest, 30 div, 4 sqrt, 6 neg, 10 abs, 21 less,
+    24 equal, 71 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not
+    proved.
+    """
+
+def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+
+    (3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.
+    21 mul, 66 add, 3 product error, 15 product rest.  Error <= u |result| + 14 u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
+    """
+
+def euler_xyz_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
+    [-π/2, π/2]; c = 0 in gimbal lock.
+
+    (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
+    25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 1 neg, 4 abs, 2
+    less, 6 equal, 14 select.  The rotation by these angles is R but for 6 u in each entry, near
+    gimbal lock too; searched, not proved.
+    """
+
+def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in
+    [0, π]; c = 0 in gimbal lock.
+
+    (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
+    25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 4 abs, 2 less, 6
+    equal, 14 select.  The rotation by these angles is R but for 6 u in each entry, near gimbal
+    lock too; searched, not proved.
+    """
+
+def mat3x3_jacobi(A: ArrayLike, V: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
+    A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
+    I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+
+    (3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.
+    51 mul, 147 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13
+    equal, 18 select.  |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched,
+    not proved.
     """
 
 def SE3_invert(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -774,6 +882,24 @@ def hsta(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float64] | None = ...) -
     m/s; ω in rad/s).
     9 mul, 33 add, 9 product rest.  Error <= u |result| + (lin: 11, ang: 0) u^2 S, S the sum of
     the |terms| of the expanded formula; barring over- and underflow.
+    """
+
+def hsrainv(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """so = -(t×R a ; R a), a = axis in the body's frame.
+
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    21 mul, 54 add, 15 product rest, 6 neg.  Error <= u |result| + (lin: 28, ang: 11) u^2 S, S
+    the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+
+def hstainv(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """so = -(R a ; 0), a = axis in the body's frame.
+
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    9 mul, 33 add, 9 product rest, 6 neg.  Error <= u |result| + (lin: 11, ang: 0) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def coscrew_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:

@@ -1984,3 +1984,136 @@ def hsta(D, axis):
     so_1_rounded = so_1 + so_1_lo
     so_2_rounded = so_2 + so_2_lo
     return (so_0_rounded, so_1_rounded, so_2_rounded, 0, 0, 0)
+
+
+@kernel("(3,4),(3)->(6)")
+def hsrainv(D, axis):
+    """so = -(t×R a ; R a), a = axis in the body's frame.
+
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    21 mul, 54 add, 15 product rest, 6 neg.  Error <= u |result| + (lin: 28, ang: 11) u^2 S, S
+    the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    axis_0, axis_1, axis_2 = axis
+    a_0a = D_00 * axis_0
+    a_0b = D_01 * axis_1
+    a_0c = a_0a + a_0b
+    a_0c_right = a_0c - a_0a
+    a_0c_left_rest = product_rest(D_00, axis_0, a_0a, a_0c - a_0c_right)
+    a_0c_lo = a_0c_left_rest + product_rest(D_01, axis_1, a_0b, a_0c_right)
+    a_0d = D_02 * axis_2
+    a_0 = a_0c + a_0d
+    a_0_right = a_0 - a_0c
+    a_0_lo1 = a_0c - (a_0 - a_0_right) + product_rest(D_02, axis_2, a_0d, a_0_right)
+    a_0_lo = a_0_lo1 + a_0c_lo
+    a_1a = D_10 * axis_0
+    a_1b = D_11 * axis_1
+    a_1c = a_1a + a_1b
+    a_1c_right = a_1c - a_1a
+    a_1c_left_rest = product_rest(D_10, axis_0, a_1a, a_1c - a_1c_right)
+    a_1c_lo = a_1c_left_rest + product_rest(D_11, axis_1, a_1b, a_1c_right)
+    a_1d = D_12 * axis_2
+    a_1 = a_1c + a_1d
+    a_1_right = a_1 - a_1c
+    a_1_lo1 = a_1c - (a_1 - a_1_right) + product_rest(D_12, axis_2, a_1d, a_1_right)
+    a_1_lo = a_1_lo1 + a_1c_lo
+    a_2a = D_20 * axis_0
+    a_2b = D_21 * axis_1
+    a_2c = a_2a + a_2b
+    a_2c_right = a_2c - a_2a
+    a_2c_left_rest = product_rest(D_20, axis_0, a_2a, a_2c - a_2c_right)
+    a_2c_lo = a_2c_left_rest + product_rest(D_21, axis_1, a_2b, a_2c_right)
+    a_2d = D_22 * axis_2
+    a_2 = a_2c + a_2d
+    a_2_right = a_2 - a_2c
+    a_2_lo1 = a_2c - (a_2 - a_2_right) + product_rest(D_22, axis_2, a_2d, a_2_right)
+    a_2_lo = a_2_lo1 + a_2c_lo
+    so_0a = D_23 * a_1
+    so_0b = D_13 * a_2
+    so_0 = so_0a - so_0b
+    so_0_right = so_0a - so_0
+    so_0_left_rest = product_rest(D_23, a_1, so_0a, so_0 + so_0_right)
+    so_0_lo1 = so_0_left_rest - product_rest(D_13, a_2, so_0b, so_0_right)
+    so_0_lo = so_0_lo1 + (D_23 * a_1_lo - D_13 * a_2_lo)
+    so_1a = D_03 * a_2
+    so_1b = D_23 * a_0
+    so_1 = so_1a - so_1b
+    so_1_right = so_1a - so_1
+    so_1_left_rest = product_rest(D_03, a_2, so_1a, so_1 + so_1_right)
+    so_1_lo1 = so_1_left_rest - product_rest(D_23, a_0, so_1b, so_1_right)
+    so_1_lo = so_1_lo1 + (D_03 * a_2_lo - D_23 * a_0_lo)
+    so_2a = D_13 * a_0
+    so_2b = D_03 * a_1
+    so_2 = so_2a - so_2b
+    so_2_right = so_2a - so_2
+    so_2_left_rest = product_rest(D_13, a_0, so_2a, so_2 + so_2_right)
+    so_2_lo1 = so_2_left_rest - product_rest(D_03, a_1, so_2b, so_2_right)
+    so_2_lo = so_2_lo1 + (D_13 * a_0_lo - D_03 * a_1_lo)
+    so_3 = -a_0
+    so_4 = -a_1
+    so_5 = -a_2
+    so_0_rounded = so_0 + so_0_lo
+    so_1_rounded = so_1 + so_1_lo
+    so_2_rounded = so_2 + so_2_lo
+    so_3_rounded = so_3 + -a_0_lo
+    so_4_rounded = so_4 + -a_1_lo
+    so_5_rounded = so_5 + -a_2_lo
+    return (so_0_rounded, so_1_rounded, so_2_rounded, so_3_rounded, so_4_rounded, so_5_rounded)
+
+
+@kernel("(3,4),(3)->(6)")
+def hstainv(D, axis):
+    """so = -(R a ; 0), a = axis in the body's frame.
+
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    9 mul, 33 add, 9 product rest, 6 neg.  Error <= u |result| + (lin: 11, ang: 0) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    axis_0, axis_1, axis_2 = axis
+    so_0a = D_00 * axis_0
+    so_0b = D_01 * axis_1
+    so_0c = so_0a + so_0b
+    so_0c_right = so_0c - so_0a
+    so_0c_left_rest = product_rest(D_00, axis_0, so_0a, so_0c - so_0c_right)
+    so_0c_lo = so_0c_left_rest + product_rest(D_01, axis_1, so_0b, so_0c_right)
+    so_0d = D_02 * axis_2
+    so_0e = so_0c + so_0d
+    so_0e_right = so_0e - so_0c
+    so_0e_lo1 = so_0c - (so_0e - so_0e_right) + product_rest(D_02, axis_2, so_0d, so_0e_right)
+    so_0e_lo = so_0e_lo1 + so_0c_lo
+    so_0 = -so_0e
+    so_0_lo = -so_0e_lo
+    so_1a = D_10 * axis_0
+    so_1b = D_11 * axis_1
+    so_1c = so_1a + so_1b
+    so_1c_right = so_1c - so_1a
+    so_1c_left_rest = product_rest(D_10, axis_0, so_1a, so_1c - so_1c_right)
+    so_1c_lo = so_1c_left_rest + product_rest(D_11, axis_1, so_1b, so_1c_right)
+    so_1d = D_12 * axis_2
+    so_1e = so_1c + so_1d
+    so_1e_right = so_1e - so_1c
+    so_1e_lo1 = so_1c - (so_1e - so_1e_right) + product_rest(D_12, axis_2, so_1d, so_1e_right)
+    so_1e_lo = so_1e_lo1 + so_1c_lo
+    so_1 = -so_1e
+    so_1_lo = -so_1e_lo
+    so_2a = D_20 * axis_0
+    so_2b = D_21 * axis_1
+    so_2c = so_2a + so_2b
+    so_2c_right = so_2c - so_2a
+    so_2c_left_rest = product_rest(D_20, axis_0, so_2a, so_2c - so_2c_right)
+    so_2c_lo = so_2c_left_rest + product_rest(D_21, axis_1, so_2b, so_2c_right)
+    so_2d = D_22 * axis_2
+    so_2e = so_2c + so_2d
+    so_2e_right = so_2e - so_2c
+    so_2e_lo1 = so_2c - (so_2e - so_2e_right) + product_rest(D_22, axis_2, so_2d, so_2e_right)
+    so_2e_lo = so_2e_lo1 + so_2c_lo
+    so_2 = -so_2e
+    so_2_lo = -so_2e_lo
+    so_0_rounded = so_0 + so_0_lo
+    so_1_rounded = so_1 + so_1_lo
+    so_2_rounded = so_2 + so_2_lo
+    return (so_0_rounded, so_1_rounded, so_2_rounded, 0, 0, 0)
