@@ -95,11 +95,33 @@ QUANTITIES = (SCALAR, DC, VEC3, VEC4, MAT3X3, MAT4X4, SE3, SCREW, COSCREW, ANGUL
 
 
 @dataclass(frozen=True)
+class Domain:
+    """What an input may be for a bound that was searched to hold; `words` say it of {x}."""
+
+    words: str
+
+
+ANY, ROTATION = Domain(""), Domain("{x} a rotation")
+UNIT, FRACTION = Domain("|{x}| = 1"), Domain("0 <= {x} <= 1")
+TURN, HALF_TURN = Domain("|{x}| <= 1e13, in single precision 1e5"), Domain("|{x}| <= π")
+ORDINARY = Domain("2^-450 < |{x}| < 2^511, in single precision 2^-45 < |{x}| < 2^63")
+"""ROTATION, UNIT: but for one rounding of each component.  TURN, HALF_TURN: the angle of a rotation
+vector, or of a screw's angular part."""
+
+
+@dataclass(frozen=True)
 class Argument:
     """A named input or output of an operation."""
 
     name: str
     quantity: Quantity
+    domain: Domain = ANY
+
+    @property
+    def domain_in_words(self) -> str:
+        """'|v| <= π'; empty where it may be anything."""
+        angular = any(part.name == "ang" for part in self.quantity.parts)
+        return self.domain.words.format(x=f"ω of {self.name}" if angular else self.name)
 
     @cached_property
     def symbols(self) -> tuple[sp.Symbol, ...]:

@@ -25,7 +25,14 @@ def _once(function: Callable) -> Callable:
 
 @_once
 def g(k: Number, x: Number) -> Number:
-    """Σ (-x)^j / (2j + k)!, with as many more digits as its alternating terms cost."""
+    """Σ (-x)^j / (2j + k)!, with as many more digits as its alternating terms cost; for a large x by
+    g(k + 2) = (1/k! - g(k)) / x from cos and sin, which loses none."""
+    if x > 10**4:
+        root, k = mpmath.sqrt(x), int(k)
+        found = mpmath.sin(root) / root if k % 2 else mpmath.cos(root)
+        for n in range(k % 2, k, 2):
+            found = (1 / mpmath.factorial(n) - found) / x
+        return found
     with mpmath.workdps(mpmath.mp.dps + int(mpmath.sqrt(x)) + 10):
         term, total, j = 1 / mpmath.factorial(k), mpmath.mpf(0), 0
         while abs(term) > mpmath.eps or (2 * j)**2 < x:

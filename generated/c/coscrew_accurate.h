@@ -272,9 +272,9 @@ typedef enum ksl_axis_enum_t {
 
 /* Exact rounding errors in double precision, for compensated kernels.
 
-   Exact while nothing over- or underflows: products of numbers below 2^996 in magnitude whose own
-   magnitude is above 2^-969.  Needs every operation rounded to double on its own: compile with
-   -ffp-contract=off, and not for the x87. */
+   Exact where a product does not overflow and is zero or at least 2^-968 = 4.1e-292; a smaller one's
+   error is rounded to a multiple of the least subnormal number.  Needs every operation rounded to
+   double on its own: compile with -ffp-contract=off, and not for the x87. */
 #ifndef KSL_EXACT_H
 #define KSL_EXACT_H
 
@@ -291,12 +291,25 @@ typedef enum ksl_axis_enum_t {
 #define KSL_HAS_FMA 0
 #endif
 
-/* a b - p exactly, p the rounded product: by fma where that is an instruction, else in halves of
-   26 bits (Veltkamp, Dekker).  Both give the same bits. */
+#if !KSL_HAS_FMA
+/* Whether halves of 26 bits, their products and sums neither over- nor underflow. */
+static inline int ksl_splits(const double a, const double b, const double p) {
+  const double least = 4.008336720017946e-292; /* 2^-968 */
+  const double most = 6.696928794914171e+299;  /* 2^996 */
+  const double size = fabs(p);
+  return (size >= least || a == 0.0 || b == 0.0) && size <= most && fabs(a) <= most
+         && fabs(b) <= most;
+}
+#endif
+
+/* a b - p rounded once, p the rounded product: by fma where that is an instruction, else in halves
+   (Veltkamp, Dekker); where they over- or underflow, by the C library's fma, which the C standard
+   wants to round once.  All give the same bits. */
 static inline double ksl_product_error(const double a, const double b, const double p) {
 #if KSL_HAS_FMA
   return fma(a, b, -p);
 #else
+  if (!ksl_splits(a, b, p)) { return fma(a, b, -p); }
   const double splitter = 134217729.0; /* 2^27 + 1 */
   const double c = splitter * a, d = c - a, a_high = c - d, a_low = a - a_high;
   const double e = splitter * b, f = e - b, b_high = e - f, b_low = b - b_high;
@@ -313,6 +326,7 @@ static inline double ksl_product_rest(
   (void)p;
   return fma(a, b, -h);
 #else
+  if (!ksl_splits(a, b, p)) { return fma(a, b, -h); }
   const double rest = p - h, error = ksl_product_error(a, b, p);
   return rest + error;
 #endif
@@ -503,7 +517,7 @@ static inline void ksl_vec3_scaled_accurate(const ksl_vec3_t *v, const double k,
 
 /* |v| = sqrt(v·v).
    v: vector.
-   10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 3 abs, 6 less, 3 equal, 9
+   10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 3 abs, 8 less, 3 equal, 11
      select. */
 static inline double ksl_vec3_l2norm_accurate(const ksl_vec3_t *v) {
   const double s_size_0 = fabs(v->x);
@@ -512,7 +526,8 @@ static inline double ksl_vec3_l2norm_accurate(const ksl_vec3_t *v) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = v->x * s;
   const double y_1 = v->y * s;
   const double y_2 = v->z * s;
@@ -530,7 +545,8 @@ static inline double ksl_vec3_l2norm_accurate(const ksl_vec3_t *v) {
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm_of_n = n + n_lo, norm_of_n_right = norm_of_n - n,
       norm_of_n_left = norm_of_n - norm_of_n_right, norm_of_n_left_rest = n - norm_of_n_left,
       norm_of_n_right_rest = n_lo - norm_of_n_right,
@@ -545,7 +561,7 @@ static inline double ksl_vec3_l2norm_accurate(const ksl_vec3_t *v) {
 
 /* self = self / |self|; the zero vector stays zero.
    self: vector.
-   25 mul, 62 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+   25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 8 equal, 16
      select. */
 static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
   const double s_size_0 = fabs(self->x);
@@ -554,7 +570,8 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = self->x * s;
   const double y_1 = self->y * s;
   const double y_2 = self->z * s;
@@ -573,7 +590,13 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double enlarged_0 = self->x * up;
   const double enlarged_1 = self->y * up;
   const double enlarged_2 = self->z * up;
@@ -656,7 +679,7 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
 
 /* vo = v / |v|; the zero vector stays zero.
    v, vo: vector.
-   25 mul, 62 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+   25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 8 equal, 16
      select. */
 static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double s_size_0 = fabs(v->x);
@@ -665,7 +688,8 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = v->x * s;
   const double y_1 = v->y * s;
   const double y_2 = v->z * s;
@@ -684,7 +708,13 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double enlarged_0 = v->x * up;
   const double enlarged_1 = v->y * up;
   const double enlarged_2 = v->z * up;
@@ -758,8 +788,8 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
 
 /* angle = atan2(|v1 × v2|, v1·v2), in [0, π].
    v1, v2: vector.
-   42 mul, 95 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 11 abs, 15 less, 7
-     equal, 23 select. */
+   42 mul, 120 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 3 neg, 11 abs, 22
+     less, 7 equal, 32 select. */
 static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double s1_size_0 = fabs(v1->x);
   const double s1_size_1 = fabs(v1->y);
@@ -767,7 +797,8 @@ static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_
   const double s1_largest1 = s1_size_0 < s1_size_1 ? s1_size_1 : s1_size_0;
   const double s1_largest2 = s1_largest1 < s1_size_2 ? s1_size_2 : s1_largest1;
   const double s1b = 6.703903964971299e+153 < s1_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s1 = s1_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s1b;
+      s1d = s1_largest2 < 256.0 ? 1.3093562431584567e+151 : s1b,
+      s1 = s1_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s1d;
   const double scaled_s1_0 = v1->x * s1;
   const double scaled_s1_1 = v1->y * s1;
   const double scaled_s1_2 = v1->z * s1;
@@ -777,7 +808,8 @@ static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_
   const double s2_largest1 = s2_size_0 < s2_size_1 ? s2_size_1 : s2_size_0;
   const double s2_largest2 = s2_largest1 < s2_size_2 ? s2_size_2 : s2_largest1;
   const double s2b = 6.703903964971299e+153 < s2_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s2 = s2_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s2b;
+      s2d = s2_largest2 < 256.0 ? 1.3093562431584567e+151 : s2b,
+      s2 = s2_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s2d;
   const double scaled_s2_0 = v2->x * s2;
   const double scaled_s2_1 = v2->y * s2;
   const double scaled_s2_2 = v2->z * s2;
@@ -796,34 +828,68 @@ static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_
       c_2_left_rest = ksl_product_rest(scaled_s1_0, scaled_s2_1, c_2a, c_2_left),
       c_2_right_rest = ksl_product_rest(scaled_s1_1, scaled_s2_0, c_2b, c_2_right),
       c_2_lo = c_2_left_rest - c_2_right_rest;
-  const double s_size_0 = fabs(c_0);
-  const double s_size_1 = fabs(c_1);
-  const double s_size_2 = fabs(c_2);
-  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
-  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
-  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0_of_c_0 = c_0 + c_0_lo, y_0_of_c_0_right = y_0_of_c_0 - c_0,
-      y_0_of_c_0_left = y_0_of_c_0 - y_0_of_c_0_right, y_0_of_c_0_left_rest = c_0 - y_0_of_c_0_left,
-      y_0_of_c_0_right_rest = c_0_lo - y_0_of_c_0_right,
-      y_0_of_c_0_lo = y_0_of_c_0_left_rest + y_0_of_c_0_right_rest, y_0 = y_0_of_c_0 * s,
-      y_0_inverse = 1.0 / s, y_0_back = y_0 * y_0_inverse, y_0_lost = y_0_of_c_0 - y_0_back,
-      y_0_rest = y_0_lost + y_0_of_c_0_lo, y_0_small = y_0_rest * s,
-      y_0_lo = y_0_lost == 0.0 ? 0.0 : y_0_small;
-  const double y_1_of_c_1 = c_1 + c_1_lo, y_1_of_c_1_right = y_1_of_c_1 - c_1,
-      y_1_of_c_1_left = y_1_of_c_1 - y_1_of_c_1_right, y_1_of_c_1_left_rest = c_1 - y_1_of_c_1_left,
-      y_1_of_c_1_right_rest = c_1_lo - y_1_of_c_1_right,
-      y_1_of_c_1_lo = y_1_of_c_1_left_rest + y_1_of_c_1_right_rest, y_1 = y_1_of_c_1 * s,
-      y_1_back = y_1 * y_0_inverse, y_1_lost = y_1_of_c_1 - y_1_back,
-      y_1_rest = y_1_lost + y_1_of_c_1_lo, y_1_small = y_1_rest * s,
-      y_1_lo = y_1_lost == 0.0 ? 0.0 : y_1_small;
-  const double y_2_of_c_2 = c_2 + c_2_lo, y_2_of_c_2_right = y_2_of_c_2 - c_2,
-      y_2_of_c_2_left = y_2_of_c_2 - y_2_of_c_2_right, y_2_of_c_2_left_rest = c_2 - y_2_of_c_2_left,
-      y_2_of_c_2_right_rest = c_2_lo - y_2_of_c_2_right,
-      y_2_of_c_2_lo = y_2_of_c_2_left_rest + y_2_of_c_2_right_rest, y_2 = y_2_of_c_2 * s,
-      y_2_back = y_2 * y_0_inverse, y_2_lost = y_2_of_c_2 - y_2_back,
-      y_2_rest = y_2_lost + y_2_of_c_2_lo, y_2_small = y_2_rest * s,
-      y_2_lo = y_2_lost == 0.0 ? 0.0 : y_2_small;
+  const double s_size_0_of_c_0 = c_0 + c_0_lo, s_size_0_of_c_0_right = s_size_0_of_c_0 - c_0,
+      s_size_0_of_c_0_left = s_size_0_of_c_0 - s_size_0_of_c_0_right,
+      s_size_0_of_c_0_left_rest = c_0 - s_size_0_of_c_0_left,
+      s_size_0_of_c_0_right_rest = c_0_lo - s_size_0_of_c_0_right,
+      s_size_0_of_c_0_lo = s_size_0_of_c_0_left_rest + s_size_0_of_c_0_right_rest,
+      s_size_0 = fabs(s_size_0_of_c_0), s_size_0_opposite = -s_size_0_of_c_0_lo,
+      s_size_0_lo = s_size_0_of_c_0 < 0.0 ? s_size_0_opposite : s_size_0_of_c_0_lo;
+  const double s_size_1_of_c_1 = c_1 + c_1_lo, s_size_1_of_c_1_right = s_size_1_of_c_1 - c_1,
+      s_size_1_of_c_1_left = s_size_1_of_c_1 - s_size_1_of_c_1_right,
+      s_size_1_of_c_1_left_rest = c_1 - s_size_1_of_c_1_left,
+      s_size_1_of_c_1_right_rest = c_1_lo - s_size_1_of_c_1_right,
+      s_size_1_of_c_1_lo = s_size_1_of_c_1_left_rest + s_size_1_of_c_1_right_rest,
+      s_size_1 = fabs(s_size_1_of_c_1), s_size_1_opposite = -s_size_1_of_c_1_lo,
+      s_size_1_lo = s_size_1_of_c_1 < 0.0 ? s_size_1_opposite : s_size_1_of_c_1_lo;
+  const double s_size_2_of_c_2 = c_2 + c_2_lo, s_size_2_of_c_2_right = s_size_2_of_c_2 - c_2,
+      s_size_2_of_c_2_left = s_size_2_of_c_2 - s_size_2_of_c_2_right,
+      s_size_2_of_c_2_left_rest = c_2 - s_size_2_of_c_2_left,
+      s_size_2_of_c_2_right_rest = c_2_lo - s_size_2_of_c_2_right,
+      s_size_2_of_c_2_lo = s_size_2_of_c_2_left_rest + s_size_2_of_c_2_right_rest,
+      s_size_2 = fabs(s_size_2_of_c_2), s_size_2_opposite = -s_size_2_of_c_2_lo,
+      s_size_2_lo = s_size_2_of_c_2 < 0.0 ? s_size_2_opposite : s_size_2_of_c_2_lo;
+  const double s_largest1a_of_s_size_0 = s_size_0 + s_size_0_lo,
+      s_largest1a_of_s_size_0_right = s_largest1a_of_s_size_0 - s_size_0,
+      s_largest1a_of_s_size_0_left = s_largest1a_of_s_size_0 - s_largest1a_of_s_size_0_right,
+      s_largest1a_of_s_size_0_left_rest = s_size_0 - s_largest1a_of_s_size_0_left,
+      s_largest1a_of_s_size_0_right_rest = s_size_0_lo - s_largest1a_of_s_size_0_right,
+      s_largest1a_of_s_size_0_lo = s_largest1a_of_s_size_0_left_rest + s_largest1a_of_s_size_0_right_rest,
+      s_largest1a_of_s_size_1 = s_size_1 + s_size_1_lo,
+      s_largest1a_of_s_size_1_right = s_largest1a_of_s_size_1 - s_size_1,
+      s_largest1a_of_s_size_1_left = s_largest1a_of_s_size_1 - s_largest1a_of_s_size_1_right,
+      s_largest1a_of_s_size_1_left_rest = s_size_1 - s_largest1a_of_s_size_1_left,
+      s_largest1a_of_s_size_1_right_rest = s_size_1_lo - s_largest1a_of_s_size_1_right,
+      s_largest1a_of_s_size_1_lo = s_largest1a_of_s_size_1_left_rest + s_largest1a_of_s_size_1_right_rest,
+      s_largest1 = s_largest1a_of_s_size_0 < s_largest1a_of_s_size_1 ? s_largest1a_of_s_size_1 : s_largest1a_of_s_size_0,
+      s_largest1_lo = s_largest1a_of_s_size_0 < s_largest1a_of_s_size_1 ? s_largest1a_of_s_size_1_lo : s_largest1a_of_s_size_0_lo;
+  const double s_largest2a_of_s_largest1 = s_largest1 + s_largest1_lo,
+      s_largest2a_of_s_largest1_right = s_largest2a_of_s_largest1 - s_largest1,
+      s_largest2a_of_s_largest1_left = s_largest2a_of_s_largest1 - s_largest2a_of_s_largest1_right,
+      s_largest2a_of_s_largest1_left_rest = s_largest1 - s_largest2a_of_s_largest1_left,
+      s_largest2a_of_s_largest1_right_rest = s_largest1_lo - s_largest2a_of_s_largest1_right,
+      s_largest2a_of_s_largest1_lo = s_largest2a_of_s_largest1_left_rest + s_largest2a_of_s_largest1_right_rest,
+      s_largest2a_of_s_size_2 = s_size_2 + s_size_2_lo,
+      s_largest2a_of_s_size_2_right = s_largest2a_of_s_size_2 - s_size_2,
+      s_largest2a_of_s_size_2_left = s_largest2a_of_s_size_2 - s_largest2a_of_s_size_2_right,
+      s_largest2a_of_s_size_2_left_rest = s_size_2 - s_largest2a_of_s_size_2_left,
+      s_largest2a_of_s_size_2_right_rest = s_size_2_lo - s_largest2a_of_s_size_2_right,
+      s_largest2a_of_s_size_2_lo = s_largest2a_of_s_size_2_left_rest + s_largest2a_of_s_size_2_right_rest,
+      s_largest2 = s_largest2a_of_s_largest1 < s_largest2a_of_s_size_2 ? s_largest2a_of_s_size_2 : s_largest2a_of_s_largest1,
+      s_largest2_lo = s_largest2a_of_s_largest1 < s_largest2a_of_s_size_2 ? s_largest2a_of_s_size_2_lo : s_largest2a_of_s_largest1_lo;
+  const double s_a_of_s_largest2 = s_largest2 + s_largest2_lo,
+      s_b = 6.703903964971299e+153 < s_a_of_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_a_of_s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_a_of_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double y_0 = s_size_0_of_c_0 * s, y_0_inverse = 1.0 / s, y_0_back = y_0 * y_0_inverse,
+      y_0_lost = s_size_0_of_c_0 - y_0_back, y_0_rest = y_0_lost + s_size_0_of_c_0_lo,
+      y_0_small = y_0_rest * s, y_0_lo = y_0_lost == 0.0 ? 0.0 : y_0_small;
+  const double y_1 = s_size_1_of_c_1 * s, y_1_back = y_1 * y_0_inverse,
+      y_1_lost = s_size_1_of_c_1 - y_1_back, y_1_rest = y_1_lost + s_size_1_of_c_1_lo,
+      y_1_small = y_1_rest * s, y_1_lo = y_1_lost == 0.0 ? 0.0 : y_1_small;
+  const double y_2 = s_size_2_of_c_2 * s, y_2_back = y_2 * y_0_inverse,
+      y_2_lost = s_size_2_of_c_2 - y_2_back, y_2_rest = y_2_lost + s_size_2_of_c_2_lo,
+      y_2_small = y_2_rest * s, y_2_lo = y_2_lost == 0.0 ? 0.0 : y_2_small;
   const double n_a = y_0 * y_0, n_a_cross1 = y_0_lo * y_0, n_a_cross2 = y_0 * y_0_lo,
       n_a_cross = n_a_cross1 + n_a_cross2, n_b = y_1 * y_1, n_b_cross1 = y_1_lo * y_1,
       n_b_cross2 = y_1 * y_1_lo, n_b_cross = n_b_cross1 + n_b_cross2, n_c = n_a + n_b,
@@ -844,7 +910,8 @@ static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double cross_of_n = n + n_lo, cross_of_n_right = cross_of_n - n,
       cross_of_n_left = cross_of_n - cross_of_n_right, cross_of_n_left_rest = n - cross_of_n_left,
       cross_of_n_right_rest = n_lo - cross_of_n_right,
@@ -1222,7 +1289,7 @@ static inline void ksl_vec3f_scaled_accurate(const ksl_vec3f_t *v, const float k
 
 /* |v| = sqrt(v·v).
    v: vector.
-   7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select. */
+   7 mul, 2 add, 1 sqrt, 3 abs, 8 less, 8 select. */
 static inline float ksl_vec3f_l2norm_accurate(const ksl_vec3f_t *v) {
   const double s_size_0 = fabs((double)v->x);
   const double s_size_1 = fabs((double)v->y);
@@ -1230,21 +1297,23 @@ static inline float ksl_vec3f_l2norm_accurate(const ksl_vec3f_t *v) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = (double)v->x * s;
   const double y_1 = (double)v->y * s;
   const double y_2 = (double)v->z * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
-      r = 1.0 < s ? 7.888609052210118e-31 : r_b;
+      r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
+      r = 1.8014398509481984e+16 < s ? 3.0814879110195774e-33 : r_d;
   const double norm = n * r;
   return (float)norm;
 }
 
 /* self = self / |self|; the zero vector stays zero.
    self: vector.
-   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select. */
 static inline void ksl_vec3f_normalize_accurate(ksl_vec3f_t *self) {
   const double s_size_0 = fabs((double)self->x);
   const double s_size_1 = fabs((double)self->y);
@@ -1252,7 +1321,8 @@ static inline void ksl_vec3f_normalize_accurate(ksl_vec3f_t *self) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = (double)self->x * s;
   const double y_1 = (double)self->y * s;
   const double y_2 = (double)self->z * s;
@@ -1277,7 +1347,7 @@ static inline void ksl_vec3f_normalize_accurate(ksl_vec3f_t *self) {
 
 /* vo = v / |v|; the zero vector stays zero.
    v, vo: vector.
-   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select. */
 static inline void ksl_vec3f_normalized_accurate(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const double s_size_0 = fabs((double)v->x);
   const double s_size_1 = fabs((double)v->y);
@@ -1285,7 +1355,8 @@ static inline void ksl_vec3f_normalized_accurate(const ksl_vec3f_t *v, ksl_vec3f
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = (double)v->x * s;
   const double y_1 = (double)v->y * s;
   const double y_2 = (double)v->z * s;
@@ -1310,7 +1381,7 @@ static inline void ksl_vec3f_normalized_accurate(const ksl_vec3f_t *v, ksl_vec3f
 
 /* angle = atan2(|v1 × v2|, v1·v2), in [0, π].
    v1, v2: vector.
-   22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 14 less, 14 select. */
+   22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 18 less, 18 select. */
 static inline float ksl_angle_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
   const double s1_size_0 = fabs((double)v1->x);
   const double s1_size_1 = fabs((double)v1->y);
@@ -1318,7 +1389,8 @@ static inline float ksl_angle_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3
   const double s1_largest1 = s1_size_0 < s1_size_1 ? s1_size_1 : s1_size_0;
   const double s1_largest2 = s1_largest1 < s1_size_2 ? s1_size_2 : s1_largest1;
   const double s1b = 4.611686018427388e+18 < s1_largest2 ? 2.710505431213761e-20 : 1.0,
-      s1 = s1_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s1b;
+      s1d = s1_largest2 < 256.0 ? 1.8014398509481984e+16 : s1b,
+      s1 = s1_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s1d;
   const double scaled_s1_0 = (double)v1->x * s1;
   const double scaled_s1_1 = (double)v1->y * s1;
   const double scaled_s1_2 = (double)v1->z * s1;
@@ -1328,7 +1400,8 @@ static inline float ksl_angle_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3
   const double s2_largest1 = s2_size_0 < s2_size_1 ? s2_size_1 : s2_size_0;
   const double s2_largest2 = s2_largest1 < s2_size_2 ? s2_size_2 : s2_largest1;
   const double s2b = 4.611686018427388e+18 < s2_largest2 ? 2.710505431213761e-20 : 1.0,
-      s2 = s2_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s2b;
+      s2d = s2_largest2 < 256.0 ? 1.8014398509481984e+16 : s2b,
+      s2 = s2_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s2d;
   const double scaled_s2_0 = (double)v2->x * s2;
   const double scaled_s2_1 = (double)v2->y * s2;
   const double scaled_s2_2 = (double)v2->z * s2;
@@ -1344,14 +1417,16 @@ static inline float ksl_angle_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = c_0 * s;
   const double y_1 = c_1 * s;
   const double y_2 = c_2 * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
-      r = 1.0 < s ? 7.888609052210118e-31 : r_b;
+      r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
+      r = 1.8014398509481984e+16 < s ? 3.0814879110195774e-33 : r_d;
   const double cross = n * r;
   const double dot__a = scaled_s1_0 * scaled_s2_0, dot__b = scaled_s1_1 * scaled_s2_1,
       dot__c = dot__a + dot__b, dot__d = scaled_s1_2 * scaled_s2_2, dot_ = dot__c + dot__d;
@@ -1570,7 +1645,7 @@ static inline void ksl_vec4_scaled_accurate(const ksl_vec4_t *v, const double k,
 
 /* |v| = sqrt(v·v), all four components.
    v: vector (x, y, z) and a homogeneous coordinate w.
-   12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
+   12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 3 equal, 12
      select. */
 static inline double ksl_vec4_l2norm_accurate(const ksl_vec4_t *v) {
   const double s_size_0 = fabs(v->x);
@@ -1581,7 +1656,8 @@ static inline double ksl_vec4_l2norm_accurate(const ksl_vec4_t *v) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = v->x * s;
   const double y_1 = v->y * s;
   const double y_2 = v->z * s;
@@ -1603,7 +1679,8 @@ static inline double ksl_vec4_l2norm_accurate(const ksl_vec4_t *v) {
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm_of_n = n + n_lo, norm_of_n_right = norm_of_n - n,
       norm_of_n_left = norm_of_n - norm_of_n_right, norm_of_n_left_rest = n - norm_of_n_left,
       norm_of_n_right_rest = n_lo - norm_of_n_right,
@@ -1618,7 +1695,7 @@ static inline double ksl_vec4_l2norm_accurate(const ksl_vec4_t *v) {
 
 /* self = self / |self|; the zero vector stays zero.
    self: vector (x, y, z) and a homogeneous coordinate w.
-   33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+   33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
      select. */
 static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
   const double s_size_0 = fabs(self->x);
@@ -1629,7 +1706,8 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = self->x * s;
   const double y_1 = self->y * s;
   const double y_2 = self->z * s;
@@ -1652,7 +1730,13 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double enlarged_0 = self->x * up;
   const double enlarged_1 = self->y * up;
   const double enlarged_2 = self->z * up;
@@ -1759,7 +1843,7 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
 
 /* vo = v / |v|; the zero vector stays zero.
    v, vo: vector (x, y, z) and a homogeneous coordinate w.
-   33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+   33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
      select. */
 static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t *vo) {
   const double s_size_0 = fabs(v->x);
@@ -1770,7 +1854,8 @@ static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t 
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = v->x * s;
   const double y_1 = v->y * s;
   const double y_2 = v->z * s;
@@ -1793,7 +1878,13 @@ static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t 
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double enlarged_0 = v->x * up;
   const double enlarged_1 = v->y * up;
   const double enlarged_2 = v->z * up;
@@ -1920,7 +2011,7 @@ static inline void ksl_vec4f_scaled_accurate(const ksl_vec4f_t *v, const float k
 
 /* |v| = sqrt(v·v), all four components.
    v: vector (x, y, z) and a homogeneous coordinate w.
-   9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select. */
+   9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline float ksl_vec4f_l2norm_accurate(const ksl_vec4f_t *v) {
   const double s_size_0 = fabs((double)v->x);
   const double s_size_1 = fabs((double)v->y);
@@ -1930,7 +2021,8 @@ static inline float ksl_vec4f_l2norm_accurate(const ksl_vec4f_t *v) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest3 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = (double)v->x * s;
   const double y_1 = (double)v->y * s;
   const double y_2 = (double)v->z * s;
@@ -1938,14 +2030,15 @@ static inline float ksl_vec4f_l2norm_accurate(const ksl_vec4f_t *v) {
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
-      r = 1.0 < s ? 7.888609052210118e-31 : r_b;
+      r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
+      r = 1.8014398509481984e+16 < s ? 3.0814879110195774e-33 : r_d;
   const double norm = n * r;
   return (float)norm;
 }
 
 /* self = self / |self|; the zero vector stays zero.
    self: vector (x, y, z) and a homogeneous coordinate w.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_vec4f_normalize_accurate(ksl_vec4f_t *self) {
   const double s_size_0 = fabs((double)self->x);
   const double s_size_1 = fabs((double)self->y);
@@ -1955,7 +2048,8 @@ static inline void ksl_vec4f_normalize_accurate(ksl_vec4f_t *self) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest3 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = (double)self->x * s;
   const double y_1 = (double)self->y * s;
   const double y_2 = (double)self->z * s;
@@ -1985,7 +2079,7 @@ static inline void ksl_vec4f_normalize_accurate(ksl_vec4f_t *self) {
 
 /* vo = v / |v|; the zero vector stays zero.
    v, vo: vector (x, y, z) and a homogeneous coordinate w.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_vec4f_normalized_accurate(const ksl_vec4f_t *v, ksl_vec4f_t *vo) {
   const double s_size_0 = fabs((double)v->x);
   const double s_size_1 = fabs((double)v->y);
@@ -1995,7 +2089,8 @@ static inline void ksl_vec4f_normalized_accurate(const ksl_vec4f_t *v, ksl_vec4f
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest3 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = (double)v->x * s;
   const double y_1 = (double)v->y * s;
   const double y_2 = (double)v->z * s;
@@ -2071,7 +2166,7 @@ static inline double ksl_mat3x3_determinant_accurate(const ksl_mat3x3_t *R) {
 /* Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8 u
      times the sum of its terms' sizes), and Ro = NaN.
    R, Ro: rotation or other 3×3 matrix.
-   52 mul, 161 add, 9 product error, 21 product rest, 18 div, 10 abs, 1 less, 11 equal, 33
+   56 mul, 194 add, 9 product error, 31 product rest, 18 div, 1 neg, 10 abs, 2 less, 11 equal, 34
      select.
    Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of
      the sizes of the terms of the cofactor and of det R; barring over- and underflow. */
@@ -2140,17 +2235,60 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
   const double size2_1 = fabs(R->m12);
   const double size2_2 = fabs(R->m22);
   const double permanent_a = size1_1 * size2_2, permanent_b = size1_2 * size2_1,
-      permanent_c = permanent_a + permanent_b, permanent_d = size0_0 * permanent_c,
+      permanent_c = permanent_a + permanent_b, permanent_c_right = permanent_c - permanent_a,
+      permanent_c_left = permanent_c - permanent_c_right,
+      permanent_c_left_rest = ksl_product_rest(size1_1, size2_2, permanent_a, permanent_c_left),
+      permanent_c_right_rest = ksl_product_rest(size1_2, size2_1, permanent_b, permanent_c_right),
+      permanent_c_lo = permanent_c_left_rest + permanent_c_right_rest,
+      permanent_d = size0_0 * permanent_c, permanent_d_cross2 = size0_0 * permanent_c_lo,
       permanent_e = size1_0 * size2_2, permanent_f = size1_2 * size2_0,
-      permanent_g = permanent_e + permanent_f, permanent_h = size0_1 * permanent_g,
-      permanent_i = permanent_d + permanent_h, permanent_j = size1_0 * size2_1,
+      permanent_g = permanent_e + permanent_f, permanent_g_right = permanent_g - permanent_e,
+      permanent_g_left = permanent_g - permanent_g_right,
+      permanent_g_left_rest = ksl_product_rest(size1_0, size2_2, permanent_e, permanent_g_left),
+      permanent_g_right_rest = ksl_product_rest(size1_2, size2_0, permanent_f, permanent_g_right),
+      permanent_g_lo = permanent_g_left_rest + permanent_g_right_rest,
+      permanent_h = size0_1 * permanent_g, permanent_h_cross2 = size0_1 * permanent_g_lo,
+      permanent_i = permanent_d + permanent_h, permanent_i_right = permanent_i - permanent_d,
+      permanent_i_left = permanent_i - permanent_i_right,
+      permanent_i_left_rest = ksl_product_rest(size0_0, permanent_c, permanent_d, permanent_i_left),
+      permanent_i_right_rest = ksl_product_rest(size0_1, permanent_g, permanent_h, permanent_i_right),
+      permanent_i_cross = permanent_d_cross2 + permanent_h_cross2,
+      permanent_i_lo1 = permanent_i_left_rest + permanent_i_right_rest,
+      permanent_i_lo = permanent_i_lo1 + permanent_i_cross, permanent_j = size1_0 * size2_1,
       permanent_k = size1_1 * size2_0, permanent_l = permanent_j + permanent_k,
-      permanent_m = size0_2 * permanent_l, permanent = permanent_i + permanent_m;
+      permanent_l_right = permanent_l - permanent_j,
+      permanent_l_left = permanent_l - permanent_l_right,
+      permanent_l_left_rest = ksl_product_rest(size1_0, size2_1, permanent_j, permanent_l_left),
+      permanent_l_right_rest = ksl_product_rest(size1_1, size2_0, permanent_k, permanent_l_right),
+      permanent_l_lo = permanent_l_left_rest + permanent_l_right_rest,
+      permanent_m = size0_2 * permanent_l, permanent_m_cross2 = size0_2 * permanent_l_lo,
+      permanent = permanent_i + permanent_m, permanent_right = permanent - permanent_i,
+      permanent_left = permanent - permanent_right,
+      permanent_left_rest = permanent_i - permanent_left,
+      permanent_right_rest = ksl_product_rest(size0_2, permanent_l, permanent_m, permanent_right),
+      permanent_lo1 = permanent_left_rest + permanent_right_rest,
+      permanent_lo2 = permanent_lo1 + permanent_m_cross2,
+      permanent_lo = permanent_lo2 + permanent_i_lo;
   const double least_a = permanent * 8.881784197001252e-16,
-      least = least_a + 1.0261342003245941e-289;
-  const double regular_a = fabs(d), regular = least < regular_a ? 1.0 : 0.0;
-  const double divisor = regular == 1.0 ? d : 1.0, divisor_lo = regular == 1.0 ? d_lo : 0.0;
-  const double det = regular == 1.0 ? d : 0.0, det_lo = regular == 1.0 ? d_lo : 0.0;
+      least_a_cross1 = permanent_lo * 8.881784197001252e-16,
+      least = least_a + 1.0261342003245941e-289, least_right = least - least_a,
+      least_left = least - least_right,
+      least_left_rest = ksl_product_rest(permanent, 8.881784197001252e-16, least_a, least_left),
+      least_right_rest = 1.0261342003245941e-289 - least_right,
+      least_lo1 = least_left_rest + least_right_rest, least_lo = least_lo1 + least_a_cross1;
+  const double regular_a_of_d = d + d_lo, regular_a_of_d_right = regular_a_of_d - d,
+      regular_a_of_d_left = regular_a_of_d - regular_a_of_d_right,
+      regular_a_of_d_left_rest = d - regular_a_of_d_left,
+      regular_a_of_d_right_rest = d_lo - regular_a_of_d_right,
+      regular_a_of_d_lo = regular_a_of_d_left_rest + regular_a_of_d_right_rest,
+      regular_a = fabs(regular_a_of_d), regular_a_opposite = -regular_a_of_d_lo,
+      regular_a_lo = regular_a_of_d < 0.0 ? regular_a_opposite : regular_a_of_d_lo,
+      regular_b_of_least = least + least_lo, regular_b_of_regular_a = regular_a + regular_a_lo,
+      regular = regular_b_of_least < regular_b_of_regular_a ? 1.0 : 0.0;
+  const double divisor = regular == 1.0 ? regular_a_of_d : 1.0,
+      divisor_lo = regular == 1.0 ? regular_a_of_d_lo : 0.0;
+  const double det = regular == 1.0 ? regular_a_of_d : 0.0,
+      det_lo = regular == 1.0 ? regular_a_of_d_lo : 0.0;
   const double Ro_00a_of_n0_0 = n0_0 + n0_0_lo, Ro_00a_of_n0_0_right = Ro_00a_of_n0_0 - n0_0,
       Ro_00a_of_n0_0_left = Ro_00a_of_n0_0 - Ro_00a_of_n0_0_right,
       Ro_00a_of_n0_0_left_rest = n0_0 - Ro_00a_of_n0_0_left,
@@ -2318,8 +2456,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
 /* self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
      side of it, the third its side of both; NaN where rows depend on each other to rounding.
    self: rotation or other 3×3 matrix.
-   142 mul, 333 add, 16 product error, 30 product rest, 30 div, 4 sqrt, 6 neg, 10 abs, 21 less,
-     24 equal, 71 select.
+   154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
+     27 equal, 79 select.
    Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
 static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double q0_s_size_0 = fabs(self->m00);
@@ -2328,7 +2466,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
   const double q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
   const double q0_s_b = 6.703903964971299e+153 < q0_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      q0_s = q0_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : q0_s_b;
+      q0_s_d = q0_s_largest2 < 256.0 ? 1.3093562431584567e+151 : q0_s_b,
+      q0_s = q0_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : q0_s_d;
   const double q0_y_0 = self->m00 * q0_s;
   const double q0_y_1 = self->m01 * q0_s;
   const double q0_y_2 = self->m02 * q0_s;
@@ -2353,7 +2492,14 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       q0_n_rest = q0_n_of_q0_n_e - q0_n_product, q0_n_exact = q0_n_rest - q0_n_product_error,
       q0_n_residual = q0_n_exact + q0_n_of_q0_n_e_lo, q0_n_twice = q0_n + q0_n,
       q0_n_divisor = q0_n == 0.0 ? 1.0 : q0_n_twice, q0_n_lo = q0_n_residual / q0_n_divisor;
-  const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n, q0_divisor_lo = q0_n == 0.0 ? 0.0 : q0_n_lo;
+  const double q0_divisor_a_of_q0_n = q0_n + q0_n_lo,
+      q0_divisor_a_of_q0_n_right = q0_divisor_a_of_q0_n - q0_n,
+      q0_divisor_a_of_q0_n_left = q0_divisor_a_of_q0_n - q0_divisor_a_of_q0_n_right,
+      q0_divisor_a_of_q0_n_left_rest = q0_n - q0_divisor_a_of_q0_n_left,
+      q0_divisor_a_of_q0_n_right_rest = q0_n_lo - q0_divisor_a_of_q0_n_right,
+      q0_divisor_a_of_q0_n_lo = q0_divisor_a_of_q0_n_left_rest + q0_divisor_a_of_q0_n_right_rest,
+      q0_divisor = q0_divisor_a_of_q0_n == 0.0 ? q0_up : q0_divisor_a_of_q0_n,
+      q0_divisor_lo = q0_divisor_a_of_q0_n == 0.0 ? 0.0 : q0_divisor_a_of_q0_n_lo;
   const double q0_enlarged_0 = self->m00 * q0_up;
   const double q0_enlarged_1 = self->m01 * q0_up;
   const double q0_enlarged_2 = self->m02 * q0_up;
@@ -2423,7 +2569,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
   const double u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
   const double u1_s_b = 6.703903964971299e+153 < u1_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      u1_s = u1_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : u1_s_b;
+      u1_s_d = u1_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u1_s_b,
+      u1_s = u1_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u1_s_d;
   const double u1_y_0 = self->m10 * u1_s;
   const double u1_y_1 = self->m11 * u1_s;
   const double u1_y_2 = self->m12 * u1_s;
@@ -2448,7 +2595,14 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u1_n_rest = u1_n_of_u1_n_e - u1_n_product, u1_n_exact = u1_n_rest - u1_n_product_error,
       u1_n_residual = u1_n_exact + u1_n_of_u1_n_e_lo, u1_n_twice = u1_n + u1_n,
       u1_n_divisor = u1_n == 0.0 ? 1.0 : u1_n_twice, u1_n_lo = u1_n_residual / u1_n_divisor;
-  const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n, u1_divisor_lo = u1_n == 0.0 ? 0.0 : u1_n_lo;
+  const double u1_divisor_a_of_u1_n = u1_n + u1_n_lo,
+      u1_divisor_a_of_u1_n_right = u1_divisor_a_of_u1_n - u1_n,
+      u1_divisor_a_of_u1_n_left = u1_divisor_a_of_u1_n - u1_divisor_a_of_u1_n_right,
+      u1_divisor_a_of_u1_n_left_rest = u1_n - u1_divisor_a_of_u1_n_left,
+      u1_divisor_a_of_u1_n_right_rest = u1_n_lo - u1_divisor_a_of_u1_n_right,
+      u1_divisor_a_of_u1_n_lo = u1_divisor_a_of_u1_n_left_rest + u1_divisor_a_of_u1_n_right_rest,
+      u1_divisor = u1_divisor_a_of_u1_n == 0.0 ? u1_up : u1_divisor_a_of_u1_n,
+      u1_divisor_lo = u1_divisor_a_of_u1_n == 0.0 ? 0.0 : u1_divisor_a_of_u1_n_lo;
   const double u1_enlarged_0 = self->m10 * u1_up;
   const double u1_enlarged_1 = self->m11 * u1_up;
   const double u1_enlarged_2 = self->m12 * u1_up;
@@ -2606,7 +2760,13 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? 1.0 : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double q1_0_of_twice_0 = twice_0 + twice_0_lo,
       q1_0_of_twice_0_right = q1_0_of_twice_0 - twice_0,
       q1_0_of_twice_0_left = q1_0_of_twice_0 - q1_0_of_twice_0_right,
@@ -2681,7 +2841,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
   const double u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
   const double u2_s_b = 6.703903964971299e+153 < u2_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      u2_s = u2_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : u2_s_b;
+      u2_s_d = u2_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u2_s_b,
+      u2_s = u2_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u2_s_d;
   const double u2_y_0 = self->m20 * u2_s;
   const double u2_y_1 = self->m21 * u2_s;
   const double u2_y_2 = self->m22 * u2_s;
@@ -2706,7 +2867,14 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u2_n_rest = u2_n_of_u2_n_e - u2_n_product, u2_n_exact = u2_n_rest - u2_n_product_error,
       u2_n_residual = u2_n_exact + u2_n_of_u2_n_e_lo, u2_n_twice = u2_n + u2_n,
       u2_n_divisor = u2_n == 0.0 ? 1.0 : u2_n_twice, u2_n_lo = u2_n_residual / u2_n_divisor;
-  const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n, u2_divisor_lo = u2_n == 0.0 ? 0.0 : u2_n_lo;
+  const double u2_divisor_a_of_u2_n = u2_n + u2_n_lo,
+      u2_divisor_a_of_u2_n_right = u2_divisor_a_of_u2_n - u2_n,
+      u2_divisor_a_of_u2_n_left = u2_divisor_a_of_u2_n - u2_divisor_a_of_u2_n_right,
+      u2_divisor_a_of_u2_n_left_rest = u2_n - u2_divisor_a_of_u2_n_left,
+      u2_divisor_a_of_u2_n_right_rest = u2_n_lo - u2_divisor_a_of_u2_n_right,
+      u2_divisor_a_of_u2_n_lo = u2_divisor_a_of_u2_n_left_rest + u2_divisor_a_of_u2_n_right_rest,
+      u2_divisor = u2_divisor_a_of_u2_n == 0.0 ? u2_up : u2_divisor_a_of_u2_n,
+      u2_divisor_lo = u2_divisor_a_of_u2_n == 0.0 ? 0.0 : u2_divisor_a_of_u2_n_lo;
   const double u2_enlarged_0 = self->m20 * u2_up;
   const double u2_enlarged_1 = self->m21 * u2_up;
   const double u2_enlarged_2 = self->m22 * u2_up;
@@ -2741,22 +2909,76 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u2_quotient_2_residual = u2_quotient_2_exact - u2_quotient_2_cross,
       u2_quotient_2_lo = u2_quotient_2_residual / u2_quotient_0_of_u2_divisor;
   const double u2_0_of_u2_quotient_0 = u2_quotient_0 + u2_quotient_0_lo,
-      u2_0 = u2_0_of_u2_quotient_0 * u2_down;
+      u2_0_of_u2_quotient_0_right = u2_0_of_u2_quotient_0 - u2_quotient_0,
+      u2_0_of_u2_quotient_0_left = u2_0_of_u2_quotient_0 - u2_0_of_u2_quotient_0_right,
+      u2_0_of_u2_quotient_0_left_rest = u2_quotient_0 - u2_0_of_u2_quotient_0_left,
+      u2_0_of_u2_quotient_0_right_rest = u2_quotient_0_lo - u2_0_of_u2_quotient_0_right,
+      u2_0_of_u2_quotient_0_lo = u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest,
+      u2_0 = u2_0_of_u2_quotient_0 * u2_down, u2_0_inverse = 1.0 / u2_down,
+      u2_0_back = u2_0 * u2_0_inverse, u2_0_lost = u2_0_of_u2_quotient_0 - u2_0_back,
+      u2_0_rest = u2_0_lost + u2_0_of_u2_quotient_0_lo, u2_0_small = u2_0_rest * u2_down,
+      u2_0_lo = u2_0_lost == 0.0 ? 0.0 : u2_0_small;
   const double u2_1_of_u2_quotient_1 = u2_quotient_1 + u2_quotient_1_lo,
-      u2_1 = u2_1_of_u2_quotient_1 * u2_down;
+      u2_1_of_u2_quotient_1_right = u2_1_of_u2_quotient_1 - u2_quotient_1,
+      u2_1_of_u2_quotient_1_left = u2_1_of_u2_quotient_1 - u2_1_of_u2_quotient_1_right,
+      u2_1_of_u2_quotient_1_left_rest = u2_quotient_1 - u2_1_of_u2_quotient_1_left,
+      u2_1_of_u2_quotient_1_right_rest = u2_quotient_1_lo - u2_1_of_u2_quotient_1_right,
+      u2_1_of_u2_quotient_1_lo = u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest,
+      u2_1 = u2_1_of_u2_quotient_1 * u2_down, u2_1_back = u2_1 * u2_0_inverse,
+      u2_1_lost = u2_1_of_u2_quotient_1 - u2_1_back,
+      u2_1_rest = u2_1_lost + u2_1_of_u2_quotient_1_lo, u2_1_small = u2_1_rest * u2_down,
+      u2_1_lo = u2_1_lost == 0.0 ? 0.0 : u2_1_small;
   const double u2_2_of_u2_quotient_2 = u2_quotient_2 + u2_quotient_2_lo,
-      u2_2 = u2_2_of_u2_quotient_2 * u2_down;
-  const double side_a = normal_0 * u2_0, side_b = normal_1 * u2_1, side_c = side_a + side_b,
-      side_d = normal_2 * u2_2, side = side_c + side_d;
-  const double q2_0a = -normal_0, q2_0a_lo = -normal_0_lo, q2_0 = side < 0.0 ? q2_0a : normal_0,
-      q2_0_lo = side < 0.0 ? q2_0a_lo : normal_0_lo;
-  const double q2_1a = -normal_1, q2_1a_lo = -normal_1_lo, q2_1 = side < 0.0 ? q2_1a : normal_1,
-      q2_1_lo = side < 0.0 ? q2_1a_lo : normal_1_lo;
-  const double q2_2a = -normal_2, q2_2a_lo = -normal_2_lo, q2_2 = side < 0.0 ? q2_2a : normal_2,
-      q2_2_lo = side < 0.0 ? q2_2a_lo : normal_2_lo;
-  const double size = fabs(side);
-  const double less = n < size ? n : size;
-  const double dependent = less < 1.7763568394002505e-15 ? 1.0 : 0.0;
+      u2_2_of_u2_quotient_2_right = u2_2_of_u2_quotient_2 - u2_quotient_2,
+      u2_2_of_u2_quotient_2_left = u2_2_of_u2_quotient_2 - u2_2_of_u2_quotient_2_right,
+      u2_2_of_u2_quotient_2_left_rest = u2_quotient_2 - u2_2_of_u2_quotient_2_left,
+      u2_2_of_u2_quotient_2_right_rest = u2_quotient_2_lo - u2_2_of_u2_quotient_2_right,
+      u2_2_of_u2_quotient_2_lo = u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest,
+      u2_2 = u2_2_of_u2_quotient_2 * u2_down, u2_2_back = u2_2 * u2_0_inverse,
+      u2_2_lost = u2_2_of_u2_quotient_2 - u2_2_back,
+      u2_2_rest = u2_2_lost + u2_2_of_u2_quotient_2_lo, u2_2_small = u2_2_rest * u2_down,
+      u2_2_lo = u2_2_lost == 0.0 ? 0.0 : u2_2_small;
+  const double side_a = normal_0 * u2_0, side_a_cross1 = normal_0_lo * u2_0,
+      side_a_cross2 = normal_0 * u2_0_lo, side_a_cross = side_a_cross1 + side_a_cross2,
+      side_b = normal_1 * u2_1, side_b_cross1 = normal_1_lo * u2_1,
+      side_b_cross2 = normal_1 * u2_1_lo, side_b_cross = side_b_cross1 + side_b_cross2,
+      side_c = side_a + side_b, side_c_right = side_c - side_a, side_c_left = side_c - side_c_right,
+      side_c_left_rest = ksl_product_rest(normal_0, u2_0, side_a, side_c_left),
+      side_c_right_rest = ksl_product_rest(normal_1, u2_1, side_b, side_c_right),
+      side_c_cross = side_a_cross + side_b_cross, side_c_lo1 = side_c_left_rest + side_c_right_rest,
+      side_c_lo = side_c_lo1 + side_c_cross, side_d = normal_2 * u2_2,
+      side_d_cross1 = normal_2_lo * u2_2, side_d_cross2 = normal_2 * u2_2_lo,
+      side_d_cross = side_d_cross1 + side_d_cross2, side = side_c + side_d,
+      side_right = side - side_c, side_left = side - side_right,
+      side_left_rest = side_c - side_left,
+      side_right_rest = ksl_product_rest(normal_2, u2_2, side_d, side_right),
+      side_lo1 = side_left_rest + side_right_rest, side_lo2 = side_lo1 + side_d_cross,
+      side_lo = side_lo2 + side_c_lo;
+  const double q2_0a = -normal_0, q2_0a_lo = -normal_0_lo, q2_0b_of_side = side + side_lo,
+      q2_0b_of_side_right = q2_0b_of_side - side,
+      q2_0b_of_side_left = q2_0b_of_side - q2_0b_of_side_right,
+      q2_0b_of_side_left_rest = side - q2_0b_of_side_left,
+      q2_0b_of_side_right_rest = side_lo - q2_0b_of_side_right,
+      q2_0b_of_side_lo = q2_0b_of_side_left_rest + q2_0b_of_side_right_rest,
+      q2_0 = q2_0b_of_side < 0.0 ? q2_0a : normal_0,
+      q2_0_lo = q2_0b_of_side < 0.0 ? q2_0a_lo : normal_0_lo;
+  const double q2_1a = -normal_1, q2_1a_lo = -normal_1_lo,
+      q2_1 = q2_0b_of_side < 0.0 ? q2_1a : normal_1,
+      q2_1_lo = q2_0b_of_side < 0.0 ? q2_1a_lo : normal_1_lo;
+  const double q2_2a = -normal_2, q2_2a_lo = -normal_2_lo,
+      q2_2 = q2_0b_of_side < 0.0 ? q2_2a : normal_2,
+      q2_2_lo = q2_0b_of_side < 0.0 ? q2_2a_lo : normal_2_lo;
+  const double size = fabs(q2_0b_of_side), size_opposite = -q2_0b_of_side_lo,
+      size_lo = q2_0b_of_side < 0.0 ? size_opposite : q2_0b_of_side_lo;
+  const double less_a_of_size = size + size_lo, less_a_of_size_right = less_a_of_size - size,
+      less_a_of_size_left = less_a_of_size - less_a_of_size_right,
+      less_a_of_size_left_rest = size - less_a_of_size_left,
+      less_a_of_size_right_rest = size_lo - less_a_of_size_right,
+      less_a_of_size_lo = less_a_of_size_left_rest + less_a_of_size_right_rest,
+      less = divisor_a_of_n < less_a_of_size ? divisor_a_of_n : less_a_of_size,
+      less_lo = divisor_a_of_n < less_a_of_size ? divisor_a_of_n_lo : less_a_of_size_lo;
+  const double dependent_a_of_less = less + less_lo,
+      dependent = dependent_a_of_less < 1.7763568394002505e-15 ? 1.0 : 0.0;
   const double self_00_new = dependent == 1.0 ? (double)NAN : q0_0,
       self_00_new_lo = dependent == 1.0 ? 0.0 : q0_0_lo;
   const double self_01_new = dependent == 1.0 ? (double)NAN : q0_1,
@@ -2807,8 +3029,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
 /* Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its side
      of it, the third its side of both; NaN where rows depend on each other to rounding.
    R, Ro: rotation or other 3×3 matrix.
-   142 mul, 333 add, 16 product error, 30 product rest, 30 div, 4 sqrt, 6 neg, 10 abs, 21 less,
-     24 equal, 71 select.
+   154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
+     27 equal, 79 select.
    Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
 static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double q0_s_size_0 = fabs(R->m00);
@@ -2817,7 +3039,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
   const double q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
   const double q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
   const double q0_s_b = 6.703903964971299e+153 < q0_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      q0_s = q0_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : q0_s_b;
+      q0_s_d = q0_s_largest2 < 256.0 ? 1.3093562431584567e+151 : q0_s_b,
+      q0_s = q0_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : q0_s_d;
   const double q0_y_0 = R->m00 * q0_s;
   const double q0_y_1 = R->m01 * q0_s;
   const double q0_y_2 = R->m02 * q0_s;
@@ -2842,7 +3065,14 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       q0_n_rest = q0_n_of_q0_n_e - q0_n_product, q0_n_exact = q0_n_rest - q0_n_product_error,
       q0_n_residual = q0_n_exact + q0_n_of_q0_n_e_lo, q0_n_twice = q0_n + q0_n,
       q0_n_divisor = q0_n == 0.0 ? 1.0 : q0_n_twice, q0_n_lo = q0_n_residual / q0_n_divisor;
-  const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n, q0_divisor_lo = q0_n == 0.0 ? 0.0 : q0_n_lo;
+  const double q0_divisor_a_of_q0_n = q0_n + q0_n_lo,
+      q0_divisor_a_of_q0_n_right = q0_divisor_a_of_q0_n - q0_n,
+      q0_divisor_a_of_q0_n_left = q0_divisor_a_of_q0_n - q0_divisor_a_of_q0_n_right,
+      q0_divisor_a_of_q0_n_left_rest = q0_n - q0_divisor_a_of_q0_n_left,
+      q0_divisor_a_of_q0_n_right_rest = q0_n_lo - q0_divisor_a_of_q0_n_right,
+      q0_divisor_a_of_q0_n_lo = q0_divisor_a_of_q0_n_left_rest + q0_divisor_a_of_q0_n_right_rest,
+      q0_divisor = q0_divisor_a_of_q0_n == 0.0 ? q0_up : q0_divisor_a_of_q0_n,
+      q0_divisor_lo = q0_divisor_a_of_q0_n == 0.0 ? 0.0 : q0_divisor_a_of_q0_n_lo;
   const double q0_enlarged_0 = R->m00 * q0_up;
   const double q0_enlarged_1 = R->m01 * q0_up;
   const double q0_enlarged_2 = R->m02 * q0_up;
@@ -2912,7 +3142,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
   const double u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
   const double u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
   const double u1_s_b = 6.703903964971299e+153 < u1_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      u1_s = u1_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : u1_s_b;
+      u1_s_d = u1_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u1_s_b,
+      u1_s = u1_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u1_s_d;
   const double u1_y_0 = R->m10 * u1_s;
   const double u1_y_1 = R->m11 * u1_s;
   const double u1_y_2 = R->m12 * u1_s;
@@ -2937,7 +3168,14 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u1_n_rest = u1_n_of_u1_n_e - u1_n_product, u1_n_exact = u1_n_rest - u1_n_product_error,
       u1_n_residual = u1_n_exact + u1_n_of_u1_n_e_lo, u1_n_twice = u1_n + u1_n,
       u1_n_divisor = u1_n == 0.0 ? 1.0 : u1_n_twice, u1_n_lo = u1_n_residual / u1_n_divisor;
-  const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n, u1_divisor_lo = u1_n == 0.0 ? 0.0 : u1_n_lo;
+  const double u1_divisor_a_of_u1_n = u1_n + u1_n_lo,
+      u1_divisor_a_of_u1_n_right = u1_divisor_a_of_u1_n - u1_n,
+      u1_divisor_a_of_u1_n_left = u1_divisor_a_of_u1_n - u1_divisor_a_of_u1_n_right,
+      u1_divisor_a_of_u1_n_left_rest = u1_n - u1_divisor_a_of_u1_n_left,
+      u1_divisor_a_of_u1_n_right_rest = u1_n_lo - u1_divisor_a_of_u1_n_right,
+      u1_divisor_a_of_u1_n_lo = u1_divisor_a_of_u1_n_left_rest + u1_divisor_a_of_u1_n_right_rest,
+      u1_divisor = u1_divisor_a_of_u1_n == 0.0 ? u1_up : u1_divisor_a_of_u1_n,
+      u1_divisor_lo = u1_divisor_a_of_u1_n == 0.0 ? 0.0 : u1_divisor_a_of_u1_n_lo;
   const double u1_enlarged_0 = R->m10 * u1_up;
   const double u1_enlarged_1 = R->m11 * u1_up;
   const double u1_enlarged_2 = R->m12 * u1_up;
@@ -3095,7 +3333,13 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? 1.0 : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double q1_0_of_twice_0 = twice_0 + twice_0_lo,
       q1_0_of_twice_0_right = q1_0_of_twice_0 - twice_0,
       q1_0_of_twice_0_left = q1_0_of_twice_0 - q1_0_of_twice_0_right,
@@ -3170,7 +3414,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
   const double u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
   const double u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
   const double u2_s_b = 6.703903964971299e+153 < u2_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      u2_s = u2_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : u2_s_b;
+      u2_s_d = u2_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u2_s_b,
+      u2_s = u2_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u2_s_d;
   const double u2_y_0 = R->m20 * u2_s;
   const double u2_y_1 = R->m21 * u2_s;
   const double u2_y_2 = R->m22 * u2_s;
@@ -3195,7 +3440,14 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u2_n_rest = u2_n_of_u2_n_e - u2_n_product, u2_n_exact = u2_n_rest - u2_n_product_error,
       u2_n_residual = u2_n_exact + u2_n_of_u2_n_e_lo, u2_n_twice = u2_n + u2_n,
       u2_n_divisor = u2_n == 0.0 ? 1.0 : u2_n_twice, u2_n_lo = u2_n_residual / u2_n_divisor;
-  const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n, u2_divisor_lo = u2_n == 0.0 ? 0.0 : u2_n_lo;
+  const double u2_divisor_a_of_u2_n = u2_n + u2_n_lo,
+      u2_divisor_a_of_u2_n_right = u2_divisor_a_of_u2_n - u2_n,
+      u2_divisor_a_of_u2_n_left = u2_divisor_a_of_u2_n - u2_divisor_a_of_u2_n_right,
+      u2_divisor_a_of_u2_n_left_rest = u2_n - u2_divisor_a_of_u2_n_left,
+      u2_divisor_a_of_u2_n_right_rest = u2_n_lo - u2_divisor_a_of_u2_n_right,
+      u2_divisor_a_of_u2_n_lo = u2_divisor_a_of_u2_n_left_rest + u2_divisor_a_of_u2_n_right_rest,
+      u2_divisor = u2_divisor_a_of_u2_n == 0.0 ? u2_up : u2_divisor_a_of_u2_n,
+      u2_divisor_lo = u2_divisor_a_of_u2_n == 0.0 ? 0.0 : u2_divisor_a_of_u2_n_lo;
   const double u2_enlarged_0 = R->m20 * u2_up;
   const double u2_enlarged_1 = R->m21 * u2_up;
   const double u2_enlarged_2 = R->m22 * u2_up;
@@ -3230,22 +3482,76 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u2_quotient_2_residual = u2_quotient_2_exact - u2_quotient_2_cross,
       u2_quotient_2_lo = u2_quotient_2_residual / u2_quotient_0_of_u2_divisor;
   const double u2_0_of_u2_quotient_0 = u2_quotient_0 + u2_quotient_0_lo,
-      u2_0 = u2_0_of_u2_quotient_0 * u2_down;
+      u2_0_of_u2_quotient_0_right = u2_0_of_u2_quotient_0 - u2_quotient_0,
+      u2_0_of_u2_quotient_0_left = u2_0_of_u2_quotient_0 - u2_0_of_u2_quotient_0_right,
+      u2_0_of_u2_quotient_0_left_rest = u2_quotient_0 - u2_0_of_u2_quotient_0_left,
+      u2_0_of_u2_quotient_0_right_rest = u2_quotient_0_lo - u2_0_of_u2_quotient_0_right,
+      u2_0_of_u2_quotient_0_lo = u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest,
+      u2_0 = u2_0_of_u2_quotient_0 * u2_down, u2_0_inverse = 1.0 / u2_down,
+      u2_0_back = u2_0 * u2_0_inverse, u2_0_lost = u2_0_of_u2_quotient_0 - u2_0_back,
+      u2_0_rest = u2_0_lost + u2_0_of_u2_quotient_0_lo, u2_0_small = u2_0_rest * u2_down,
+      u2_0_lo = u2_0_lost == 0.0 ? 0.0 : u2_0_small;
   const double u2_1_of_u2_quotient_1 = u2_quotient_1 + u2_quotient_1_lo,
-      u2_1 = u2_1_of_u2_quotient_1 * u2_down;
+      u2_1_of_u2_quotient_1_right = u2_1_of_u2_quotient_1 - u2_quotient_1,
+      u2_1_of_u2_quotient_1_left = u2_1_of_u2_quotient_1 - u2_1_of_u2_quotient_1_right,
+      u2_1_of_u2_quotient_1_left_rest = u2_quotient_1 - u2_1_of_u2_quotient_1_left,
+      u2_1_of_u2_quotient_1_right_rest = u2_quotient_1_lo - u2_1_of_u2_quotient_1_right,
+      u2_1_of_u2_quotient_1_lo = u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest,
+      u2_1 = u2_1_of_u2_quotient_1 * u2_down, u2_1_back = u2_1 * u2_0_inverse,
+      u2_1_lost = u2_1_of_u2_quotient_1 - u2_1_back,
+      u2_1_rest = u2_1_lost + u2_1_of_u2_quotient_1_lo, u2_1_small = u2_1_rest * u2_down,
+      u2_1_lo = u2_1_lost == 0.0 ? 0.0 : u2_1_small;
   const double u2_2_of_u2_quotient_2 = u2_quotient_2 + u2_quotient_2_lo,
-      u2_2 = u2_2_of_u2_quotient_2 * u2_down;
-  const double side_a = normal_0 * u2_0, side_b = normal_1 * u2_1, side_c = side_a + side_b,
-      side_d = normal_2 * u2_2, side = side_c + side_d;
-  const double q2_0a = -normal_0, q2_0a_lo = -normal_0_lo, q2_0 = side < 0.0 ? q2_0a : normal_0,
-      q2_0_lo = side < 0.0 ? q2_0a_lo : normal_0_lo;
-  const double q2_1a = -normal_1, q2_1a_lo = -normal_1_lo, q2_1 = side < 0.0 ? q2_1a : normal_1,
-      q2_1_lo = side < 0.0 ? q2_1a_lo : normal_1_lo;
-  const double q2_2a = -normal_2, q2_2a_lo = -normal_2_lo, q2_2 = side < 0.0 ? q2_2a : normal_2,
-      q2_2_lo = side < 0.0 ? q2_2a_lo : normal_2_lo;
-  const double size = fabs(side);
-  const double less = n < size ? n : size;
-  const double dependent = less < 1.7763568394002505e-15 ? 1.0 : 0.0;
+      u2_2_of_u2_quotient_2_right = u2_2_of_u2_quotient_2 - u2_quotient_2,
+      u2_2_of_u2_quotient_2_left = u2_2_of_u2_quotient_2 - u2_2_of_u2_quotient_2_right,
+      u2_2_of_u2_quotient_2_left_rest = u2_quotient_2 - u2_2_of_u2_quotient_2_left,
+      u2_2_of_u2_quotient_2_right_rest = u2_quotient_2_lo - u2_2_of_u2_quotient_2_right,
+      u2_2_of_u2_quotient_2_lo = u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest,
+      u2_2 = u2_2_of_u2_quotient_2 * u2_down, u2_2_back = u2_2 * u2_0_inverse,
+      u2_2_lost = u2_2_of_u2_quotient_2 - u2_2_back,
+      u2_2_rest = u2_2_lost + u2_2_of_u2_quotient_2_lo, u2_2_small = u2_2_rest * u2_down,
+      u2_2_lo = u2_2_lost == 0.0 ? 0.0 : u2_2_small;
+  const double side_a = normal_0 * u2_0, side_a_cross1 = normal_0_lo * u2_0,
+      side_a_cross2 = normal_0 * u2_0_lo, side_a_cross = side_a_cross1 + side_a_cross2,
+      side_b = normal_1 * u2_1, side_b_cross1 = normal_1_lo * u2_1,
+      side_b_cross2 = normal_1 * u2_1_lo, side_b_cross = side_b_cross1 + side_b_cross2,
+      side_c = side_a + side_b, side_c_right = side_c - side_a, side_c_left = side_c - side_c_right,
+      side_c_left_rest = ksl_product_rest(normal_0, u2_0, side_a, side_c_left),
+      side_c_right_rest = ksl_product_rest(normal_1, u2_1, side_b, side_c_right),
+      side_c_cross = side_a_cross + side_b_cross, side_c_lo1 = side_c_left_rest + side_c_right_rest,
+      side_c_lo = side_c_lo1 + side_c_cross, side_d = normal_2 * u2_2,
+      side_d_cross1 = normal_2_lo * u2_2, side_d_cross2 = normal_2 * u2_2_lo,
+      side_d_cross = side_d_cross1 + side_d_cross2, side = side_c + side_d,
+      side_right = side - side_c, side_left = side - side_right,
+      side_left_rest = side_c - side_left,
+      side_right_rest = ksl_product_rest(normal_2, u2_2, side_d, side_right),
+      side_lo1 = side_left_rest + side_right_rest, side_lo2 = side_lo1 + side_d_cross,
+      side_lo = side_lo2 + side_c_lo;
+  const double q2_0a = -normal_0, q2_0a_lo = -normal_0_lo, q2_0b_of_side = side + side_lo,
+      q2_0b_of_side_right = q2_0b_of_side - side,
+      q2_0b_of_side_left = q2_0b_of_side - q2_0b_of_side_right,
+      q2_0b_of_side_left_rest = side - q2_0b_of_side_left,
+      q2_0b_of_side_right_rest = side_lo - q2_0b_of_side_right,
+      q2_0b_of_side_lo = q2_0b_of_side_left_rest + q2_0b_of_side_right_rest,
+      q2_0 = q2_0b_of_side < 0.0 ? q2_0a : normal_0,
+      q2_0_lo = q2_0b_of_side < 0.0 ? q2_0a_lo : normal_0_lo;
+  const double q2_1a = -normal_1, q2_1a_lo = -normal_1_lo,
+      q2_1 = q2_0b_of_side < 0.0 ? q2_1a : normal_1,
+      q2_1_lo = q2_0b_of_side < 0.0 ? q2_1a_lo : normal_1_lo;
+  const double q2_2a = -normal_2, q2_2a_lo = -normal_2_lo,
+      q2_2 = q2_0b_of_side < 0.0 ? q2_2a : normal_2,
+      q2_2_lo = q2_0b_of_side < 0.0 ? q2_2a_lo : normal_2_lo;
+  const double size = fabs(q2_0b_of_side), size_opposite = -q2_0b_of_side_lo,
+      size_lo = q2_0b_of_side < 0.0 ? size_opposite : q2_0b_of_side_lo;
+  const double less_a_of_size = size + size_lo, less_a_of_size_right = less_a_of_size - size,
+      less_a_of_size_left = less_a_of_size - less_a_of_size_right,
+      less_a_of_size_left_rest = size - less_a_of_size_left,
+      less_a_of_size_right_rest = size_lo - less_a_of_size_right,
+      less_a_of_size_lo = less_a_of_size_left_rest + less_a_of_size_right_rest,
+      less = divisor_a_of_n < less_a_of_size ? divisor_a_of_n : less_a_of_size,
+      less_lo = divisor_a_of_n < less_a_of_size ? divisor_a_of_n_lo : less_a_of_size_lo;
+  const double dependent_a_of_less = less + less_lo,
+      dependent = dependent_a_of_less < 1.7763568394002505e-15 ? 1.0 : 0.0;
   const double Ro_00 = dependent == 1.0 ? (double)NAN : q0_0,
       Ro_00_lo = dependent == 1.0 ? 0.0 : q0_0_lo;
   const double Ro_01 = dependent == 1.0 ? (double)NAN : q0_1,
@@ -3396,7 +3702,13 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_c - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_c_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? 1.0 : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double cosine_a_of_divisor = divisor + divisor_lo,
       cosine_a_of_divisor_right = cosine_a_of_divisor - divisor,
       cosine_a_of_divisor_left = cosine_a_of_divisor - cosine_a_of_divisor_right,
@@ -3409,8 +3721,9 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       cosine_a_exact = cosine_a_rest - cosine_a_product_error,
       cosine_a_cross = cosine_a * cosine_a_of_divisor_lo,
       cosine_a_residual = cosine_a_exact - cosine_a_cross,
-      cosine_a_lo = cosine_a_residual / cosine_a_of_divisor, cosine = n == 0.0 ? 1.0 : cosine_a,
-      cosine_lo = n == 0.0 ? 0.0 : cosine_a_lo;
+      cosine_a_lo = cosine_a_residual / cosine_a_of_divisor,
+      cosine = divisor_a_of_n == 0.0 ? 1.0 : cosine_a,
+      cosine_lo = divisor_a_of_n == 0.0 ? 0.0 : cosine_a_lo;
   const double sine_a = -R->m01, sine = sine_a / cosine_a_of_divisor,
       sine_product = sine * cosine_a_of_divisor,
       sine_product_error = ksl_product_error(sine, cosine_a_of_divisor, sine_product),
@@ -3418,7 +3731,7 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       sine_cross = sine * cosine_a_of_divisor_lo, sine_residual = sine_exact - sine_cross,
       sine_lo = sine_residual / cosine_a_of_divisor;
   const double polar = atan2(sine_a, R->m00);
-  const double third = n == 0.0 ? 0.0 : polar;
+  const double third = divisor_a_of_n == 0.0 ? 0.0 : polar;
   const double left_1a = R->m10 * sine, left_1a_cross2 = R->m10 * sine_lo,
       left_1b = R->m11 * cosine, left_1b_cross2 = R->m11 * cosine_lo, left_1 = left_1a + left_1b,
       left_1_right = left_1 - left_1a, left_1_left = left_1 - left_1_right,
@@ -3460,17 +3773,13 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_0_divisor2 = angles_0_divisor * angles_0_square,
       angles_0_safe = angles_0_most == 0.0 ? 1.0 : angles_0_divisor2,
       angles_0_lo = angles_0_cross / angles_0_safe;
-  const double angles_1_of_n = n + n_lo, angles_1_of_n_right = angles_1_of_n - n,
-      angles_1_of_n_left = angles_1_of_n - angles_1_of_n_right,
-      angles_1_of_n_left_rest = n - angles_1_of_n_left,
-      angles_1_of_n_right_rest = n_lo - angles_1_of_n_right,
-      angles_1_of_n_lo = angles_1_of_n_left_rest + angles_1_of_n_right_rest,
-      angles_1 = atan2(R->m02, angles_1_of_n), angles_1_size0 = fabs(R->m02),
-      angles_1_size1 = fabs(angles_1_of_n),
+  const double angles_1 = atan2(R->m02, divisor_a_of_n), angles_1_size0 = fabs(R->m02),
+      angles_1_size1 = fabs(divisor_a_of_n),
       angles_1_most = angles_1_size0 < angles_1_size1 ? angles_1_size1 : angles_1_size0,
       angles_1_divisor = angles_1_most == 0.0 ? 1.0 : angles_1_most,
-      angles_1_part0 = R->m02 / angles_1_divisor, angles_1_part1 = angles_1_of_n / angles_1_divisor,
-      angles_1_cross1 = angles_1_part1 * 0.0, angles_1_cross2 = angles_1_part0 * angles_1_of_n_lo,
+      angles_1_part0 = R->m02 / angles_1_divisor,
+      angles_1_part1 = divisor_a_of_n / angles_1_divisor, angles_1_cross1 = angles_1_part1 * 0.0,
+      angles_1_cross2 = angles_1_part0 * divisor_a_of_n_lo,
       angles_1_square1 = angles_1_part1 * angles_1_part1,
       angles_1_square2 = angles_1_part0 * angles_1_part0,
       angles_1_cross = angles_1_cross1 - angles_1_cross2,
@@ -3505,7 +3814,13 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_c - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_c_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? 1.0 : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double cosine_a_of_divisor = divisor + divisor_lo,
       cosine_a_of_divisor_right = cosine_a_of_divisor - divisor,
       cosine_a_of_divisor_left = cosine_a_of_divisor - cosine_a_of_divisor_right,
@@ -3518,15 +3833,16 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       cosine_a_exact = cosine_a_rest - cosine_a_product_error,
       cosine_a_cross = cosine_a * cosine_a_of_divisor_lo,
       cosine_a_residual = cosine_a_exact - cosine_a_cross,
-      cosine_a_lo = cosine_a_residual / cosine_a_of_divisor, cosine = n == 0.0 ? 1.0 : cosine_a,
-      cosine_lo = n == 0.0 ? 0.0 : cosine_a_lo;
+      cosine_a_lo = cosine_a_residual / cosine_a_of_divisor,
+      cosine = divisor_a_of_n == 0.0 ? 1.0 : cosine_a,
+      cosine_lo = divisor_a_of_n == 0.0 ? 0.0 : cosine_a_lo;
   const double sine = R->m01 / cosine_a_of_divisor, sine_product = sine * cosine_a_of_divisor,
       sine_product_error = ksl_product_error(sine, cosine_a_of_divisor, sine_product),
       sine_rest = R->m01 - sine_product, sine_exact = sine_rest - sine_product_error,
       sine_cross = sine * cosine_a_of_divisor_lo, sine_residual = sine_exact - sine_cross,
       sine_lo = sine_residual / cosine_a_of_divisor;
   const double polar = atan2(R->m01, R->m02);
-  const double third = n == 0.0 ? 0.0 : polar;
+  const double third = divisor_a_of_n == 0.0 ? 0.0 : polar;
   const double left_1a = R->m11 * cosine, left_1a_cross2 = R->m11 * cosine_lo,
       left_1b = R->m12 * sine, left_1b_cross2 = R->m12 * sine_lo, left_1 = left_1a - left_1b,
       left_1_right = left_1a - left_1, left_1_left = left_1 + left_1_right,
@@ -3568,17 +3884,13 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_0_divisor2 = angles_0_divisor * angles_0_square,
       angles_0_safe = angles_0_most == 0.0 ? 1.0 : angles_0_divisor2,
       angles_0_lo = angles_0_cross / angles_0_safe;
-  const double angles_1_of_n = n + n_lo, angles_1_of_n_right = angles_1_of_n - n,
-      angles_1_of_n_left = angles_1_of_n - angles_1_of_n_right,
-      angles_1_of_n_left_rest = n - angles_1_of_n_left,
-      angles_1_of_n_right_rest = n_lo - angles_1_of_n_right,
-      angles_1_of_n_lo = angles_1_of_n_left_rest + angles_1_of_n_right_rest,
-      angles_1 = atan2(angles_1_of_n, R->m00), angles_1_size0 = fabs(angles_1_of_n),
+  const double angles_1 = atan2(divisor_a_of_n, R->m00), angles_1_size0 = fabs(divisor_a_of_n),
       angles_1_size1 = fabs(R->m00),
       angles_1_most = angles_1_size0 < angles_1_size1 ? angles_1_size1 : angles_1_size0,
       angles_1_divisor = angles_1_most == 0.0 ? 1.0 : angles_1_most,
-      angles_1_part0 = angles_1_of_n / angles_1_divisor, angles_1_part1 = R->m00 / angles_1_divisor,
-      angles_1_cross1 = angles_1_part1 * angles_1_of_n_lo, angles_1_cross2 = angles_1_part0 * 0.0,
+      angles_1_part0 = divisor_a_of_n / angles_1_divisor,
+      angles_1_part1 = R->m00 / angles_1_divisor,
+      angles_1_cross1 = angles_1_part1 * divisor_a_of_n_lo, angles_1_cross2 = angles_1_part0 * 0.0,
       angles_1_square1 = angles_1_part1 * angles_1_part1,
       angles_1_square2 = angles_1_part0 * angles_1_part0,
       angles_1_cross = angles_1_cross1 - angles_1_cross2,
@@ -3599,7 +3911,7 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
      A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
      I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
    A, V: rotation or other 3×3 matrix.
-   51 mul, 147 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13
+   51 mul, 153 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13
      equal, 18 select.
    |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
@@ -3617,13 +3929,21 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
       theta_product_error = ksl_product_error(theta, divisor, theta_product),
       theta_rest = theta_of_apart - theta_product, theta_exact = theta_rest - theta_product_error,
       theta_numerator = theta_exact + theta_of_apart_lo, theta_lo = theta_numerator / divisor;
-  const double absolute = fabs(theta), absolute_opposite = -theta_lo,
-      absolute_lo = theta < 0.0 ? absolute_opposite : theta_lo;
-  const double size_a = theta * theta, size_a_cross1 = theta_lo * theta,
-      size_a_cross2 = theta * theta_lo, size_a_cross = size_a_cross1 + size_a_cross2,
-      size_b = 1.0 + size_a, size_b_right = size_b - 1.0, size_b_left = size_b - size_b_right,
+  const double magnitude_of_theta = theta + theta_lo,
+      magnitude_of_theta_right = magnitude_of_theta - theta,
+      magnitude_of_theta_left = magnitude_of_theta - magnitude_of_theta_right,
+      magnitude_of_theta_left_rest = theta - magnitude_of_theta_left,
+      magnitude_of_theta_right_rest = theta_lo - magnitude_of_theta_right,
+      magnitude_of_theta_lo = magnitude_of_theta_left_rest + magnitude_of_theta_right_rest,
+      magnitude = fabs(magnitude_of_theta), magnitude_opposite = -magnitude_of_theta_lo,
+      magnitude_lo = magnitude_of_theta < 0.0 ? magnitude_opposite : magnitude_of_theta_lo;
+  const double size_a = magnitude_of_theta * magnitude_of_theta,
+      size_a_cross1 = magnitude_of_theta_lo * magnitude_of_theta,
+      size_a_cross2 = magnitude_of_theta * magnitude_of_theta_lo,
+      size_a_cross = size_a_cross1 + size_a_cross2, size_b = 1.0 + size_a,
+      size_b_right = size_b - 1.0, size_b_left = size_b - size_b_right,
       size_b_left_rest = 1.0 - size_b_left,
-      size_b_right_rest = ksl_product_rest(theta, theta, size_a, size_b_right),
+      size_b_right_rest = ksl_product_rest(magnitude_of_theta, magnitude_of_theta, size_a, size_b_right),
       size_b_lo1 = size_b_left_rest + size_b_right_rest, size_b_lo = size_b_lo1 + size_a_cross,
       size_c_of_size_b = size_b + size_b_lo, size_c_of_size_b_right = size_c_of_size_b - size_b,
       size_c_of_size_b_left = size_c_of_size_b - size_c_of_size_b_right,
@@ -3636,13 +3956,14 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
       size_c_exact = size_c_rest - size_c_product_error,
       size_c_residual = size_c_exact + size_c_of_size_b_lo, size_c_twice = size_c + size_c,
       size_c_divisor = size_c == 0.0 ? 1.0 : size_c_twice,
-      size_c_lo = size_c_residual / size_c_divisor, size = absolute + size_c,
-      size_right = size - absolute, size_left = size - size_right,
-      size_left_rest = absolute - size_left, size_right_rest = size_c - size_right,
+      size_c_lo = size_c_residual / size_c_divisor, size = magnitude + size_c,
+      size_right = size - magnitude, size_left = size - size_right,
+      size_left_rest = magnitude - size_left, size_right_rest = size_c - size_right,
       size_lo1 = size_left_rest + size_right_rest, size_lo2 = size_lo1 + size_c_lo,
-      size_lo = size_lo2 + absolute_lo;
-  const double along_a = -size, along_a_lo = -size_lo, along = theta < 0.0 ? along_a : size,
-      along_lo = theta < 0.0 ? along_a_lo : size_lo;
+      size_lo = size_lo2 + magnitude_lo;
+  const double along_a = -size, along_a_lo = -size_lo,
+      along = magnitude_of_theta < 0.0 ? along_a : size,
+      along_lo = magnitude_of_theta < 0.0 ? along_a_lo : size_lo;
   const double t_a_of_along = along + along_lo, t_a_of_along_right = t_a_of_along - along,
       t_a_of_along_left = t_a_of_along - t_a_of_along_right,
       t_a_of_along_left_rest = along - t_a_of_along_left,
@@ -3786,9 +4107,10 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
    R: rotation or other 3×3 matrix; axis: vector.
-   35 mul, 204 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
-     less, 11 equal, 54 select.
-   Error <= angle: 8 u, axis: 5 u of its largest component; searched, not proved. */
+   35 mul, 235 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
+     less, 11 equal, 61 select.
+   Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
+     proved. */
 static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
       p_0_left_rest = R->m21 - p_0_left, p_0_right_rest = R->m12 - p_0_right,
@@ -3860,51 +4182,91 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
   const double column_3 = R->m22 < 0.0 ? low_3 : high_3,
       column_3_lo = R->m22 < 0.0 ? low_3_lo : high_3_lo;
   const double upper_0a = -column_0, upper_0a_lo = -column_0_lo,
-      upper_0 = column_3 < 0.0 ? upper_0a : column_0,
-      upper_0_lo = column_3 < 0.0 ? upper_0a_lo : column_0_lo;
+      upper_0b_of_column_3 = column_3 + column_3_lo,
+      upper_0b_of_column_3_right = upper_0b_of_column_3 - column_3,
+      upper_0b_of_column_3_left = upper_0b_of_column_3 - upper_0b_of_column_3_right,
+      upper_0b_of_column_3_left_rest = column_3 - upper_0b_of_column_3_left,
+      upper_0b_of_column_3_right_rest = column_3_lo - upper_0b_of_column_3_right,
+      upper_0b_of_column_3_lo = upper_0b_of_column_3_left_rest + upper_0b_of_column_3_right_rest,
+      upper_0 = upper_0b_of_column_3 < 0.0 ? upper_0a : column_0,
+      upper_0_lo = upper_0b_of_column_3 < 0.0 ? upper_0a_lo : column_0_lo;
   const double upper_1a = -column_1, upper_1a_lo = -column_1_lo,
-      upper_1 = column_3 < 0.0 ? upper_1a : column_1,
-      upper_1_lo = column_3 < 0.0 ? upper_1a_lo : column_1_lo;
+      upper_1 = upper_0b_of_column_3 < 0.0 ? upper_1a : column_1,
+      upper_1_lo = upper_0b_of_column_3 < 0.0 ? upper_1a_lo : column_1_lo;
   const double upper_2a = -column_2, upper_2a_lo = -column_2_lo,
-      upper_2 = column_3 < 0.0 ? upper_2a : column_2,
-      upper_2_lo = column_3 < 0.0 ? upper_2a_lo : column_2_lo;
-  const double upper_3a = -column_3, upper_3a_lo = -column_3_lo,
-      upper_3 = column_3 < 0.0 ? upper_3a : column_3,
-      upper_3_lo = column_3 < 0.0 ? upper_3a_lo : column_3_lo;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
-  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
-  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
-  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0_of_upper_0 = upper_0 + upper_0_lo,
-      v_y_0_of_upper_0_right = v_y_0_of_upper_0 - upper_0,
-      v_y_0_of_upper_0_left = v_y_0_of_upper_0 - v_y_0_of_upper_0_right,
-      v_y_0_of_upper_0_left_rest = upper_0 - v_y_0_of_upper_0_left,
-      v_y_0_of_upper_0_right_rest = upper_0_lo - v_y_0_of_upper_0_right,
-      v_y_0_of_upper_0_lo = v_y_0_of_upper_0_left_rest + v_y_0_of_upper_0_right_rest,
-      v_y_0 = v_y_0_of_upper_0 * v_s, v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
-      v_y_0_lost = v_y_0_of_upper_0 - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_of_upper_0_lo,
-      v_y_0_small = v_y_0_rest * v_s, v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
-  const double v_y_1_of_upper_1 = upper_1 + upper_1_lo,
-      v_y_1_of_upper_1_right = v_y_1_of_upper_1 - upper_1,
-      v_y_1_of_upper_1_left = v_y_1_of_upper_1 - v_y_1_of_upper_1_right,
-      v_y_1_of_upper_1_left_rest = upper_1 - v_y_1_of_upper_1_left,
-      v_y_1_of_upper_1_right_rest = upper_1_lo - v_y_1_of_upper_1_right,
-      v_y_1_of_upper_1_lo = v_y_1_of_upper_1_left_rest + v_y_1_of_upper_1_right_rest,
-      v_y_1 = v_y_1_of_upper_1 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
-      v_y_1_lost = v_y_1_of_upper_1 - v_y_1_back, v_y_1_rest = v_y_1_lost + v_y_1_of_upper_1_lo,
-      v_y_1_small = v_y_1_rest * v_s, v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
-  const double v_y_2_of_upper_2 = upper_2 + upper_2_lo,
-      v_y_2_of_upper_2_right = v_y_2_of_upper_2 - upper_2,
-      v_y_2_of_upper_2_left = v_y_2_of_upper_2 - v_y_2_of_upper_2_right,
-      v_y_2_of_upper_2_left_rest = upper_2 - v_y_2_of_upper_2_left,
-      v_y_2_of_upper_2_right_rest = upper_2_lo - v_y_2_of_upper_2_right,
-      v_y_2_of_upper_2_lo = v_y_2_of_upper_2_left_rest + v_y_2_of_upper_2_right_rest,
-      v_y_2 = v_y_2_of_upper_2 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
-      v_y_2_lost = v_y_2_of_upper_2 - v_y_2_back, v_y_2_rest = v_y_2_lost + v_y_2_of_upper_2_lo,
-      v_y_2_small = v_y_2_rest * v_s, v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
+      upper_2 = upper_0b_of_column_3 < 0.0 ? upper_2a : column_2,
+      upper_2_lo = upper_0b_of_column_3 < 0.0 ? upper_2a_lo : column_2_lo;
+  const double upper_3a = -upper_0b_of_column_3, upper_3a_lo = -upper_0b_of_column_3_lo,
+      upper_3 = upper_0b_of_column_3 < 0.0 ? upper_3a : upper_0b_of_column_3,
+      upper_3_lo = upper_0b_of_column_3 < 0.0 ? upper_3a_lo : upper_0b_of_column_3_lo;
+  const double v_s_size_0_of_upper_0 = upper_0 + upper_0_lo,
+      v_s_size_0_of_upper_0_right = v_s_size_0_of_upper_0 - upper_0,
+      v_s_size_0_of_upper_0_left = v_s_size_0_of_upper_0 - v_s_size_0_of_upper_0_right,
+      v_s_size_0_of_upper_0_left_rest = upper_0 - v_s_size_0_of_upper_0_left,
+      v_s_size_0_of_upper_0_right_rest = upper_0_lo - v_s_size_0_of_upper_0_right,
+      v_s_size_0_of_upper_0_lo = v_s_size_0_of_upper_0_left_rest + v_s_size_0_of_upper_0_right_rest,
+      v_s_size_0 = fabs(v_s_size_0_of_upper_0), v_s_size_0_opposite = -v_s_size_0_of_upper_0_lo,
+      v_s_size_0_lo = v_s_size_0_of_upper_0 < 0.0 ? v_s_size_0_opposite : v_s_size_0_of_upper_0_lo;
+  const double v_s_size_1_of_upper_1 = upper_1 + upper_1_lo,
+      v_s_size_1_of_upper_1_right = v_s_size_1_of_upper_1 - upper_1,
+      v_s_size_1_of_upper_1_left = v_s_size_1_of_upper_1 - v_s_size_1_of_upper_1_right,
+      v_s_size_1_of_upper_1_left_rest = upper_1 - v_s_size_1_of_upper_1_left,
+      v_s_size_1_of_upper_1_right_rest = upper_1_lo - v_s_size_1_of_upper_1_right,
+      v_s_size_1_of_upper_1_lo = v_s_size_1_of_upper_1_left_rest + v_s_size_1_of_upper_1_right_rest,
+      v_s_size_1 = fabs(v_s_size_1_of_upper_1), v_s_size_1_opposite = -v_s_size_1_of_upper_1_lo,
+      v_s_size_1_lo = v_s_size_1_of_upper_1 < 0.0 ? v_s_size_1_opposite : v_s_size_1_of_upper_1_lo;
+  const double v_s_size_2_of_upper_2 = upper_2 + upper_2_lo,
+      v_s_size_2_of_upper_2_right = v_s_size_2_of_upper_2 - upper_2,
+      v_s_size_2_of_upper_2_left = v_s_size_2_of_upper_2 - v_s_size_2_of_upper_2_right,
+      v_s_size_2_of_upper_2_left_rest = upper_2 - v_s_size_2_of_upper_2_left,
+      v_s_size_2_of_upper_2_right_rest = upper_2_lo - v_s_size_2_of_upper_2_right,
+      v_s_size_2_of_upper_2_lo = v_s_size_2_of_upper_2_left_rest + v_s_size_2_of_upper_2_right_rest,
+      v_s_size_2 = fabs(v_s_size_2_of_upper_2), v_s_size_2_opposite = -v_s_size_2_of_upper_2_lo,
+      v_s_size_2_lo = v_s_size_2_of_upper_2 < 0.0 ? v_s_size_2_opposite : v_s_size_2_of_upper_2_lo;
+  const double v_s_largest1a_of_v_s_size_0 = v_s_size_0 + v_s_size_0_lo,
+      v_s_largest1a_of_v_s_size_0_right = v_s_largest1a_of_v_s_size_0 - v_s_size_0,
+      v_s_largest1a_of_v_s_size_0_left = v_s_largest1a_of_v_s_size_0 - v_s_largest1a_of_v_s_size_0_right,
+      v_s_largest1a_of_v_s_size_0_left_rest = v_s_size_0 - v_s_largest1a_of_v_s_size_0_left,
+      v_s_largest1a_of_v_s_size_0_right_rest = v_s_size_0_lo - v_s_largest1a_of_v_s_size_0_right,
+      v_s_largest1a_of_v_s_size_0_lo = v_s_largest1a_of_v_s_size_0_left_rest + v_s_largest1a_of_v_s_size_0_right_rest,
+      v_s_largest1a_of_v_s_size_1 = v_s_size_1 + v_s_size_1_lo,
+      v_s_largest1a_of_v_s_size_1_right = v_s_largest1a_of_v_s_size_1 - v_s_size_1,
+      v_s_largest1a_of_v_s_size_1_left = v_s_largest1a_of_v_s_size_1 - v_s_largest1a_of_v_s_size_1_right,
+      v_s_largest1a_of_v_s_size_1_left_rest = v_s_size_1 - v_s_largest1a_of_v_s_size_1_left,
+      v_s_largest1a_of_v_s_size_1_right_rest = v_s_size_1_lo - v_s_largest1a_of_v_s_size_1_right,
+      v_s_largest1a_of_v_s_size_1_lo = v_s_largest1a_of_v_s_size_1_left_rest + v_s_largest1a_of_v_s_size_1_right_rest,
+      v_s_largest1 = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ? v_s_largest1a_of_v_s_size_1 : v_s_largest1a_of_v_s_size_0,
+      v_s_largest1_lo = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ? v_s_largest1a_of_v_s_size_1_lo : v_s_largest1a_of_v_s_size_0_lo;
+  const double v_s_largest2a_of_v_s_largest1 = v_s_largest1 + v_s_largest1_lo,
+      v_s_largest2a_of_v_s_largest1_right = v_s_largest2a_of_v_s_largest1 - v_s_largest1,
+      v_s_largest2a_of_v_s_largest1_left = v_s_largest2a_of_v_s_largest1 - v_s_largest2a_of_v_s_largest1_right,
+      v_s_largest2a_of_v_s_largest1_left_rest = v_s_largest1 - v_s_largest2a_of_v_s_largest1_left,
+      v_s_largest2a_of_v_s_largest1_right_rest = v_s_largest1_lo - v_s_largest2a_of_v_s_largest1_right,
+      v_s_largest2a_of_v_s_largest1_lo = v_s_largest2a_of_v_s_largest1_left_rest + v_s_largest2a_of_v_s_largest1_right_rest,
+      v_s_largest2a_of_v_s_size_2 = v_s_size_2 + v_s_size_2_lo,
+      v_s_largest2a_of_v_s_size_2_right = v_s_largest2a_of_v_s_size_2 - v_s_size_2,
+      v_s_largest2a_of_v_s_size_2_left = v_s_largest2a_of_v_s_size_2 - v_s_largest2a_of_v_s_size_2_right,
+      v_s_largest2a_of_v_s_size_2_left_rest = v_s_size_2 - v_s_largest2a_of_v_s_size_2_left,
+      v_s_largest2a_of_v_s_size_2_right_rest = v_s_size_2_lo - v_s_largest2a_of_v_s_size_2_right,
+      v_s_largest2a_of_v_s_size_2_lo = v_s_largest2a_of_v_s_size_2_left_rest + v_s_largest2a_of_v_s_size_2_right_rest,
+      v_s_largest2 = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ? v_s_largest2a_of_v_s_size_2 : v_s_largest2a_of_v_s_largest1,
+      v_s_largest2_lo = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ? v_s_largest2a_of_v_s_size_2_lo : v_s_largest2a_of_v_s_largest1_lo;
+  const double v_s_a_of_v_s_largest2 = v_s_largest2 + v_s_largest2_lo,
+      v_s_b = 6.703903964971299e+153 < v_s_a_of_v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      v_s_d = v_s_a_of_v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_a_of_v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
+  const double v_y_0 = v_s_size_0_of_upper_0 * v_s, v_y_0_inverse = 1.0 / v_s,
+      v_y_0_back = v_y_0 * v_y_0_inverse, v_y_0_lost = v_s_size_0_of_upper_0 - v_y_0_back,
+      v_y_0_rest = v_y_0_lost + v_s_size_0_of_upper_0_lo, v_y_0_small = v_y_0_rest * v_s,
+      v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
+  const double v_y_1 = v_s_size_1_of_upper_1 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
+      v_y_1_lost = v_s_size_1_of_upper_1 - v_y_1_back,
+      v_y_1_rest = v_y_1_lost + v_s_size_1_of_upper_1_lo, v_y_1_small = v_y_1_rest * v_s,
+      v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
+  const double v_y_2 = v_s_size_2_of_upper_2 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
+      v_y_2_lost = v_s_size_2_of_upper_2 - v_y_2_back,
+      v_y_2_rest = v_y_2_lost + v_s_size_2_of_upper_2_lo, v_y_2_small = v_y_2_rest * v_s,
+      v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
   const double v_n_a = v_y_0 * v_y_0, v_n_a_cross1 = v_y_0_lo * v_y_0,
       v_n_a_cross2 = v_y_0 * v_y_0_lo, v_n_a_cross = v_n_a_cross1 + v_n_a_cross2,
       v_n_b = v_y_1 * v_y_1, v_n_b_cross1 = v_y_1_lo * v_y_1, v_n_b_cross2 = v_y_1 * v_y_1_lo,
@@ -3930,7 +4292,8 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       v_n_residual = v_n_exact + v_n_of_v_n_e_lo, v_n_twice = v_n + v_n,
       v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n_of_v_n = v_n + v_n_lo, n_of_v_n_right = n_of_v_n - v_n,
       n_of_v_n_left = n_of_v_n - n_of_v_n_right, n_of_v_n_left_rest = v_n - n_of_v_n_left,
       n_of_v_n_right_rest = v_n_lo - n_of_v_n_right,
@@ -4107,7 +4470,7 @@ static inline float ksl_mat3x3f_inverse_accurate(const ksl_mat3x3f_t *R, ksl_mat
 /* self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
      side of it, the third its side of both; NaN where rows depend on each other to rounding.
    self: rotation or other 3×3 matrix.
-   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 21 less, 5 equal, 36 select.
+   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
    Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
 static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
   const double q0_s_size_0 = fabs((double)self->m00);
@@ -4116,7 +4479,8 @@ static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
   const double q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
   const double q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
   const double q0_s_b = 4.611686018427388e+18 < q0_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      q0_s = q0_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : q0_s_b;
+      q0_s_d = q0_s_largest2 < 256.0 ? 1.8014398509481984e+16 : q0_s_b,
+      q0_s = q0_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : q0_s_d;
   const double q0_y_0 = (double)self->m00 * q0_s;
   const double q0_y_1 = (double)self->m01 * q0_s;
   const double q0_y_2 = (double)self->m02 * q0_s;
@@ -4140,7 +4504,8 @@ static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
   const double u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
   const double u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
   const double u1_s_b = 4.611686018427388e+18 < u1_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      u1_s = u1_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : u1_s_b;
+      u1_s_d = u1_s_largest2 < 256.0 ? 1.8014398509481984e+16 : u1_s_b,
+      u1_s = u1_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : u1_s_d;
   const double u1_y_0 = (double)self->m10 * u1_s;
   const double u1_y_1 = (double)self->m11 * u1_s;
   const double u1_y_2 = (double)self->m12 * u1_s;
@@ -4183,7 +4548,8 @@ static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
   const double u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
   const double u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
   const double u2_s_b = 4.611686018427388e+18 < u2_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      u2_s = u2_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : u2_s_b;
+      u2_s_d = u2_s_largest2 < 256.0 ? 1.8014398509481984e+16 : u2_s_b,
+      u2_s = u2_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : u2_s_d;
   const double u2_y_0 = (double)self->m20 * u2_s;
   const double u2_y_1 = (double)self->m21 * u2_s;
   const double u2_y_2 = (double)self->m22 * u2_s;
@@ -4232,7 +4598,7 @@ static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
 /* Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its side
      of it, the third its side of both; NaN where rows depend on each other to rounding.
    R, Ro: rotation or other 3×3 matrix.
-   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 21 less, 5 equal, 36 select.
+   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
    Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
 static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const double q0_s_size_0 = fabs((double)R->m00);
@@ -4241,7 +4607,8 @@ static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_m
   const double q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
   const double q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
   const double q0_s_b = 4.611686018427388e+18 < q0_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      q0_s = q0_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : q0_s_b;
+      q0_s_d = q0_s_largest2 < 256.0 ? 1.8014398509481984e+16 : q0_s_b,
+      q0_s = q0_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : q0_s_d;
   const double q0_y_0 = (double)R->m00 * q0_s;
   const double q0_y_1 = (double)R->m01 * q0_s;
   const double q0_y_2 = (double)R->m02 * q0_s;
@@ -4265,7 +4632,8 @@ static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_m
   const double u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
   const double u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
   const double u1_s_b = 4.611686018427388e+18 < u1_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      u1_s = u1_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : u1_s_b;
+      u1_s_d = u1_s_largest2 < 256.0 ? 1.8014398509481984e+16 : u1_s_b,
+      u1_s = u1_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : u1_s_d;
   const double u1_y_0 = (double)R->m10 * u1_s;
   const double u1_y_1 = (double)R->m11 * u1_s;
   const double u1_y_2 = (double)R->m12 * u1_s;
@@ -4308,7 +4676,8 @@ static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_m
   const double u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
   const double u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
   const double u2_s_b = 4.611686018427388e+18 < u2_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      u2_s = u2_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : u2_s_b;
+      u2_s_d = u2_s_largest2 < 256.0 ? 1.8014398509481984e+16 : u2_s_b,
+      u2_s = u2_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : u2_s_d;
   const double u2_y_0 = (double)R->m20 * u2_s;
   const double u2_y_1 = (double)R->m21 * u2_s;
   const double u2_y_2 = (double)R->m22 * u2_s;
@@ -4457,9 +4826,9 @@ static inline void ksl_mat3x3f_jacobi_accurate(ksl_mat3x3f_t *A, ksl_mat3x3f_t *
   const double apart = (double)A->m11 - (double)A->m00;
   const double divisor = twice == 0.0 ? 1.0 : twice;
   const double theta = apart / divisor;
-  const double absolute = fabs(theta);
+  const double magnitude = fabs(theta);
   const double size_a = theta * theta, size_b = 1.0 + size_a, size_c = sqrt(size_b),
-      size = absolute + size_c;
+      size = magnitude + size_c;
   const double along_a = -size, along = theta < 0.0 ? along_a : size;
   const double t_a = 1.0 / along, t = twice == 0.0 ? 0.0 : t_a;
   const double secant_a = t * t, secant_b = 1.0 + secant_a, secant = sqrt(secant_b);
@@ -4502,8 +4871,9 @@ static inline void ksl_mat3x3f_jacobi_accurate(ksl_mat3x3f_t *A, ksl_mat3x3f_t *
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
    R: rotation or other 3×3 matrix; axis: vector.
-   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
-   Error <= angle: 8 u, axis: 5 u of its largest component; searched, not proved. */
+   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.
+   Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
+     proved. */
 static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *axis) {
   const double p_0 = (double)R->m21 - (double)R->m12;
@@ -4542,14 +4912,16 @@ static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      v_s = v_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : v_s_b,
+      v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
-      v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
+      v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
+      v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_d;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
@@ -9015,7 +9387,7 @@ static inline void ksl_subtract_ss_accurate(const ksl_screw_t *s1, const ksl_scr
 
 /* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
    si: screw (v in m/s; ω in rad/s).
-   10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
+   10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 4 equal, 17
      select. */
 static inline double ksl_screw_norm_accurate(const ksl_screw_t *si) {
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -9030,7 +9402,8 @@ static inline double ksl_screw_norm_accurate(const ksl_screw_t *si) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -9048,7 +9421,8 @@ static inline double ksl_screw_norm_accurate(const ksl_screw_t *si) {
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm_of_n = n + n_lo, norm_of_n_right = norm_of_n - n,
       norm_of_n_left = norm_of_n - norm_of_n_right, norm_of_n_left_rest = n - norm_of_n_left,
       norm_of_n_right_rest = n_lo - norm_of_n_right,
@@ -9063,7 +9437,7 @@ static inline double ksl_screw_norm_accurate(const ksl_screw_t *si) {
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+   43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal, 28
      select. */
 static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
   const double small_a = fabs(self->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -9078,7 +9452,8 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -9097,7 +9472,13 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double enlarged_0 = self->m0 * up;
   const double enlarged_1 = self->m1 * up;
   const double enlarged_2 = self->m2 * up;
@@ -9252,7 +9633,7 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+   43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal, 28
      select. */
 static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_screw_t *so) {
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -9267,7 +9648,8 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -9286,7 +9668,13 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double enlarged_0 = si->m0 * up;
   const double enlarged_1 = si->m1 * up;
   const double enlarged_2 = si->m2 * up;
@@ -10939,7 +11327,7 @@ static inline void ksl_subtract_ssf_accurate(const ksl_screwf_t *s1, const ksl_s
 
 /* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
    si: screw (v in m/s; ω in rad/s).
-   7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select. */
+   7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select. */
 static inline float ksl_screwf_norm_accurate(const ksl_screwf_t *si) {
   const double small_a = fabs((double)si->m5),
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)si->m4),
@@ -10954,21 +11342,23 @@ static inline float ksl_screwf_norm_accurate(const ksl_screwf_t *si) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
-      r = 1.0 < s ? 7.888609052210118e-31 : r_b;
+      r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
+      r = 1.8014398509481984e+16 < s ? 3.0814879110195774e-33 : r_d;
   const double norm = n * r;
   return (float)norm;
 }
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_screwf_normalize_accurate(ksl_screwf_t *self) {
   const double small_a = fabs((double)self->m5),
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)self->m4),
@@ -10983,7 +11373,8 @@ static inline void ksl_screwf_normalize_accurate(ksl_screwf_t *self) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -11020,7 +11411,7 @@ static inline void ksl_screwf_normalize_accurate(ksl_screwf_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_screwf_normalized_accurate(const ksl_screwf_t *si, ksl_screwf_t *so) {
   const double small_a = fabs((double)si->m5),
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)si->m4),
@@ -11035,7 +11426,8 @@ static inline void ksl_screwf_normalized_accurate(const ksl_screwf_t *si, ksl_sc
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -12000,7 +12392,7 @@ static inline void ksl_subtract_cc_accurate(const ksl_coscrew_t *c1, const ksl_c
 
 /* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
    ci: coscrew (f in N; τ in N m).
-   10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
+   10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 4 equal, 17
      select. */
 static inline double ksl_coscrew_norm_accurate(const ksl_coscrew_t *ci) {
   const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -12015,7 +12407,8 @@ static inline double ksl_coscrew_norm_accurate(const ksl_coscrew_t *ci) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -12033,7 +12426,8 @@ static inline double ksl_coscrew_norm_accurate(const ksl_coscrew_t *ci) {
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm_of_n = n + n_lo, norm_of_n_right = norm_of_n - n,
       norm_of_n_left = norm_of_n - norm_of_n_right, norm_of_n_left_rest = n - norm_of_n_left,
       norm_of_n_right_rest = n_lo - norm_of_n_right,
@@ -12048,7 +12442,7 @@ static inline double ksl_coscrew_norm_accurate(const ksl_coscrew_t *ci) {
 
 /* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+   43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal, 28
      select. */
 static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
   const double small_a = fabs(self->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -12063,7 +12457,8 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -12082,7 +12477,13 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double enlarged_0 = self->m0 * up;
   const double enlarged_1 = self->m1 * up;
   const double enlarged_2 = self->m2 * up;
@@ -12237,7 +12638,7 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
 
 /* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+   43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal, 28
      select. */
 static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
   const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -12252,7 +12653,8 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -12271,7 +12673,13 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double enlarged_0 = ci->m0 * up;
   const double enlarged_1 = ci->m1 * up;
   const double enlarged_2 = ci->m2 * up;
@@ -14436,7 +14844,7 @@ static inline void ksl_subtract_ccf_accurate(const ksl_coscrewf_t *c1, const ksl
 
 /* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
    ci: coscrew (f in N; τ in N m).
-   7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select. */
+   7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select. */
 static inline float ksl_coscrewf_norm_accurate(const ksl_coscrewf_t *ci) {
   const double small_a = fabs((double)ci->m2),
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)ci->m1),
@@ -14451,21 +14859,23 @@ static inline float ksl_coscrewf_norm_accurate(const ksl_coscrewf_t *ci) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
-      r = 1.0 < s ? 7.888609052210118e-31 : r_b;
+      r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
+      r = 1.8014398509481984e+16 < s ? 3.0814879110195774e-33 : r_d;
   const double norm = n * r;
   return (float)norm;
 }
 
 /* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_coscrewf_normalize_accurate(ksl_coscrewf_t *self) {
   const double small_a = fabs((double)self->m2),
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)self->m1),
@@ -14480,7 +14890,8 @@ static inline void ksl_coscrewf_normalize_accurate(ksl_coscrewf_t *self) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -14517,7 +14928,7 @@ static inline void ksl_coscrewf_normalize_accurate(ksl_coscrewf_t *self) {
 
 /* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_coscrewf_normalized_accurate(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
   const double small_a = fabs((double)ci->m2),
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)ci->m1),
@@ -14532,7 +14943,8 @@ static inline void ksl_coscrewf_normalized_accurate(const ksl_coscrewf_t *ci, ks
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -15506,7 +15918,7 @@ static inline void ksl_axpy_qq_accurate(const double a, const ksl_quaternion_t *
 
 /* |q| = sqrt(v·v + w^2).
    q: quaternion (x, y, z, w), the scalar last.
-   12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
+   12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 3 equal, 12
      select. */
 static inline double ksl_quaternion_norm_accurate(const ksl_quaternion_t *q) {
   const double s_size_0 = fabs(q->x);
@@ -15517,7 +15929,8 @@ static inline double ksl_quaternion_norm_accurate(const ksl_quaternion_t *q) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = q->x * s;
   const double y_1 = q->y * s;
   const double y_2 = q->z * s;
@@ -15539,7 +15952,8 @@ static inline double ksl_quaternion_norm_accurate(const ksl_quaternion_t *q) {
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm_of_n = n + n_lo, norm_of_n_right = norm_of_n - n,
       norm_of_n_left = norm_of_n - norm_of_n_right, norm_of_n_left_rest = n - norm_of_n_left,
       norm_of_n_right_rest = n_lo - norm_of_n_right,
@@ -15554,7 +15968,7 @@ static inline double ksl_quaternion_norm_accurate(const ksl_quaternion_t *q) {
 
 /* self = self / |self|; zero stays zero.
    self: quaternion (x, y, z, w), the scalar last.
-   33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+   33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
      select. */
 static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
   const double s_size_0 = fabs(self->x);
@@ -15565,7 +15979,8 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = self->x * s;
   const double y_1 = self->y * s;
   const double y_2 = self->z * s;
@@ -15588,7 +16003,13 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double enlarged_0 = self->x * up;
   const double enlarged_1 = self->y * up;
   const double enlarged_2 = self->z * up;
@@ -15695,7 +16116,7 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
 
 /* qo = q / |q|; zero stays zero.
    q, qo: quaternion (x, y, z, w), the scalar last.
-   33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+   33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
      select. */
 static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
     ksl_quaternion_t *qo) {
@@ -15707,7 +16128,8 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = q->x * s;
   const double y_1 = q->y * s;
   const double y_2 = q->z * s;
@@ -15730,7 +16152,13 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double enlarged_0 = q->x * up;
   const double enlarged_1 = q->y * up;
   const double enlarged_2 = q->z * up;
@@ -17638,7 +18066,8 @@ static inline void ksl_omega_to_dquaternion_accurate(const ksl_vec3_t *w,
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
+     |q| < 2^63; searched, not proved. */
 static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
   const double squares_0 = q->w * q->w;
   const double squares_1 = q->x * q->x;
@@ -17784,9 +18213,9 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
-   21 mul, 176 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
+   21 mul, 182 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
      select.
-   Error <= qo: 5 u of its largest component; searched, not proved. */
+   Error <= qo: 5 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
     ksl_quaternion_t *qo) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
@@ -17859,17 +18288,23 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
   const double column_3 = R->m22 < 0.0 ? low_3 : high_3,
       column_3_lo = R->m22 < 0.0 ? low_3_lo : high_3_lo;
   const double upper_0a = -column_0, upper_0a_lo = -column_0_lo,
-      upper_0 = column_3 < 0.0 ? upper_0a : column_0,
-      upper_0_lo = column_3 < 0.0 ? upper_0a_lo : column_0_lo;
+      upper_0b_of_column_3 = column_3 + column_3_lo,
+      upper_0b_of_column_3_right = upper_0b_of_column_3 - column_3,
+      upper_0b_of_column_3_left = upper_0b_of_column_3 - upper_0b_of_column_3_right,
+      upper_0b_of_column_3_left_rest = column_3 - upper_0b_of_column_3_left,
+      upper_0b_of_column_3_right_rest = column_3_lo - upper_0b_of_column_3_right,
+      upper_0b_of_column_3_lo = upper_0b_of_column_3_left_rest + upper_0b_of_column_3_right_rest,
+      upper_0 = upper_0b_of_column_3 < 0.0 ? upper_0a : column_0,
+      upper_0_lo = upper_0b_of_column_3 < 0.0 ? upper_0a_lo : column_0_lo;
   const double upper_1a = -column_1, upper_1a_lo = -column_1_lo,
-      upper_1 = column_3 < 0.0 ? upper_1a : column_1,
-      upper_1_lo = column_3 < 0.0 ? upper_1a_lo : column_1_lo;
+      upper_1 = upper_0b_of_column_3 < 0.0 ? upper_1a : column_1,
+      upper_1_lo = upper_0b_of_column_3 < 0.0 ? upper_1a_lo : column_1_lo;
   const double upper_2a = -column_2, upper_2a_lo = -column_2_lo,
-      upper_2 = column_3 < 0.0 ? upper_2a : column_2,
-      upper_2_lo = column_3 < 0.0 ? upper_2a_lo : column_2_lo;
-  const double upper_3a = -column_3, upper_3a_lo = -column_3_lo,
-      upper_3 = column_3 < 0.0 ? upper_3a : column_3,
-      upper_3_lo = column_3 < 0.0 ? upper_3a_lo : column_3_lo;
+      upper_2 = upper_0b_of_column_3 < 0.0 ? upper_2a : column_2,
+      upper_2_lo = upper_0b_of_column_3 < 0.0 ? upper_2a_lo : column_2_lo;
+  const double upper_3a = -upper_0b_of_column_3, upper_3a_lo = -upper_0b_of_column_3_lo,
+      upper_3 = upper_0b_of_column_3 < 0.0 ? upper_3a : upper_0b_of_column_3,
+      upper_3_lo = upper_0b_of_column_3 < 0.0 ? upper_3a_lo : upper_0b_of_column_3_lo;
   const double length_a = upper_0 * upper_0, length_a_cross1 = upper_0_lo * upper_0,
       length_a_cross2 = upper_0 * upper_0_lo, length_a_cross = length_a_cross1 + length_a_cross2,
       length_b = upper_1 * upper_1, length_b_cross1 = upper_1_lo * upper_1,
@@ -17974,22 +18409,37 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
      nothing turns; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
-   23 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
-     less, 8 equal, 23 select.
+   27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16
+     less, 8 equal, 31 select.
    Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
 static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternion_t *q,
     ksl_vec3_t *axis) {
-  const double upper_0a = -q->x, upper_0 = q->w < 0.0 ? upper_0a : q->x;
-  const double upper_1a = -q->y, upper_1 = q->w < 0.0 ? upper_1a : q->y;
-  const double upper_2a = -q->z, upper_2 = q->w < 0.0 ? upper_2a : q->z;
-  const double upper_3a = -q->w, upper_3 = q->w < 0.0 ? upper_3a : q->w;
+  const double s_size_0 = fabs(q->x);
+  const double s_size_1 = fabs(q->y);
+  const double s_size_2 = fabs(q->z);
+  const double s_size_3 = fabs(q->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double scaled_s_0 = q->x * s;
+  const double scaled_s_1 = q->y * s;
+  const double scaled_s_2 = q->z * s;
+  const double scaled_s_3 = q->w * s;
+  const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
+  const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
+  const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
+  const double upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0 ? upper_3a : scaled_s_3;
   const double v_s_size_0 = fabs(upper_0);
   const double v_s_size_1 = fabs(upper_1);
   const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
@@ -18012,7 +18462,8 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
       v_n_residual = v_n_exact + v_n_of_v_n_e_lo, v_n_twice = v_n + v_n,
       v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n_of_v_n = v_n + v_n_lo, n_of_v_n_right = n_of_v_n - v_n,
       n_of_v_n_left = n_of_v_n - n_of_v_n_right, n_of_v_n_left_rest = v_n - n_of_v_n_left,
       n_of_v_n_right_rest = v_n_lo - n_of_v_n_right,
@@ -18073,21 +18524,36 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
-   25 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8 less,
-     7 equal, 20 select.
+   29 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16
+     less, 7 equal, 28 select.
    Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
-  const double upper_0a = -q->x, upper_0 = q->w < 0.0 ? upper_0a : q->x;
-  const double upper_1a = -q->y, upper_1 = q->w < 0.0 ? upper_1a : q->y;
-  const double upper_2a = -q->z, upper_2 = q->w < 0.0 ? upper_2a : q->z;
-  const double upper_3a = -q->w, upper_3 = q->w < 0.0 ? upper_3a : q->w;
+  const double s_size_0 = fabs(q->x);
+  const double s_size_1 = fabs(q->y);
+  const double s_size_2 = fabs(q->z);
+  const double s_size_3 = fabs(q->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double scaled_s_0 = q->x * s;
+  const double scaled_s_1 = q->y * s;
+  const double scaled_s_2 = q->z * s;
+  const double scaled_s_3 = q->w * s;
+  const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
+  const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
+  const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
+  const double upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0 ? upper_3a : scaled_s_3;
   const double v_s_size_0 = fabs(upper_0);
   const double v_s_size_1 = fabs(upper_1);
   const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
@@ -18110,7 +18576,8 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
       v_n_residual = v_n_exact + v_n_of_v_n_e_lo, v_n_twice = v_n + v_n,
       v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n_of_v_n = v_n + v_n_lo, n_of_v_n_right = n_of_v_n - v_n,
       n_of_v_n_left = n_of_v_n - n_of_v_n_right, n_of_v_n_left_rest = v_n - n_of_v_n_left,
       n_of_v_n_right_rest = v_n_lo - n_of_v_n_right,
@@ -18199,7 +18666,7 @@ static inline void ksl_axpy_qqf_accurate(const float a, const ksl_quaternionf_t 
 
 /* |q| = sqrt(v·v + w^2).
    q: quaternion (x, y, z, w), the scalar last.
-   9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select. */
+   9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline float ksl_quaternionf_norm_accurate(const ksl_quaternionf_t *q) {
   const double s_size_0 = fabs((double)q->x);
   const double s_size_1 = fabs((double)q->y);
@@ -18209,7 +18676,8 @@ static inline float ksl_quaternionf_norm_accurate(const ksl_quaternionf_t *q) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest3 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = (double)q->x * s;
   const double y_1 = (double)q->y * s;
   const double y_2 = (double)q->z * s;
@@ -18217,14 +18685,15 @@ static inline float ksl_quaternionf_norm_accurate(const ksl_quaternionf_t *q) {
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
-      r = 1.0 < s ? 7.888609052210118e-31 : r_b;
+      r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
+      r = 1.8014398509481984e+16 < s ? 3.0814879110195774e-33 : r_d;
   const double norm = n * r;
   return (float)norm;
 }
 
 /* self = self / |self|; zero stays zero.
    self: quaternion (x, y, z, w), the scalar last.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternionf_normalize_accurate(ksl_quaternionf_t *self) {
   const double s_size_0 = fabs((double)self->x);
   const double s_size_1 = fabs((double)self->y);
@@ -18234,7 +18703,8 @@ static inline void ksl_quaternionf_normalize_accurate(ksl_quaternionf_t *self) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest3 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = (double)self->x * s;
   const double y_1 = (double)self->y * s;
   const double y_2 = (double)self->z * s;
@@ -18264,7 +18734,7 @@ static inline void ksl_quaternionf_normalize_accurate(ksl_quaternionf_t *self) {
 
 /* qo = q / |q|; zero stays zero.
    q, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternionf_normalized_accurate(const ksl_quaternionf_t *q,
     ksl_quaternionf_t *qo) {
   const double s_size_0 = fabs((double)q->x);
@@ -18275,7 +18745,8 @@ static inline void ksl_quaternionf_normalized_accurate(const ksl_quaternionf_t *
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest3 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = (double)q->x * s;
   const double y_1 = (double)q->y * s;
   const double y_2 = (double)q->z * s;
@@ -19153,7 +19624,8 @@ static inline void ksl_omega_to_dquaternionf_accurate(const ksl_vec3f_t *w,
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
+     |q| < 2^63; searched, not proved. */
 static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t *q,
     ksl_mat3x3f_t *R) {
   const double squares_0 = (double)q->w * (double)q->w;
@@ -19204,7 +19676,7 @@ static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
-   Error <= qo: 5 u of its largest component; searched, not proved. */
+   Error <= qo: 5 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
     ksl_quaternionf_t *qo) {
   const double p_0 = (double)R->m21 - (double)R->m12;
@@ -19253,28 +19725,44 @@ static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
      nothing turns; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
-   8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
+   12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.
    Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
 static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternionf_t *q,
     ksl_vec3f_t *axis) {
-  const double upper_0a = -(double)q->x, upper_0 = (double)q->w < 0.0 ? upper_0a : (double)q->x;
-  const double upper_1a = -(double)q->y, upper_1 = (double)q->w < 0.0 ? upper_1a : (double)q->y;
-  const double upper_2a = -(double)q->z, upper_2 = (double)q->w < 0.0 ? upper_2a : (double)q->z;
-  const double upper_3a = -(double)q->w, upper_3 = (double)q->w < 0.0 ? upper_3a : (double)q->w;
+  const double s_size_0 = fabs((double)q->x);
+  const double s_size_1 = fabs((double)q->y);
+  const double s_size_2 = fabs((double)q->z);
+  const double s_size_3 = fabs((double)q->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
+  const double scaled_s_0 = (double)q->x * s;
+  const double scaled_s_1 = (double)q->y * s;
+  const double scaled_s_2 = (double)q->z * s;
+  const double scaled_s_3 = (double)q->w * s;
+  const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
+  const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
+  const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
+  const double upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0 ? upper_3a : scaled_s_3;
   const double v_s_size_0 = fabs(upper_0);
   const double v_s_size_1 = fabs(upper_1);
   const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      v_s = v_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : v_s_b,
+      v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
-      v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
+      v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
+      v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_d;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
@@ -19291,27 +19779,43 @@ static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternio
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
-   11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.
+   15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.
    Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_vec3f_t *vo) {
-  const double upper_0a = -(double)q->x, upper_0 = (double)q->w < 0.0 ? upper_0a : (double)q->x;
-  const double upper_1a = -(double)q->y, upper_1 = (double)q->w < 0.0 ? upper_1a : (double)q->y;
-  const double upper_2a = -(double)q->z, upper_2 = (double)q->w < 0.0 ? upper_2a : (double)q->z;
-  const double upper_3a = -(double)q->w, upper_3 = (double)q->w < 0.0 ? upper_3a : (double)q->w;
+  const double s_size_0 = fabs((double)q->x);
+  const double s_size_1 = fabs((double)q->y);
+  const double s_size_2 = fabs((double)q->z);
+  const double s_size_3 = fabs((double)q->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
+  const double scaled_s_0 = (double)q->x * s;
+  const double scaled_s_1 = (double)q->y * s;
+  const double scaled_s_2 = (double)q->z * s;
+  const double scaled_s_3 = (double)q->w * s;
+  const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
+  const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
+  const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
+  const double upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0 ? upper_3a : scaled_s_3;
   const double v_s_size_0 = fabs(upper_0);
   const double v_s_size_1 = fabs(upper_1);
   const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      v_s = v_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : v_s_b,
+      v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
-      v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
+      v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
+      v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_d;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
@@ -19335,9 +19839,9 @@ static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   40 mul, 189 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
-     less, 10 equal, 51 select.
-   Error <= vo: 5 u of its largest component; searched, not proved. */
+   40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
+     less, 10 equal, 58 select.
+   Error <= vo: 5 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
       p_0_left_rest = R->m21 - p_0_left, p_0_right_rest = R->m12 - p_0_right,
@@ -19409,51 +19913,91 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double column_3 = R->m22 < 0.0 ? low_3 : high_3,
       column_3_lo = R->m22 < 0.0 ? low_3_lo : high_3_lo;
   const double upper_0a = -column_0, upper_0a_lo = -column_0_lo,
-      upper_0 = column_3 < 0.0 ? upper_0a : column_0,
-      upper_0_lo = column_3 < 0.0 ? upper_0a_lo : column_0_lo;
+      upper_0b_of_column_3 = column_3 + column_3_lo,
+      upper_0b_of_column_3_right = upper_0b_of_column_3 - column_3,
+      upper_0b_of_column_3_left = upper_0b_of_column_3 - upper_0b_of_column_3_right,
+      upper_0b_of_column_3_left_rest = column_3 - upper_0b_of_column_3_left,
+      upper_0b_of_column_3_right_rest = column_3_lo - upper_0b_of_column_3_right,
+      upper_0b_of_column_3_lo = upper_0b_of_column_3_left_rest + upper_0b_of_column_3_right_rest,
+      upper_0 = upper_0b_of_column_3 < 0.0 ? upper_0a : column_0,
+      upper_0_lo = upper_0b_of_column_3 < 0.0 ? upper_0a_lo : column_0_lo;
   const double upper_1a = -column_1, upper_1a_lo = -column_1_lo,
-      upper_1 = column_3 < 0.0 ? upper_1a : column_1,
-      upper_1_lo = column_3 < 0.0 ? upper_1a_lo : column_1_lo;
+      upper_1 = upper_0b_of_column_3 < 0.0 ? upper_1a : column_1,
+      upper_1_lo = upper_0b_of_column_3 < 0.0 ? upper_1a_lo : column_1_lo;
   const double upper_2a = -column_2, upper_2a_lo = -column_2_lo,
-      upper_2 = column_3 < 0.0 ? upper_2a : column_2,
-      upper_2_lo = column_3 < 0.0 ? upper_2a_lo : column_2_lo;
-  const double upper_3a = -column_3, upper_3a_lo = -column_3_lo,
-      upper_3 = column_3 < 0.0 ? upper_3a : column_3,
-      upper_3_lo = column_3 < 0.0 ? upper_3a_lo : column_3_lo;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
-  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
-  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
-  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0_of_upper_0 = upper_0 + upper_0_lo,
-      v_y_0_of_upper_0_right = v_y_0_of_upper_0 - upper_0,
-      v_y_0_of_upper_0_left = v_y_0_of_upper_0 - v_y_0_of_upper_0_right,
-      v_y_0_of_upper_0_left_rest = upper_0 - v_y_0_of_upper_0_left,
-      v_y_0_of_upper_0_right_rest = upper_0_lo - v_y_0_of_upper_0_right,
-      v_y_0_of_upper_0_lo = v_y_0_of_upper_0_left_rest + v_y_0_of_upper_0_right_rest,
-      v_y_0 = v_y_0_of_upper_0 * v_s, v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
-      v_y_0_lost = v_y_0_of_upper_0 - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_of_upper_0_lo,
-      v_y_0_small = v_y_0_rest * v_s, v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
-  const double v_y_1_of_upper_1 = upper_1 + upper_1_lo,
-      v_y_1_of_upper_1_right = v_y_1_of_upper_1 - upper_1,
-      v_y_1_of_upper_1_left = v_y_1_of_upper_1 - v_y_1_of_upper_1_right,
-      v_y_1_of_upper_1_left_rest = upper_1 - v_y_1_of_upper_1_left,
-      v_y_1_of_upper_1_right_rest = upper_1_lo - v_y_1_of_upper_1_right,
-      v_y_1_of_upper_1_lo = v_y_1_of_upper_1_left_rest + v_y_1_of_upper_1_right_rest,
-      v_y_1 = v_y_1_of_upper_1 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
-      v_y_1_lost = v_y_1_of_upper_1 - v_y_1_back, v_y_1_rest = v_y_1_lost + v_y_1_of_upper_1_lo,
-      v_y_1_small = v_y_1_rest * v_s, v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
-  const double v_y_2_of_upper_2 = upper_2 + upper_2_lo,
-      v_y_2_of_upper_2_right = v_y_2_of_upper_2 - upper_2,
-      v_y_2_of_upper_2_left = v_y_2_of_upper_2 - v_y_2_of_upper_2_right,
-      v_y_2_of_upper_2_left_rest = upper_2 - v_y_2_of_upper_2_left,
-      v_y_2_of_upper_2_right_rest = upper_2_lo - v_y_2_of_upper_2_right,
-      v_y_2_of_upper_2_lo = v_y_2_of_upper_2_left_rest + v_y_2_of_upper_2_right_rest,
-      v_y_2 = v_y_2_of_upper_2 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
-      v_y_2_lost = v_y_2_of_upper_2 - v_y_2_back, v_y_2_rest = v_y_2_lost + v_y_2_of_upper_2_lo,
-      v_y_2_small = v_y_2_rest * v_s, v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
+      upper_2 = upper_0b_of_column_3 < 0.0 ? upper_2a : column_2,
+      upper_2_lo = upper_0b_of_column_3 < 0.0 ? upper_2a_lo : column_2_lo;
+  const double upper_3a = -upper_0b_of_column_3, upper_3a_lo = -upper_0b_of_column_3_lo,
+      upper_3 = upper_0b_of_column_3 < 0.0 ? upper_3a : upper_0b_of_column_3,
+      upper_3_lo = upper_0b_of_column_3 < 0.0 ? upper_3a_lo : upper_0b_of_column_3_lo;
+  const double v_s_size_0_of_upper_0 = upper_0 + upper_0_lo,
+      v_s_size_0_of_upper_0_right = v_s_size_0_of_upper_0 - upper_0,
+      v_s_size_0_of_upper_0_left = v_s_size_0_of_upper_0 - v_s_size_0_of_upper_0_right,
+      v_s_size_0_of_upper_0_left_rest = upper_0 - v_s_size_0_of_upper_0_left,
+      v_s_size_0_of_upper_0_right_rest = upper_0_lo - v_s_size_0_of_upper_0_right,
+      v_s_size_0_of_upper_0_lo = v_s_size_0_of_upper_0_left_rest + v_s_size_0_of_upper_0_right_rest,
+      v_s_size_0 = fabs(v_s_size_0_of_upper_0), v_s_size_0_opposite = -v_s_size_0_of_upper_0_lo,
+      v_s_size_0_lo = v_s_size_0_of_upper_0 < 0.0 ? v_s_size_0_opposite : v_s_size_0_of_upper_0_lo;
+  const double v_s_size_1_of_upper_1 = upper_1 + upper_1_lo,
+      v_s_size_1_of_upper_1_right = v_s_size_1_of_upper_1 - upper_1,
+      v_s_size_1_of_upper_1_left = v_s_size_1_of_upper_1 - v_s_size_1_of_upper_1_right,
+      v_s_size_1_of_upper_1_left_rest = upper_1 - v_s_size_1_of_upper_1_left,
+      v_s_size_1_of_upper_1_right_rest = upper_1_lo - v_s_size_1_of_upper_1_right,
+      v_s_size_1_of_upper_1_lo = v_s_size_1_of_upper_1_left_rest + v_s_size_1_of_upper_1_right_rest,
+      v_s_size_1 = fabs(v_s_size_1_of_upper_1), v_s_size_1_opposite = -v_s_size_1_of_upper_1_lo,
+      v_s_size_1_lo = v_s_size_1_of_upper_1 < 0.0 ? v_s_size_1_opposite : v_s_size_1_of_upper_1_lo;
+  const double v_s_size_2_of_upper_2 = upper_2 + upper_2_lo,
+      v_s_size_2_of_upper_2_right = v_s_size_2_of_upper_2 - upper_2,
+      v_s_size_2_of_upper_2_left = v_s_size_2_of_upper_2 - v_s_size_2_of_upper_2_right,
+      v_s_size_2_of_upper_2_left_rest = upper_2 - v_s_size_2_of_upper_2_left,
+      v_s_size_2_of_upper_2_right_rest = upper_2_lo - v_s_size_2_of_upper_2_right,
+      v_s_size_2_of_upper_2_lo = v_s_size_2_of_upper_2_left_rest + v_s_size_2_of_upper_2_right_rest,
+      v_s_size_2 = fabs(v_s_size_2_of_upper_2), v_s_size_2_opposite = -v_s_size_2_of_upper_2_lo,
+      v_s_size_2_lo = v_s_size_2_of_upper_2 < 0.0 ? v_s_size_2_opposite : v_s_size_2_of_upper_2_lo;
+  const double v_s_largest1a_of_v_s_size_0 = v_s_size_0 + v_s_size_0_lo,
+      v_s_largest1a_of_v_s_size_0_right = v_s_largest1a_of_v_s_size_0 - v_s_size_0,
+      v_s_largest1a_of_v_s_size_0_left = v_s_largest1a_of_v_s_size_0 - v_s_largest1a_of_v_s_size_0_right,
+      v_s_largest1a_of_v_s_size_0_left_rest = v_s_size_0 - v_s_largest1a_of_v_s_size_0_left,
+      v_s_largest1a_of_v_s_size_0_right_rest = v_s_size_0_lo - v_s_largest1a_of_v_s_size_0_right,
+      v_s_largest1a_of_v_s_size_0_lo = v_s_largest1a_of_v_s_size_0_left_rest + v_s_largest1a_of_v_s_size_0_right_rest,
+      v_s_largest1a_of_v_s_size_1 = v_s_size_1 + v_s_size_1_lo,
+      v_s_largest1a_of_v_s_size_1_right = v_s_largest1a_of_v_s_size_1 - v_s_size_1,
+      v_s_largest1a_of_v_s_size_1_left = v_s_largest1a_of_v_s_size_1 - v_s_largest1a_of_v_s_size_1_right,
+      v_s_largest1a_of_v_s_size_1_left_rest = v_s_size_1 - v_s_largest1a_of_v_s_size_1_left,
+      v_s_largest1a_of_v_s_size_1_right_rest = v_s_size_1_lo - v_s_largest1a_of_v_s_size_1_right,
+      v_s_largest1a_of_v_s_size_1_lo = v_s_largest1a_of_v_s_size_1_left_rest + v_s_largest1a_of_v_s_size_1_right_rest,
+      v_s_largest1 = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ? v_s_largest1a_of_v_s_size_1 : v_s_largest1a_of_v_s_size_0,
+      v_s_largest1_lo = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ? v_s_largest1a_of_v_s_size_1_lo : v_s_largest1a_of_v_s_size_0_lo;
+  const double v_s_largest2a_of_v_s_largest1 = v_s_largest1 + v_s_largest1_lo,
+      v_s_largest2a_of_v_s_largest1_right = v_s_largest2a_of_v_s_largest1 - v_s_largest1,
+      v_s_largest2a_of_v_s_largest1_left = v_s_largest2a_of_v_s_largest1 - v_s_largest2a_of_v_s_largest1_right,
+      v_s_largest2a_of_v_s_largest1_left_rest = v_s_largest1 - v_s_largest2a_of_v_s_largest1_left,
+      v_s_largest2a_of_v_s_largest1_right_rest = v_s_largest1_lo - v_s_largest2a_of_v_s_largest1_right,
+      v_s_largest2a_of_v_s_largest1_lo = v_s_largest2a_of_v_s_largest1_left_rest + v_s_largest2a_of_v_s_largest1_right_rest,
+      v_s_largest2a_of_v_s_size_2 = v_s_size_2 + v_s_size_2_lo,
+      v_s_largest2a_of_v_s_size_2_right = v_s_largest2a_of_v_s_size_2 - v_s_size_2,
+      v_s_largest2a_of_v_s_size_2_left = v_s_largest2a_of_v_s_size_2 - v_s_largest2a_of_v_s_size_2_right,
+      v_s_largest2a_of_v_s_size_2_left_rest = v_s_size_2 - v_s_largest2a_of_v_s_size_2_left,
+      v_s_largest2a_of_v_s_size_2_right_rest = v_s_size_2_lo - v_s_largest2a_of_v_s_size_2_right,
+      v_s_largest2a_of_v_s_size_2_lo = v_s_largest2a_of_v_s_size_2_left_rest + v_s_largest2a_of_v_s_size_2_right_rest,
+      v_s_largest2 = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ? v_s_largest2a_of_v_s_size_2 : v_s_largest2a_of_v_s_largest1,
+      v_s_largest2_lo = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ? v_s_largest2a_of_v_s_size_2_lo : v_s_largest2a_of_v_s_largest1_lo;
+  const double v_s_a_of_v_s_largest2 = v_s_largest2 + v_s_largest2_lo,
+      v_s_b = 6.703903964971299e+153 < v_s_a_of_v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      v_s_d = v_s_a_of_v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_a_of_v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
+  const double v_y_0 = v_s_size_0_of_upper_0 * v_s, v_y_0_inverse = 1.0 / v_s,
+      v_y_0_back = v_y_0 * v_y_0_inverse, v_y_0_lost = v_s_size_0_of_upper_0 - v_y_0_back,
+      v_y_0_rest = v_y_0_lost + v_s_size_0_of_upper_0_lo, v_y_0_small = v_y_0_rest * v_s,
+      v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
+  const double v_y_1 = v_s_size_1_of_upper_1 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
+      v_y_1_lost = v_s_size_1_of_upper_1 - v_y_1_back,
+      v_y_1_rest = v_y_1_lost + v_s_size_1_of_upper_1_lo, v_y_1_small = v_y_1_rest * v_s,
+      v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
+  const double v_y_2 = v_s_size_2_of_upper_2 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
+      v_y_2_lost = v_s_size_2_of_upper_2 - v_y_2_back,
+      v_y_2_rest = v_y_2_lost + v_s_size_2_of_upper_2_lo, v_y_2_small = v_y_2_rest * v_s,
+      v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
   const double v_n_a = v_y_0 * v_y_0, v_n_a_cross1 = v_y_0_lo * v_y_0,
       v_n_a_cross2 = v_y_0 * v_y_0_lo, v_n_a_cross = v_n_a_cross1 + v_n_a_cross2,
       v_n_b = v_y_1 * v_y_1, v_n_b_cross1 = v_y_1_lo * v_y_1, v_n_b_cross2 = v_y_1 * v_y_1_lo,
@@ -19479,7 +20023,8 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       v_n_residual = v_n_exact + v_n_of_v_n_e_lo, v_n_twice = v_n + v_n,
       v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n_of_v_n = v_n + v_n_lo, n_of_v_n_right = n_of_v_n - v_n,
       n_of_v_n_left = n_of_v_n - n_of_v_n_right, n_of_v_n_left_rest = v_n - n_of_v_n_left,
       n_of_v_n_right_rest = v_n_lo - n_of_v_n_right,
@@ -19522,19 +20067,22 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       k_rest = k_of_theta - k_product, k_exact = k_rest - k_product_error,
       k_numerator = k_exact + k_of_theta_lo, k_cross = k * k_of_divisor_lo,
       k_residual = k_numerator - k_cross, k_lo = k_residual / k_of_divisor;
-  const double vector_0 = v_y_0_of_upper_0 * k, vector_0_cross1 = v_y_0_of_upper_0_lo * k,
-      vector_0_cross2 = v_y_0_of_upper_0 * k_lo, vector_0_cross = vector_0_cross1 + vector_0_cross2;
-  const double vector_1 = v_y_1_of_upper_1 * k, vector_1_cross1 = v_y_1_of_upper_1_lo * k,
-      vector_1_cross2 = v_y_1_of_upper_1 * k_lo, vector_1_cross = vector_1_cross1 + vector_1_cross2;
-  const double vector_2 = v_y_2_of_upper_2 * k, vector_2_cross1 = v_y_2_of_upper_2_lo * k,
-      vector_2_cross2 = v_y_2_of_upper_2 * k_lo, vector_2_cross = vector_2_cross1 + vector_2_cross2;
-  const double vector_0_error = ksl_product_error(v_y_0_of_upper_0, k, vector_0),
+  const double vector_0 = v_s_size_0_of_upper_0 * k, vector_0_cross1 = v_s_size_0_of_upper_0_lo * k,
+      vector_0_cross2 = v_s_size_0_of_upper_0 * k_lo,
+      vector_0_cross = vector_0_cross1 + vector_0_cross2;
+  const double vector_1 = v_s_size_1_of_upper_1 * k, vector_1_cross1 = v_s_size_1_of_upper_1_lo * k,
+      vector_1_cross2 = v_s_size_1_of_upper_1 * k_lo,
+      vector_1_cross = vector_1_cross1 + vector_1_cross2;
+  const double vector_2 = v_s_size_2_of_upper_2 * k, vector_2_cross1 = v_s_size_2_of_upper_2_lo * k,
+      vector_2_cross2 = v_s_size_2_of_upper_2 * k_lo,
+      vector_2_cross = vector_2_cross1 + vector_2_cross2;
+  const double vector_0_error = ksl_product_error(v_s_size_0_of_upper_0, k, vector_0),
       vector_0_lo = vector_0_error + vector_0_cross, vector_0_rounded = vector_0 + vector_0_lo,
       vector_0_final = vector_0_rounded == vector_0_rounded ? vector_0_rounded : vector_0;
-  const double vector_1_error = ksl_product_error(v_y_1_of_upper_1, k, vector_1),
+  const double vector_1_error = ksl_product_error(v_s_size_1_of_upper_1, k, vector_1),
       vector_1_lo = vector_1_error + vector_1_cross, vector_1_rounded = vector_1 + vector_1_lo,
       vector_1_final = vector_1_rounded == vector_1_rounded ? vector_1_rounded : vector_1;
-  const double vector_2_error = ksl_product_error(v_y_2_of_upper_2, k, vector_2),
+  const double vector_2_error = ksl_product_error(v_s_size_2_of_upper_2, k, vector_2),
       vector_2_lo = vector_2_error + vector_2_cross, vector_2_rounded = vector_2 + vector_2_lo,
       vector_2_final = vector_2_rounded == vector_2_rounded ? vector_2_rounded : vector_2;
   vo->x = vector_0_final;
@@ -20220,8 +20768,8 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
-   Error <= vo: 5 u of its largest component; searched, not proved. */
+   11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.
+   Error <= vo: 5 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const double p_0 = (double)R->m21 - (double)R->m12;
   const double p_1 = (double)R->m02 - (double)R->m20;
@@ -20259,14 +20807,16 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      v_s = v_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : v_s_b,
+      v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
-      v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
+      v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
+      v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_d;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
@@ -20460,7 +21010,7 @@ static inline void ksl_mat3x3f_orthonormalized_accurate(const ksl_mat3x3f_t *R, 
 /* L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest pivot
      d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
    A, L: rotation or other 3×3 matrix.
-   16 mul, 72 add, 6 product error, 4 product rest, 12 div, 6 less, 6 equal, 21 select.
+   16 mul, 96 add, 6 product error, 4 product rest, 12 div, 6 less, 6 equal, 21 select.
    |L D L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
      underflow. */
 static inline double ksl_mat3x3_ldl_accurate(const ksl_mat3x3_t *A, ksl_mat3x3_t *L) {
@@ -20483,7 +21033,14 @@ static inline double ksl_mat3x3_ldl_accurate(const ksl_mat3x3_t *A, ksl_mat3x3_t
       u1_1_left_rest = A->m21 - u1_1_left,
       u1_1_right_rest = ksl_product_rest(A->m20, l0_0, u1_1a, u1_1_right),
       u1_1_lo1 = u1_1_left_rest - u1_1_right_rest, u1_1_lo = u1_1_lo1 - u1_1a_cross2;
-  const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0, divisor1_lo = 0.0 < u1_0 ? u1_0_lo : 0.0;
+  const double divisor1a_of_u1_0 = u1_0 + u1_0_lo,
+      divisor1a_of_u1_0_right = divisor1a_of_u1_0 - u1_0,
+      divisor1a_of_u1_0_left = divisor1a_of_u1_0 - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_left_rest = u1_0 - divisor1a_of_u1_0_left,
+      divisor1a_of_u1_0_right_rest = u1_0_lo - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_lo = divisor1a_of_u1_0_left_rest + divisor1a_of_u1_0_right_rest,
+      divisor1 = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0 : 1.0,
+      divisor1_lo = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0_lo : 0.0;
   const double l1_of_u1_1 = u1_1 + u1_1_lo, l1_of_u1_1_right = l1_of_u1_1 - u1_1,
       l1_of_u1_1_left = l1_of_u1_1 - l1_of_u1_1_right,
       l1_of_u1_1_left_rest = u1_1 - l1_of_u1_1_left,
@@ -20514,19 +21071,26 @@ static inline double ksl_mat3x3_ldl_accurate(const ksl_mat3x3_t *A, ksl_mat3x3_t
       part0a_lo = part0a_exact / divisor0, part0 = 0.0 < A->m00 ? part0a : A->m00,
       part0_lo = 0.0 < A->m00 ? part0a_lo : 0.0;
   const double own1 = 0.0 < A->m11 ? A->m11 : 1.0;
-  const double part1a_of_u1_0 = u1_0 + u1_0_lo, part1a_of_u1_0_right = part1a_of_u1_0 - u1_0,
-      part1a_of_u1_0_left = part1a_of_u1_0 - part1a_of_u1_0_right,
-      part1a_of_u1_0_left_rest = u1_0 - part1a_of_u1_0_left,
-      part1a_of_u1_0_right_rest = u1_0_lo - part1a_of_u1_0_right,
-      part1a_of_u1_0_lo = part1a_of_u1_0_left_rest + part1a_of_u1_0_right_rest,
-      part1a = part1a_of_u1_0 / own1, part1a_product = part1a * own1,
+  const double part1a = divisor1a_of_u1_0 / own1, part1a_product = part1a * own1,
       part1a_product_error = ksl_product_error(part1a, own1, part1a_product),
-      part1a_rest = part1a_of_u1_0 - part1a_product,
+      part1a_rest = divisor1a_of_u1_0 - part1a_product,
       part1a_exact = part1a_rest - part1a_product_error,
-      part1a_numerator = part1a_exact + part1a_of_u1_0_lo, part1a_lo = part1a_numerator / own1,
+      part1a_numerator = part1a_exact + divisor1a_of_u1_0_lo, part1a_lo = part1a_numerator / own1,
       part1 = 0.0 < A->m11 ? part1a : A->m11, part1_lo = 0.0 < A->m11 ? part1a_lo : 0.0;
-  const double smallest1 = part0 < part1 ? part0 : part1,
-      smallest1_lo = part0 < part1 ? part0_lo : part1_lo;
+  const double smallest1a_of_part0 = part0 + part0_lo,
+      smallest1a_of_part0_right = smallest1a_of_part0 - part0,
+      smallest1a_of_part0_left = smallest1a_of_part0 - smallest1a_of_part0_right,
+      smallest1a_of_part0_left_rest = part0 - smallest1a_of_part0_left,
+      smallest1a_of_part0_right_rest = part0_lo - smallest1a_of_part0_right,
+      smallest1a_of_part0_lo = smallest1a_of_part0_left_rest + smallest1a_of_part0_right_rest,
+      smallest1a_of_part1 = part1 + part1_lo,
+      smallest1a_of_part1_right = smallest1a_of_part1 - part1,
+      smallest1a_of_part1_left = smallest1a_of_part1 - smallest1a_of_part1_right,
+      smallest1a_of_part1_left_rest = part1 - smallest1a_of_part1_left,
+      smallest1a_of_part1_right_rest = part1_lo - smallest1a_of_part1_right,
+      smallest1a_of_part1_lo = smallest1a_of_part1_left_rest + smallest1a_of_part1_right_rest,
+      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 : smallest1a_of_part1,
+      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo : smallest1a_of_part1_lo;
   const double own2 = 0.0 < A->m22 ? A->m22 : 1.0;
   const double part2a_of_u2 = u2 + u2_lo, part2a_of_u2_right = part2a_of_u2 - u2,
       part2a_of_u2_left = part2a_of_u2 - part2a_of_u2_right,
@@ -20539,8 +21103,20 @@ static inline double ksl_mat3x3_ldl_accurate(const ksl_mat3x3_t *A, ksl_mat3x3_t
       part2a_exact = part2a_rest - part2a_product_error,
       part2a_numerator = part2a_exact + part2a_of_u2_lo, part2a_lo = part2a_numerator / own2,
       part2 = 0.0 < A->m22 ? part2a : A->m22, part2_lo = 0.0 < A->m22 ? part2a_lo : 0.0;
-  const double smallest2 = smallest1 < part2 ? smallest1 : part2,
-      smallest2_lo = smallest1 < part2 ? smallest1_lo : part2_lo;
+  const double smallest2a_of_smallest1 = smallest1 + smallest1_lo,
+      smallest2a_of_smallest1_right = smallest2a_of_smallest1 - smallest1,
+      smallest2a_of_smallest1_left = smallest2a_of_smallest1 - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_left_rest = smallest1 - smallest2a_of_smallest1_left,
+      smallest2a_of_smallest1_right_rest = smallest1_lo - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest + smallest2a_of_smallest1_right_rest,
+      smallest2a_of_part2 = part2 + part2_lo,
+      smallest2a_of_part2_right = smallest2a_of_part2 - part2,
+      smallest2a_of_part2_left = smallest2a_of_part2 - smallest2a_of_part2_right,
+      smallest2a_of_part2_left_rest = part2 - smallest2a_of_part2_left,
+      smallest2a_of_part2_right_rest = part2_lo - smallest2a_of_part2_right,
+      smallest2a_of_part2_lo = smallest2a_of_part2_left_rest + smallest2a_of_part2_right_rest,
+      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 : smallest2a_of_part2,
+      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo : smallest2a_of_part2_lo;
   const double smallest2_rounded = smallest2 + smallest2_lo,
       smallest2_final = smallest2_rounded == smallest2_rounded ? smallest2_rounded : smallest2;
   const double l0_0_rounded = l0_0 + l0_0_lo,
@@ -20621,7 +21197,7 @@ static inline void ksl_mat3x3_ldl_solve_accurate(const ksl_mat3x3_t *L, const ks
      singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
      positive, and x not a number.
    A: rotation or other 3×3 matrix; b, x: vector.
-   89 mul, 327 add, 14 product error, 28 product rest, 28 div, 11 less, 5 equal, 38 select.
+   96 mul, 398 add, 16 product error, 31 product rest, 30 div, 11 less, 5 equal, 38 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
      barring over- and underflow. */
 static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_vec3_t *b,
@@ -20645,7 +21221,14 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       u1_1_left_rest = A->m21 - u1_1_left,
       u1_1_right_rest = ksl_product_rest(A->m20, l0_0, u1_1a, u1_1_right),
       u1_1_lo1 = u1_1_left_rest - u1_1_right_rest, u1_1_lo = u1_1_lo1 - u1_1a_cross2;
-  const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0, divisor1_lo = 0.0 < u1_0 ? u1_0_lo : 0.0;
+  const double divisor1a_of_u1_0 = u1_0 + u1_0_lo,
+      divisor1a_of_u1_0_right = divisor1a_of_u1_0 - u1_0,
+      divisor1a_of_u1_0_left = divisor1a_of_u1_0 - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_left_rest = u1_0 - divisor1a_of_u1_0_left,
+      divisor1a_of_u1_0_right_rest = u1_0_lo - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_lo = divisor1a_of_u1_0_left_rest + divisor1a_of_u1_0_right_rest,
+      divisor1 = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0 : 1.0,
+      divisor1_lo = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0_lo : 0.0;
   const double l1_of_u1_1 = u1_1 + u1_1_lo, l1_of_u1_1_right = l1_of_u1_1 - u1_1,
       l1_of_u1_1_left = l1_of_u1_1 - l1_of_u1_1_right,
       l1_of_u1_1_left_rest = u1_1 - l1_of_u1_1_left,
@@ -20670,46 +21253,72 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       u2_left = u2 + u2_right, u2_left_rest = u2b - u2_left,
       u2_right_rest = ksl_product_rest(l1_of_u1_1, l1, u2c, u2_right),
       u2_lo1 = u2_left_rest - u2_right_rest, u2_lo2 = u2_lo1 - u2c_cross, u2_lo = u2_lo2 + u2b_lo;
-  const double divisor2 = 0.0 < u2 ? u2 : 1.0, divisor2_lo = 0.0 < u2 ? u2_lo : 0.0;
+  const double divisor2a_of_u2 = u2 + u2_lo, divisor2a_of_u2_right = divisor2a_of_u2 - u2,
+      divisor2a_of_u2_left = divisor2a_of_u2 - divisor2a_of_u2_right,
+      divisor2a_of_u2_left_rest = u2 - divisor2a_of_u2_left,
+      divisor2a_of_u2_right_rest = u2_lo - divisor2a_of_u2_right,
+      divisor2a_of_u2_lo = divisor2a_of_u2_left_rest + divisor2a_of_u2_right_rest,
+      divisor2 = 0.0 < divisor2a_of_u2 ? divisor2a_of_u2 : 1.0,
+      divisor2_lo = 0.0 < divisor2a_of_u2 ? divisor2a_of_u2_lo : 0.0;
   const double part0a = A->m00 / divisor0, part0a_product = part0a * divisor0,
       part0a_product_error = ksl_product_error(part0a, divisor0, part0a_product),
       part0a_rest = A->m00 - part0a_product, part0a_exact = part0a_rest - part0a_product_error,
       part0a_lo = part0a_exact / divisor0, part0 = 0.0 < A->m00 ? part0a : A->m00,
       part0_lo = 0.0 < A->m00 ? part0a_lo : 0.0;
   const double own1 = 0.0 < A->m11 ? A->m11 : 1.0;
-  const double part1a_of_u1_0 = u1_0 + u1_0_lo, part1a_of_u1_0_right = part1a_of_u1_0 - u1_0,
-      part1a_of_u1_0_left = part1a_of_u1_0 - part1a_of_u1_0_right,
-      part1a_of_u1_0_left_rest = u1_0 - part1a_of_u1_0_left,
-      part1a_of_u1_0_right_rest = u1_0_lo - part1a_of_u1_0_right,
-      part1a_of_u1_0_lo = part1a_of_u1_0_left_rest + part1a_of_u1_0_right_rest,
-      part1a = part1a_of_u1_0 / own1, part1a_product = part1a * own1,
+  const double part1a = divisor1a_of_u1_0 / own1, part1a_product = part1a * own1,
       part1a_product_error = ksl_product_error(part1a, own1, part1a_product),
-      part1a_rest = part1a_of_u1_0 - part1a_product,
+      part1a_rest = divisor1a_of_u1_0 - part1a_product,
       part1a_exact = part1a_rest - part1a_product_error,
-      part1a_numerator = part1a_exact + part1a_of_u1_0_lo, part1a_lo = part1a_numerator / own1,
+      part1a_numerator = part1a_exact + divisor1a_of_u1_0_lo, part1a_lo = part1a_numerator / own1,
       part1 = 0.0 < A->m11 ? part1a : A->m11, part1_lo = 0.0 < A->m11 ? part1a_lo : 0.0;
-  const double smallest1 = part0 < part1 ? part0 : part1,
-      smallest1_lo = part0 < part1 ? part0_lo : part1_lo;
+  const double smallest1a_of_part0 = part0 + part0_lo,
+      smallest1a_of_part0_right = smallest1a_of_part0 - part0,
+      smallest1a_of_part0_left = smallest1a_of_part0 - smallest1a_of_part0_right,
+      smallest1a_of_part0_left_rest = part0 - smallest1a_of_part0_left,
+      smallest1a_of_part0_right_rest = part0_lo - smallest1a_of_part0_right,
+      smallest1a_of_part0_lo = smallest1a_of_part0_left_rest + smallest1a_of_part0_right_rest,
+      smallest1a_of_part1 = part1 + part1_lo,
+      smallest1a_of_part1_right = smallest1a_of_part1 - part1,
+      smallest1a_of_part1_left = smallest1a_of_part1 - smallest1a_of_part1_right,
+      smallest1a_of_part1_left_rest = part1 - smallest1a_of_part1_left,
+      smallest1a_of_part1_right_rest = part1_lo - smallest1a_of_part1_right,
+      smallest1a_of_part1_lo = smallest1a_of_part1_left_rest + smallest1a_of_part1_right_rest,
+      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 : smallest1a_of_part1,
+      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo : smallest1a_of_part1_lo;
   const double own2 = 0.0 < A->m22 ? A->m22 : 1.0;
-  const double part2a_of_u2 = u2 + u2_lo, part2a_of_u2_right = part2a_of_u2 - u2,
-      part2a_of_u2_left = part2a_of_u2 - part2a_of_u2_right,
-      part2a_of_u2_left_rest = u2 - part2a_of_u2_left,
-      part2a_of_u2_right_rest = u2_lo - part2a_of_u2_right,
-      part2a_of_u2_lo = part2a_of_u2_left_rest + part2a_of_u2_right_rest,
-      part2a = part2a_of_u2 / own2, part2a_product = part2a * own2,
+  const double part2a = divisor2a_of_u2 / own2, part2a_product = part2a * own2,
       part2a_product_error = ksl_product_error(part2a, own2, part2a_product),
-      part2a_rest = part2a_of_u2 - part2a_product,
+      part2a_rest = divisor2a_of_u2 - part2a_product,
       part2a_exact = part2a_rest - part2a_product_error,
-      part2a_numerator = part2a_exact + part2a_of_u2_lo, part2a_lo = part2a_numerator / own2,
+      part2a_numerator = part2a_exact + divisor2a_of_u2_lo, part2a_lo = part2a_numerator / own2,
       part2 = 0.0 < A->m22 ? part2a : A->m22, part2_lo = 0.0 < A->m22 ? part2a_lo : 0.0;
-  const double smallest2 = smallest1 < part2 ? smallest1 : part2,
-      smallest2_lo = smallest1 < part2 ? smallest1_lo : part2_lo;
+  const double smallest2a_of_smallest1 = smallest1 + smallest1_lo,
+      smallest2a_of_smallest1_right = smallest2a_of_smallest1 - smallest1,
+      smallest2a_of_smallest1_left = smallest2a_of_smallest1 - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_left_rest = smallest1 - smallest2a_of_smallest1_left,
+      smallest2a_of_smallest1_right_rest = smallest1_lo - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest + smallest2a_of_smallest1_right_rest,
+      smallest2a_of_part2 = part2 + part2_lo,
+      smallest2a_of_part2_right = smallest2a_of_part2 - part2,
+      smallest2a_of_part2_left = smallest2a_of_part2 - smallest2a_of_part2_right,
+      smallest2a_of_part2_left_rest = part2 - smallest2a_of_part2_left,
+      smallest2a_of_part2_right_rest = part2_lo - smallest2a_of_part2_right,
+      smallest2a_of_part2_lo = smallest2a_of_part2_left_rest + smallest2a_of_part2_right_rest,
+      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 : smallest2a_of_part2,
+      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo : smallest2a_of_part2_lo;
   const double less_0 = A->m00 * 0.9999999999999944;
   const double less_1 = A->m11 * 0.9999999999999944;
   const double less_2 = A->m22 * 0.9999999999999944;
   const double less_0_lo = ksl_product_error(A->m00, 0.9999999999999944, less_0),
-      less_divisor0 = 0.0 < less_0 ? less_0 : 1.0,
-      less_divisor0_lo = 0.0 < less_0 ? less_0_lo : 0.0;
+      less_divisor0a_of_less_0 = less_0 + less_0_lo,
+      less_divisor0a_of_less_0_right = less_divisor0a_of_less_0 - less_0,
+      less_divisor0a_of_less_0_left = less_divisor0a_of_less_0 - less_divisor0a_of_less_0_right,
+      less_divisor0a_of_less_0_left_rest = less_0 - less_divisor0a_of_less_0_left,
+      less_divisor0a_of_less_0_right_rest = less_0_lo - less_divisor0a_of_less_0_right,
+      less_divisor0a_of_less_0_lo = less_divisor0a_of_less_0_left_rest + less_divisor0a_of_less_0_right_rest,
+      less_divisor0 = 0.0 < less_divisor0a_of_less_0 ? less_divisor0a_of_less_0 : 1.0,
+      less_divisor0_lo = 0.0 < less_divisor0a_of_less_0 ? less_divisor0a_of_less_0_lo : 0.0;
   const double less_l0_0_of_less_divisor0 = less_divisor0 + less_divisor0_lo,
       less_l0_0_of_less_divisor0_right = less_l0_0_of_less_divisor0 - less_divisor0,
       less_l0_0_of_less_divisor0_left = less_l0_0_of_less_divisor0 - less_l0_0_of_less_divisor0_right,
@@ -20724,7 +21333,14 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       less_l0_0_cross = less_l0_0 * less_l0_0_of_less_divisor0_lo,
       less_l0_0_residual = less_l0_0_exact - less_l0_0_cross,
       less_l0_0_lo = less_l0_0_residual / less_l0_0_of_less_divisor0;
-  const double less_l0_1 = A->m20 / less_l0_0_of_less_divisor0;
+  const double less_l0_1 = A->m20 / less_l0_0_of_less_divisor0,
+      less_l0_1_product = less_l0_1 * less_l0_0_of_less_divisor0,
+      less_l0_1_product_error = ksl_product_error(less_l0_1, less_l0_0_of_less_divisor0, less_l0_1_product),
+      less_l0_1_rest = A->m20 - less_l0_1_product,
+      less_l0_1_exact = less_l0_1_rest - less_l0_1_product_error,
+      less_l0_1_cross = less_l0_1 * less_l0_0_of_less_divisor0_lo,
+      less_l0_1_residual = less_l0_1_exact - less_l0_1_cross,
+      less_l0_1_lo = less_l0_1_residual / less_l0_0_of_less_divisor0;
   const double less_u1_0a = A->m10 * less_l0_0, less_u1_0a_cross2 = A->m10 * less_l0_0_lo,
       less_u1_0 = less_1 - less_u1_0a, less_u1_0_right = less_1 - less_u1_0,
       less_u1_0_left = less_u1_0 + less_u1_0_right,
@@ -20738,17 +21354,62 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       less_u1_1_right_rest = ksl_product_rest(A->m20, less_l0_0, less_u1_1a, less_u1_1_right),
       less_u1_1_lo1 = less_u1_1_left_rest - less_u1_1_right_rest,
       less_u1_1_lo = less_u1_1_lo1 - less_u1_1a_cross2;
-  const double less_divisor1 = 0.0 < less_u1_0 ? less_u1_0 : 1.0,
-      less_divisor1_lo = 0.0 < less_u1_0 ? less_u1_0_lo : 0.0;
+  const double less_divisor1a_of_less_u1_0 = less_u1_0 + less_u1_0_lo,
+      less_divisor1a_of_less_u1_0_right = less_divisor1a_of_less_u1_0 - less_u1_0,
+      less_divisor1a_of_less_u1_0_left = less_divisor1a_of_less_u1_0 - less_divisor1a_of_less_u1_0_right,
+      less_divisor1a_of_less_u1_0_left_rest = less_u1_0 - less_divisor1a_of_less_u1_0_left,
+      less_divisor1a_of_less_u1_0_right_rest = less_u1_0_lo - less_divisor1a_of_less_u1_0_right,
+      less_divisor1a_of_less_u1_0_lo = less_divisor1a_of_less_u1_0_left_rest + less_divisor1a_of_less_u1_0_right_rest,
+      less_divisor1 = 0.0 < less_divisor1a_of_less_u1_0 ? less_divisor1a_of_less_u1_0 : 1.0,
+      less_divisor1_lo = 0.0 < less_divisor1a_of_less_u1_0 ? less_divisor1a_of_less_u1_0_lo : 0.0;
   const double less_l1_of_less_u1_1 = less_u1_1 + less_u1_1_lo,
+      less_l1_of_less_u1_1_right = less_l1_of_less_u1_1 - less_u1_1,
+      less_l1_of_less_u1_1_left = less_l1_of_less_u1_1 - less_l1_of_less_u1_1_right,
+      less_l1_of_less_u1_1_left_rest = less_u1_1 - less_l1_of_less_u1_1_left,
+      less_l1_of_less_u1_1_right_rest = less_u1_1_lo - less_l1_of_less_u1_1_right,
+      less_l1_of_less_u1_1_lo = less_l1_of_less_u1_1_left_rest + less_l1_of_less_u1_1_right_rest,
       less_l1_of_less_divisor1 = less_divisor1 + less_divisor1_lo,
-      less_l1 = less_l1_of_less_u1_1 / less_l1_of_less_divisor1;
-  const double less_u2a = A->m20 * less_l0_1, less_u2b = less_2 - less_u2a,
-      less_u2c = less_l1_of_less_u1_1 * less_l1, less_u2 = less_u2b - less_u2c;
-  const double regular_b = 0.0 < less_u2 ? 1.0 : 0.0, regular_c = 0.0 < less_u1_0 ? regular_b : 0.0,
-      regular = 0.0 < less_0 ? regular_c : 0.0;
-  const double least = smallest2 < 0.0 ? smallest2 : 0.0,
-      least_lo = smallest2 < 0.0 ? smallest2_lo : 0.0;
+      less_l1_of_less_divisor1_right = less_l1_of_less_divisor1 - less_divisor1,
+      less_l1_of_less_divisor1_left = less_l1_of_less_divisor1 - less_l1_of_less_divisor1_right,
+      less_l1_of_less_divisor1_left_rest = less_divisor1 - less_l1_of_less_divisor1_left,
+      less_l1_of_less_divisor1_right_rest = less_divisor1_lo - less_l1_of_less_divisor1_right,
+      less_l1_of_less_divisor1_lo = less_l1_of_less_divisor1_left_rest + less_l1_of_less_divisor1_right_rest,
+      less_l1 = less_l1_of_less_u1_1 / less_l1_of_less_divisor1,
+      less_l1_product = less_l1 * less_l1_of_less_divisor1,
+      less_l1_product_error = ksl_product_error(less_l1, less_l1_of_less_divisor1, less_l1_product),
+      less_l1_rest = less_l1_of_less_u1_1 - less_l1_product,
+      less_l1_exact = less_l1_rest - less_l1_product_error,
+      less_l1_numerator = less_l1_exact + less_l1_of_less_u1_1_lo,
+      less_l1_cross = less_l1 * less_l1_of_less_divisor1_lo,
+      less_l1_residual = less_l1_numerator - less_l1_cross,
+      less_l1_lo = less_l1_residual / less_l1_of_less_divisor1;
+  const double less_u2a = A->m20 * less_l0_1, less_u2a_cross2 = A->m20 * less_l0_1_lo,
+      less_u2b = less_2 - less_u2a, less_u2b_right = less_2 - less_u2b,
+      less_u2b_left = less_u2b + less_u2b_right,
+      less_u2b_left_rest = ksl_product_rest(A->m22, 0.9999999999999944, less_2, less_u2b_left),
+      less_u2b_right_rest = ksl_product_rest(A->m20, less_l0_1, less_u2a, less_u2b_right),
+      less_u2b_lo1 = less_u2b_left_rest - less_u2b_right_rest,
+      less_u2b_lo = less_u2b_lo1 - less_u2a_cross2, less_u2c = less_l1_of_less_u1_1 * less_l1,
+      less_u2c_cross1 = less_l1_of_less_u1_1_lo * less_l1,
+      less_u2c_cross2 = less_l1_of_less_u1_1 * less_l1_lo,
+      less_u2c_cross = less_u2c_cross1 + less_u2c_cross2, less_u2 = less_u2b - less_u2c,
+      less_u2_right = less_u2b - less_u2, less_u2_left = less_u2 + less_u2_right,
+      less_u2_left_rest = less_u2b - less_u2_left,
+      less_u2_right_rest = ksl_product_rest(less_l1_of_less_u1_1, less_l1, less_u2c, less_u2_right),
+      less_u2_lo1 = less_u2_left_rest - less_u2_right_rest,
+      less_u2_lo2 = less_u2_lo1 - less_u2c_cross, less_u2_lo = less_u2_lo2 + less_u2b_lo;
+  const double regular_a_of_less_u2 = less_u2 + less_u2_lo,
+      regular_b = 0.0 < regular_a_of_less_u2 ? 1.0 : 0.0,
+      regular_c = 0.0 < less_divisor1a_of_less_u1_0 ? regular_b : 0.0,
+      regular = 0.0 < less_divisor0a_of_less_0 ? regular_c : 0.0;
+  const double least_a_of_smallest2 = smallest2 + smallest2_lo,
+      least_a_of_smallest2_right = least_a_of_smallest2 - smallest2,
+      least_a_of_smallest2_left = least_a_of_smallest2 - least_a_of_smallest2_right,
+      least_a_of_smallest2_left_rest = smallest2 - least_a_of_smallest2_left,
+      least_a_of_smallest2_right_rest = smallest2_lo - least_a_of_smallest2_right,
+      least_a_of_smallest2_lo = least_a_of_smallest2_left_rest + least_a_of_smallest2_right_rest,
+      least = least_a_of_smallest2 < 0.0 ? least_a_of_smallest2 : 0.0,
+      least_lo = least_a_of_smallest2 < 0.0 ? least_a_of_smallest2_lo : 0.0;
   const double y1a = b->x * l0_0, y1a_cross2 = b->x * l0_0_lo, y1 = b->y - y1a,
       y1_right = b->y - y1, y1_left = y1 + y1_right, y1_left_rest = b->y - y1_left,
       y1_right_rest = ksl_product_rest(b->x, l0_0, y1a, y1_right),
@@ -20983,8 +21644,8 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       found_2_right_rest = refined_z2 - found_2_right,
       found_2_lo1 = found_2_left_rest + found_2_right_rest,
       found_2_lo2 = found_2_lo1 + refined_z2_lo, found_2_lo = found_2_lo2 + z2_lo;
-  const double pivot = regular == 1.0 ? smallest2 : least,
-      pivot_lo = regular == 1.0 ? smallest2_lo : least_lo;
+  const double pivot = regular == 1.0 ? least_a_of_smallest2 : least,
+      pivot_lo = regular == 1.0 ? least_a_of_smallest2_lo : least_lo;
   const double x_0 = regular == 1.0 ? found_0 : (double)NAN,
       x_0_lo = regular == 1.0 ? found_0_lo : 0.0;
   const double x_1 = regular == 1.0 ? found_1 : (double)NAN,
@@ -21008,7 +21669,7 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
 /* L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest pivot
      d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
    A, L: 6×6 operator.
-   121 mul, 452 add, 21 product error, 35 product rest, 42 div, 15 less, 21 equal, 57 select.
+   121 mul, 512 add, 21 product error, 35 product rest, 42 div, 15 less, 21 equal, 57 select.
    |L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
      underflow. */
 static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t *L) {
@@ -21058,7 +21719,14 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       u1_4_left_rest = A->at[1][5] - u1_4_left,
       u1_4_right_rest = ksl_product_rest(A->at[0][5], l0_0, u1_4a, u1_4_right),
       u1_4_lo1 = u1_4_left_rest - u1_4_right_rest, u1_4_lo = u1_4_lo1 - u1_4a_cross2;
-  const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0, divisor1_lo = 0.0 < u1_0 ? u1_0_lo : 0.0;
+  const double divisor1a_of_u1_0 = u1_0 + u1_0_lo,
+      divisor1a_of_u1_0_right = divisor1a_of_u1_0 - u1_0,
+      divisor1a_of_u1_0_left = divisor1a_of_u1_0 - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_left_rest = u1_0 - divisor1a_of_u1_0_left,
+      divisor1a_of_u1_0_right_rest = u1_0_lo - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_lo = divisor1a_of_u1_0_left_rest + divisor1a_of_u1_0_right_rest,
+      divisor1 = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0 : 1.0,
+      divisor1_lo = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0_lo : 0.0;
   const double l1_0_of_u1_1 = u1_1 + u1_1_lo, l1_0_of_u1_1_right = l1_0_of_u1_1 - u1_1,
       l1_0_of_u1_1_left = l1_0_of_u1_1 - l1_0_of_u1_1_right,
       l1_0_of_u1_1_left_rest = u1_1 - l1_0_of_u1_1_left,
@@ -21153,7 +21821,14 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       u2_3_right_rest = ksl_product_rest(l1_3_of_u1_4, l1_0, u2_3c, u2_3_right),
       u2_3_lo1 = u2_3_left_rest - u2_3_right_rest, u2_3_lo2 = u2_3_lo1 - u2_3c_cross,
       u2_3_lo = u2_3_lo2 + u2_3b_lo;
-  const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0, divisor2_lo = 0.0 < u2_0 ? u2_0_lo : 0.0;
+  const double divisor2a_of_u2_0 = u2_0 + u2_0_lo,
+      divisor2a_of_u2_0_right = divisor2a_of_u2_0 - u2_0,
+      divisor2a_of_u2_0_left = divisor2a_of_u2_0 - divisor2a_of_u2_0_right,
+      divisor2a_of_u2_0_left_rest = u2_0 - divisor2a_of_u2_0_left,
+      divisor2a_of_u2_0_right_rest = u2_0_lo - divisor2a_of_u2_0_right,
+      divisor2a_of_u2_0_lo = divisor2a_of_u2_0_left_rest + divisor2a_of_u2_0_right_rest,
+      divisor2 = 0.0 < divisor2a_of_u2_0 ? divisor2a_of_u2_0 : 1.0,
+      divisor2_lo = 0.0 < divisor2a_of_u2_0 ? divisor2a_of_u2_0_lo : 0.0;
   const double l2_0_of_u2_1 = u2_1 + u2_1_lo, l2_0_of_u2_1_right = l2_0_of_u2_1 - u2_1,
       l2_0_of_u2_1_left = l2_0_of_u2_1 - l2_0_of_u2_1_right,
       l2_0_of_u2_1_left_rest = u2_1 - l2_0_of_u2_1_left,
@@ -21244,7 +21919,14 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       u3_2_right_rest = ksl_product_rest(l2_2_of_u2_3, l2_0, u3_2e, u3_2_right),
       u3_2_lo1 = u3_2_left_rest - u3_2_right_rest, u3_2_lo2 = u3_2_lo1 - u3_2e_cross,
       u3_2_lo = u3_2_lo2 + u3_2d_lo;
-  const double divisor3 = 0.0 < u3_0 ? u3_0 : 1.0, divisor3_lo = 0.0 < u3_0 ? u3_0_lo : 0.0;
+  const double divisor3a_of_u3_0 = u3_0 + u3_0_lo,
+      divisor3a_of_u3_0_right = divisor3a_of_u3_0 - u3_0,
+      divisor3a_of_u3_0_left = divisor3a_of_u3_0 - divisor3a_of_u3_0_right,
+      divisor3a_of_u3_0_left_rest = u3_0 - divisor3a_of_u3_0_left,
+      divisor3a_of_u3_0_right_rest = u3_0_lo - divisor3a_of_u3_0_right,
+      divisor3a_of_u3_0_lo = divisor3a_of_u3_0_left_rest + divisor3a_of_u3_0_right_rest,
+      divisor3 = 0.0 < divisor3a_of_u3_0 ? divisor3a_of_u3_0 : 1.0,
+      divisor3_lo = 0.0 < divisor3a_of_u3_0 ? divisor3a_of_u3_0_lo : 0.0;
   const double l3_0_of_u3_1 = u3_1 + u3_1_lo, l3_0_of_u3_1_right = l3_0_of_u3_1 - u3_1,
       l3_0_of_u3_1_left = l3_0_of_u3_1 - l3_0_of_u3_1_right,
       l3_0_of_u3_1_left_rest = u3_1 - l3_0_of_u3_1_left,
@@ -21319,7 +22001,14 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       u4_1_right_rest = ksl_product_rest(l3_1_of_u3_2, l3_0, u4_1g, u4_1_right),
       u4_1_lo1 = u4_1_left_rest - u4_1_right_rest, u4_1_lo2 = u4_1_lo1 - u4_1g_cross,
       u4_1_lo = u4_1_lo2 + u4_1f_lo;
-  const double divisor4 = 0.0 < u4_0 ? u4_0 : 1.0, divisor4_lo = 0.0 < u4_0 ? u4_0_lo : 0.0;
+  const double divisor4a_of_u4_0 = u4_0 + u4_0_lo,
+      divisor4a_of_u4_0_right = divisor4a_of_u4_0 - u4_0,
+      divisor4a_of_u4_0_left = divisor4a_of_u4_0 - divisor4a_of_u4_0_right,
+      divisor4a_of_u4_0_left_rest = u4_0 - divisor4a_of_u4_0_left,
+      divisor4a_of_u4_0_right_rest = u4_0_lo - divisor4a_of_u4_0_right,
+      divisor4a_of_u4_0_lo = divisor4a_of_u4_0_left_rest + divisor4a_of_u4_0_right_rest,
+      divisor4 = 0.0 < divisor4a_of_u4_0 ? divisor4a_of_u4_0 : 1.0,
+      divisor4_lo = 0.0 < divisor4a_of_u4_0 ? divisor4a_of_u4_0_lo : 0.0;
   const double l4_of_u4_1 = u4_1 + u4_1_lo, l4_of_u4_1_right = l4_of_u4_1 - u4_1,
       l4_of_u4_1_left = l4_of_u4_1 - l4_of_u4_1_right,
       l4_of_u4_1_left_rest = u4_1 - l4_of_u4_1_left,
@@ -21366,65 +22055,93 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       part0a_lo = part0a_exact / divisor0, part0 = 0.0 < A->at[0][0] ? part0a : A->at[0][0],
       part0_lo = 0.0 < A->at[0][0] ? part0a_lo : 0.0;
   const double own1 = 0.0 < A->at[1][1] ? A->at[1][1] : 1.0;
-  const double part1a_of_u1_0 = u1_0 + u1_0_lo, part1a_of_u1_0_right = part1a_of_u1_0 - u1_0,
-      part1a_of_u1_0_left = part1a_of_u1_0 - part1a_of_u1_0_right,
-      part1a_of_u1_0_left_rest = u1_0 - part1a_of_u1_0_left,
-      part1a_of_u1_0_right_rest = u1_0_lo - part1a_of_u1_0_right,
-      part1a_of_u1_0_lo = part1a_of_u1_0_left_rest + part1a_of_u1_0_right_rest,
-      part1a = part1a_of_u1_0 / own1, part1a_product = part1a * own1,
+  const double part1a = divisor1a_of_u1_0 / own1, part1a_product = part1a * own1,
       part1a_product_error = ksl_product_error(part1a, own1, part1a_product),
-      part1a_rest = part1a_of_u1_0 - part1a_product,
+      part1a_rest = divisor1a_of_u1_0 - part1a_product,
       part1a_exact = part1a_rest - part1a_product_error,
-      part1a_numerator = part1a_exact + part1a_of_u1_0_lo, part1a_lo = part1a_numerator / own1,
+      part1a_numerator = part1a_exact + divisor1a_of_u1_0_lo, part1a_lo = part1a_numerator / own1,
       part1 = 0.0 < A->at[1][1] ? part1a : A->at[1][1],
       part1_lo = 0.0 < A->at[1][1] ? part1a_lo : 0.0;
-  const double smallest1 = part0 < part1 ? part0 : part1,
-      smallest1_lo = part0 < part1 ? part0_lo : part1_lo;
+  const double smallest1a_of_part0 = part0 + part0_lo,
+      smallest1a_of_part0_right = smallest1a_of_part0 - part0,
+      smallest1a_of_part0_left = smallest1a_of_part0 - smallest1a_of_part0_right,
+      smallest1a_of_part0_left_rest = part0 - smallest1a_of_part0_left,
+      smallest1a_of_part0_right_rest = part0_lo - smallest1a_of_part0_right,
+      smallest1a_of_part0_lo = smallest1a_of_part0_left_rest + smallest1a_of_part0_right_rest,
+      smallest1a_of_part1 = part1 + part1_lo,
+      smallest1a_of_part1_right = smallest1a_of_part1 - part1,
+      smallest1a_of_part1_left = smallest1a_of_part1 - smallest1a_of_part1_right,
+      smallest1a_of_part1_left_rest = part1 - smallest1a_of_part1_left,
+      smallest1a_of_part1_right_rest = part1_lo - smallest1a_of_part1_right,
+      smallest1a_of_part1_lo = smallest1a_of_part1_left_rest + smallest1a_of_part1_right_rest,
+      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 : smallest1a_of_part1,
+      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo : smallest1a_of_part1_lo;
   const double own2 = 0.0 < A->at[2][2] ? A->at[2][2] : 1.0;
-  const double part2a_of_u2_0 = u2_0 + u2_0_lo, part2a_of_u2_0_right = part2a_of_u2_0 - u2_0,
-      part2a_of_u2_0_left = part2a_of_u2_0 - part2a_of_u2_0_right,
-      part2a_of_u2_0_left_rest = u2_0 - part2a_of_u2_0_left,
-      part2a_of_u2_0_right_rest = u2_0_lo - part2a_of_u2_0_right,
-      part2a_of_u2_0_lo = part2a_of_u2_0_left_rest + part2a_of_u2_0_right_rest,
-      part2a = part2a_of_u2_0 / own2, part2a_product = part2a * own2,
+  const double part2a = divisor2a_of_u2_0 / own2, part2a_product = part2a * own2,
       part2a_product_error = ksl_product_error(part2a, own2, part2a_product),
-      part2a_rest = part2a_of_u2_0 - part2a_product,
+      part2a_rest = divisor2a_of_u2_0 - part2a_product,
       part2a_exact = part2a_rest - part2a_product_error,
-      part2a_numerator = part2a_exact + part2a_of_u2_0_lo, part2a_lo = part2a_numerator / own2,
+      part2a_numerator = part2a_exact + divisor2a_of_u2_0_lo, part2a_lo = part2a_numerator / own2,
       part2 = 0.0 < A->at[2][2] ? part2a : A->at[2][2],
       part2_lo = 0.0 < A->at[2][2] ? part2a_lo : 0.0;
-  const double smallest2 = smallest1 < part2 ? smallest1 : part2,
-      smallest2_lo = smallest1 < part2 ? smallest1_lo : part2_lo;
+  const double smallest2a_of_smallest1 = smallest1 + smallest1_lo,
+      smallest2a_of_smallest1_right = smallest2a_of_smallest1 - smallest1,
+      smallest2a_of_smallest1_left = smallest2a_of_smallest1 - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_left_rest = smallest1 - smallest2a_of_smallest1_left,
+      smallest2a_of_smallest1_right_rest = smallest1_lo - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest + smallest2a_of_smallest1_right_rest,
+      smallest2a_of_part2 = part2 + part2_lo,
+      smallest2a_of_part2_right = smallest2a_of_part2 - part2,
+      smallest2a_of_part2_left = smallest2a_of_part2 - smallest2a_of_part2_right,
+      smallest2a_of_part2_left_rest = part2 - smallest2a_of_part2_left,
+      smallest2a_of_part2_right_rest = part2_lo - smallest2a_of_part2_right,
+      smallest2a_of_part2_lo = smallest2a_of_part2_left_rest + smallest2a_of_part2_right_rest,
+      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 : smallest2a_of_part2,
+      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo : smallest2a_of_part2_lo;
   const double own3 = 0.0 < A->at[3][3] ? A->at[3][3] : 1.0;
-  const double part3a_of_u3_0 = u3_0 + u3_0_lo, part3a_of_u3_0_right = part3a_of_u3_0 - u3_0,
-      part3a_of_u3_0_left = part3a_of_u3_0 - part3a_of_u3_0_right,
-      part3a_of_u3_0_left_rest = u3_0 - part3a_of_u3_0_left,
-      part3a_of_u3_0_right_rest = u3_0_lo - part3a_of_u3_0_right,
-      part3a_of_u3_0_lo = part3a_of_u3_0_left_rest + part3a_of_u3_0_right_rest,
-      part3a = part3a_of_u3_0 / own3, part3a_product = part3a * own3,
+  const double part3a = divisor3a_of_u3_0 / own3, part3a_product = part3a * own3,
       part3a_product_error = ksl_product_error(part3a, own3, part3a_product),
-      part3a_rest = part3a_of_u3_0 - part3a_product,
+      part3a_rest = divisor3a_of_u3_0 - part3a_product,
       part3a_exact = part3a_rest - part3a_product_error,
-      part3a_numerator = part3a_exact + part3a_of_u3_0_lo, part3a_lo = part3a_numerator / own3,
+      part3a_numerator = part3a_exact + divisor3a_of_u3_0_lo, part3a_lo = part3a_numerator / own3,
       part3 = 0.0 < A->at[3][3] ? part3a : A->at[3][3],
       part3_lo = 0.0 < A->at[3][3] ? part3a_lo : 0.0;
-  const double smallest3 = smallest2 < part3 ? smallest2 : part3,
-      smallest3_lo = smallest2 < part3 ? smallest2_lo : part3_lo;
+  const double smallest3a_of_smallest2 = smallest2 + smallest2_lo,
+      smallest3a_of_smallest2_right = smallest3a_of_smallest2 - smallest2,
+      smallest3a_of_smallest2_left = smallest3a_of_smallest2 - smallest3a_of_smallest2_right,
+      smallest3a_of_smallest2_left_rest = smallest2 - smallest3a_of_smallest2_left,
+      smallest3a_of_smallest2_right_rest = smallest2_lo - smallest3a_of_smallest2_right,
+      smallest3a_of_smallest2_lo = smallest3a_of_smallest2_left_rest + smallest3a_of_smallest2_right_rest,
+      smallest3a_of_part3 = part3 + part3_lo,
+      smallest3a_of_part3_right = smallest3a_of_part3 - part3,
+      smallest3a_of_part3_left = smallest3a_of_part3 - smallest3a_of_part3_right,
+      smallest3a_of_part3_left_rest = part3 - smallest3a_of_part3_left,
+      smallest3a_of_part3_right_rest = part3_lo - smallest3a_of_part3_right,
+      smallest3a_of_part3_lo = smallest3a_of_part3_left_rest + smallest3a_of_part3_right_rest,
+      smallest3 = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2 : smallest3a_of_part3,
+      smallest3_lo = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2_lo : smallest3a_of_part3_lo;
   const double own4 = 0.0 < A->at[4][4] ? A->at[4][4] : 1.0;
-  const double part4a_of_u4_0 = u4_0 + u4_0_lo, part4a_of_u4_0_right = part4a_of_u4_0 - u4_0,
-      part4a_of_u4_0_left = part4a_of_u4_0 - part4a_of_u4_0_right,
-      part4a_of_u4_0_left_rest = u4_0 - part4a_of_u4_0_left,
-      part4a_of_u4_0_right_rest = u4_0_lo - part4a_of_u4_0_right,
-      part4a_of_u4_0_lo = part4a_of_u4_0_left_rest + part4a_of_u4_0_right_rest,
-      part4a = part4a_of_u4_0 / own4, part4a_product = part4a * own4,
+  const double part4a = divisor4a_of_u4_0 / own4, part4a_product = part4a * own4,
       part4a_product_error = ksl_product_error(part4a, own4, part4a_product),
-      part4a_rest = part4a_of_u4_0 - part4a_product,
+      part4a_rest = divisor4a_of_u4_0 - part4a_product,
       part4a_exact = part4a_rest - part4a_product_error,
-      part4a_numerator = part4a_exact + part4a_of_u4_0_lo, part4a_lo = part4a_numerator / own4,
+      part4a_numerator = part4a_exact + divisor4a_of_u4_0_lo, part4a_lo = part4a_numerator / own4,
       part4 = 0.0 < A->at[4][4] ? part4a : A->at[4][4],
       part4_lo = 0.0 < A->at[4][4] ? part4a_lo : 0.0;
-  const double smallest4 = smallest3 < part4 ? smallest3 : part4,
-      smallest4_lo = smallest3 < part4 ? smallest3_lo : part4_lo;
+  const double smallest4a_of_smallest3 = smallest3 + smallest3_lo,
+      smallest4a_of_smallest3_right = smallest4a_of_smallest3 - smallest3,
+      smallest4a_of_smallest3_left = smallest4a_of_smallest3 - smallest4a_of_smallest3_right,
+      smallest4a_of_smallest3_left_rest = smallest3 - smallest4a_of_smallest3_left,
+      smallest4a_of_smallest3_right_rest = smallest3_lo - smallest4a_of_smallest3_right,
+      smallest4a_of_smallest3_lo = smallest4a_of_smallest3_left_rest + smallest4a_of_smallest3_right_rest,
+      smallest4a_of_part4 = part4 + part4_lo,
+      smallest4a_of_part4_right = smallest4a_of_part4 - part4,
+      smallest4a_of_part4_left = smallest4a_of_part4 - smallest4a_of_part4_right,
+      smallest4a_of_part4_left_rest = part4 - smallest4a_of_part4_left,
+      smallest4a_of_part4_right_rest = part4_lo - smallest4a_of_part4_right,
+      smallest4a_of_part4_lo = smallest4a_of_part4_left_rest + smallest4a_of_part4_right_rest,
+      smallest4 = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3 : smallest4a_of_part4,
+      smallest4_lo = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3_lo : smallest4a_of_part4_lo;
   const double own5 = 0.0 < A->at[5][5] ? A->at[5][5] : 1.0;
   const double part5a_of_u5 = u5 + u5_lo, part5a_of_u5_right = part5a_of_u5 - u5,
       part5a_of_u5_left = part5a_of_u5 - part5a_of_u5_right,
@@ -21438,8 +22155,20 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       part5a_numerator = part5a_exact + part5a_of_u5_lo, part5a_lo = part5a_numerator / own5,
       part5 = 0.0 < A->at[5][5] ? part5a : A->at[5][5],
       part5_lo = 0.0 < A->at[5][5] ? part5a_lo : 0.0;
-  const double smallest5 = smallest4 < part5 ? smallest4 : part5,
-      smallest5_lo = smallest4 < part5 ? smallest4_lo : part5_lo;
+  const double smallest5a_of_smallest4 = smallest4 + smallest4_lo,
+      smallest5a_of_smallest4_right = smallest5a_of_smallest4 - smallest4,
+      smallest5a_of_smallest4_left = smallest5a_of_smallest4 - smallest5a_of_smallest4_right,
+      smallest5a_of_smallest4_left_rest = smallest4 - smallest5a_of_smallest4_left,
+      smallest5a_of_smallest4_right_rest = smallest4_lo - smallest5a_of_smallest4_right,
+      smallest5a_of_smallest4_lo = smallest5a_of_smallest4_left_rest + smallest5a_of_smallest4_right_rest,
+      smallest5a_of_part5 = part5 + part5_lo,
+      smallest5a_of_part5_right = smallest5a_of_part5 - part5,
+      smallest5a_of_part5_left = smallest5a_of_part5 - smallest5a_of_part5_right,
+      smallest5a_of_part5_left_rest = part5 - smallest5a_of_part5_left,
+      smallest5a_of_part5_right_rest = part5_lo - smallest5a_of_part5_right,
+      smallest5a_of_part5_lo = smallest5a_of_part5_left_rest + smallest5a_of_part5_right_rest,
+      smallest5 = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4 : smallest5a_of_part5,
+      smallest5_lo = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4_lo : smallest5a_of_part5_lo;
   const double smallest5_rounded = smallest5 + smallest5_lo,
       smallest5_final = smallest5_rounded == smallest5_rounded ? smallest5_rounded : smallest5;
   const double l0_0_rounded = l0_0 + l0_0_lo,
@@ -21717,7 +22446,7 @@ static inline void ksl_mat6x6_ldl_solve_accurate(const ksl_mat6x6_t *L, const ks
      singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
      positive, and x not a number.
    A: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in rad/s).
-   497 mul, 1648 add, 44 product error, 165 product rest, 91 div, 23 less, 8 equal, 77 select.
+   516 mul, 1806 add, 49 product error, 171 product rest, 96 div, 23 less, 8 equal, 77 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
      barring over- and underflow. */
 static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_coscrew_t *b,
@@ -21768,7 +22497,14 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       u1_4_left_rest = A->at[1][5] - u1_4_left,
       u1_4_right_rest = ksl_product_rest(A->at[0][5], l0_0, u1_4a, u1_4_right),
       u1_4_lo1 = u1_4_left_rest - u1_4_right_rest, u1_4_lo = u1_4_lo1 - u1_4a_cross2;
-  const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0, divisor1_lo = 0.0 < u1_0 ? u1_0_lo : 0.0;
+  const double divisor1a_of_u1_0 = u1_0 + u1_0_lo,
+      divisor1a_of_u1_0_right = divisor1a_of_u1_0 - u1_0,
+      divisor1a_of_u1_0_left = divisor1a_of_u1_0 - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_left_rest = u1_0 - divisor1a_of_u1_0_left,
+      divisor1a_of_u1_0_right_rest = u1_0_lo - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_lo = divisor1a_of_u1_0_left_rest + divisor1a_of_u1_0_right_rest,
+      divisor1 = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0 : 1.0,
+      divisor1_lo = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0_lo : 0.0;
   const double l1_0_of_u1_1 = u1_1 + u1_1_lo, l1_0_of_u1_1_right = l1_0_of_u1_1 - u1_1,
       l1_0_of_u1_1_left = l1_0_of_u1_1 - l1_0_of_u1_1_right,
       l1_0_of_u1_1_left_rest = u1_1 - l1_0_of_u1_1_left,
@@ -21863,7 +22599,14 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       u2_3_right_rest = ksl_product_rest(l1_3_of_u1_4, l1_0, u2_3c, u2_3_right),
       u2_3_lo1 = u2_3_left_rest - u2_3_right_rest, u2_3_lo2 = u2_3_lo1 - u2_3c_cross,
       u2_3_lo = u2_3_lo2 + u2_3b_lo;
-  const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0, divisor2_lo = 0.0 < u2_0 ? u2_0_lo : 0.0;
+  const double divisor2a_of_u2_0 = u2_0 + u2_0_lo,
+      divisor2a_of_u2_0_right = divisor2a_of_u2_0 - u2_0,
+      divisor2a_of_u2_0_left = divisor2a_of_u2_0 - divisor2a_of_u2_0_right,
+      divisor2a_of_u2_0_left_rest = u2_0 - divisor2a_of_u2_0_left,
+      divisor2a_of_u2_0_right_rest = u2_0_lo - divisor2a_of_u2_0_right,
+      divisor2a_of_u2_0_lo = divisor2a_of_u2_0_left_rest + divisor2a_of_u2_0_right_rest,
+      divisor2 = 0.0 < divisor2a_of_u2_0 ? divisor2a_of_u2_0 : 1.0,
+      divisor2_lo = 0.0 < divisor2a_of_u2_0 ? divisor2a_of_u2_0_lo : 0.0;
   const double l2_0_of_u2_1 = u2_1 + u2_1_lo, l2_0_of_u2_1_right = l2_0_of_u2_1 - u2_1,
       l2_0_of_u2_1_left = l2_0_of_u2_1 - l2_0_of_u2_1_right,
       l2_0_of_u2_1_left_rest = u2_1 - l2_0_of_u2_1_left,
@@ -21954,7 +22697,14 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       u3_2_right_rest = ksl_product_rest(l2_2_of_u2_3, l2_0, u3_2e, u3_2_right),
       u3_2_lo1 = u3_2_left_rest - u3_2_right_rest, u3_2_lo2 = u3_2_lo1 - u3_2e_cross,
       u3_2_lo = u3_2_lo2 + u3_2d_lo;
-  const double divisor3 = 0.0 < u3_0 ? u3_0 : 1.0, divisor3_lo = 0.0 < u3_0 ? u3_0_lo : 0.0;
+  const double divisor3a_of_u3_0 = u3_0 + u3_0_lo,
+      divisor3a_of_u3_0_right = divisor3a_of_u3_0 - u3_0,
+      divisor3a_of_u3_0_left = divisor3a_of_u3_0 - divisor3a_of_u3_0_right,
+      divisor3a_of_u3_0_left_rest = u3_0 - divisor3a_of_u3_0_left,
+      divisor3a_of_u3_0_right_rest = u3_0_lo - divisor3a_of_u3_0_right,
+      divisor3a_of_u3_0_lo = divisor3a_of_u3_0_left_rest + divisor3a_of_u3_0_right_rest,
+      divisor3 = 0.0 < divisor3a_of_u3_0 ? divisor3a_of_u3_0 : 1.0,
+      divisor3_lo = 0.0 < divisor3a_of_u3_0 ? divisor3a_of_u3_0_lo : 0.0;
   const double l3_0_of_u3_1 = u3_1 + u3_1_lo, l3_0_of_u3_1_right = l3_0_of_u3_1 - u3_1,
       l3_0_of_u3_1_left = l3_0_of_u3_1 - l3_0_of_u3_1_right,
       l3_0_of_u3_1_left_rest = u3_1 - l3_0_of_u3_1_left,
@@ -22029,7 +22779,14 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       u4_1_right_rest = ksl_product_rest(l3_1_of_u3_2, l3_0, u4_1g, u4_1_right),
       u4_1_lo1 = u4_1_left_rest - u4_1_right_rest, u4_1_lo2 = u4_1_lo1 - u4_1g_cross,
       u4_1_lo = u4_1_lo2 + u4_1f_lo;
-  const double divisor4 = 0.0 < u4_0 ? u4_0 : 1.0, divisor4_lo = 0.0 < u4_0 ? u4_0_lo : 0.0;
+  const double divisor4a_of_u4_0 = u4_0 + u4_0_lo,
+      divisor4a_of_u4_0_right = divisor4a_of_u4_0 - u4_0,
+      divisor4a_of_u4_0_left = divisor4a_of_u4_0 - divisor4a_of_u4_0_right,
+      divisor4a_of_u4_0_left_rest = u4_0 - divisor4a_of_u4_0_left,
+      divisor4a_of_u4_0_right_rest = u4_0_lo - divisor4a_of_u4_0_right,
+      divisor4a_of_u4_0_lo = divisor4a_of_u4_0_left_rest + divisor4a_of_u4_0_right_rest,
+      divisor4 = 0.0 < divisor4a_of_u4_0 ? divisor4a_of_u4_0 : 1.0,
+      divisor4_lo = 0.0 < divisor4a_of_u4_0 ? divisor4a_of_u4_0_lo : 0.0;
   const double l4_of_u4_1 = u4_1 + u4_1_lo, l4_of_u4_1_right = l4_of_u4_1 - u4_1,
       l4_of_u4_1_left = l4_of_u4_1 - l4_of_u4_1_right,
       l4_of_u4_1_left_rest = u4_1 - l4_of_u4_1_left,
@@ -22070,87 +22827,128 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       u5_right = u5h - u5, u5_left = u5 + u5_right, u5_left_rest = u5h - u5_left,
       u5_right_rest = ksl_product_rest(l4_of_u4_1, l4, u5i, u5_right),
       u5_lo1 = u5_left_rest - u5_right_rest, u5_lo2 = u5_lo1 - u5i_cross, u5_lo = u5_lo2 + u5h_lo;
-  const double divisor5 = 0.0 < u5 ? u5 : 1.0, divisor5_lo = 0.0 < u5 ? u5_lo : 0.0;
+  const double divisor5a_of_u5 = u5 + u5_lo, divisor5a_of_u5_right = divisor5a_of_u5 - u5,
+      divisor5a_of_u5_left = divisor5a_of_u5 - divisor5a_of_u5_right,
+      divisor5a_of_u5_left_rest = u5 - divisor5a_of_u5_left,
+      divisor5a_of_u5_right_rest = u5_lo - divisor5a_of_u5_right,
+      divisor5a_of_u5_lo = divisor5a_of_u5_left_rest + divisor5a_of_u5_right_rest,
+      divisor5 = 0.0 < divisor5a_of_u5 ? divisor5a_of_u5 : 1.0,
+      divisor5_lo = 0.0 < divisor5a_of_u5 ? divisor5a_of_u5_lo : 0.0;
   const double part0a = A->at[0][0] / divisor0, part0a_product = part0a * divisor0,
       part0a_product_error = ksl_product_error(part0a, divisor0, part0a_product),
       part0a_rest = A->at[0][0] - part0a_product, part0a_exact = part0a_rest - part0a_product_error,
       part0a_lo = part0a_exact / divisor0, part0 = 0.0 < A->at[0][0] ? part0a : A->at[0][0],
       part0_lo = 0.0 < A->at[0][0] ? part0a_lo : 0.0;
   const double own1 = 0.0 < A->at[1][1] ? A->at[1][1] : 1.0;
-  const double part1a_of_u1_0 = u1_0 + u1_0_lo, part1a_of_u1_0_right = part1a_of_u1_0 - u1_0,
-      part1a_of_u1_0_left = part1a_of_u1_0 - part1a_of_u1_0_right,
-      part1a_of_u1_0_left_rest = u1_0 - part1a_of_u1_0_left,
-      part1a_of_u1_0_right_rest = u1_0_lo - part1a_of_u1_0_right,
-      part1a_of_u1_0_lo = part1a_of_u1_0_left_rest + part1a_of_u1_0_right_rest,
-      part1a = part1a_of_u1_0 / own1, part1a_product = part1a * own1,
+  const double part1a = divisor1a_of_u1_0 / own1, part1a_product = part1a * own1,
       part1a_product_error = ksl_product_error(part1a, own1, part1a_product),
-      part1a_rest = part1a_of_u1_0 - part1a_product,
+      part1a_rest = divisor1a_of_u1_0 - part1a_product,
       part1a_exact = part1a_rest - part1a_product_error,
-      part1a_numerator = part1a_exact + part1a_of_u1_0_lo, part1a_lo = part1a_numerator / own1,
+      part1a_numerator = part1a_exact + divisor1a_of_u1_0_lo, part1a_lo = part1a_numerator / own1,
       part1 = 0.0 < A->at[1][1] ? part1a : A->at[1][1],
       part1_lo = 0.0 < A->at[1][1] ? part1a_lo : 0.0;
-  const double smallest1 = part0 < part1 ? part0 : part1,
-      smallest1_lo = part0 < part1 ? part0_lo : part1_lo;
+  const double smallest1a_of_part0 = part0 + part0_lo,
+      smallest1a_of_part0_right = smallest1a_of_part0 - part0,
+      smallest1a_of_part0_left = smallest1a_of_part0 - smallest1a_of_part0_right,
+      smallest1a_of_part0_left_rest = part0 - smallest1a_of_part0_left,
+      smallest1a_of_part0_right_rest = part0_lo - smallest1a_of_part0_right,
+      smallest1a_of_part0_lo = smallest1a_of_part0_left_rest + smallest1a_of_part0_right_rest,
+      smallest1a_of_part1 = part1 + part1_lo,
+      smallest1a_of_part1_right = smallest1a_of_part1 - part1,
+      smallest1a_of_part1_left = smallest1a_of_part1 - smallest1a_of_part1_right,
+      smallest1a_of_part1_left_rest = part1 - smallest1a_of_part1_left,
+      smallest1a_of_part1_right_rest = part1_lo - smallest1a_of_part1_right,
+      smallest1a_of_part1_lo = smallest1a_of_part1_left_rest + smallest1a_of_part1_right_rest,
+      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 : smallest1a_of_part1,
+      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo : smallest1a_of_part1_lo;
   const double own2 = 0.0 < A->at[2][2] ? A->at[2][2] : 1.0;
-  const double part2a_of_u2_0 = u2_0 + u2_0_lo, part2a_of_u2_0_right = part2a_of_u2_0 - u2_0,
-      part2a_of_u2_0_left = part2a_of_u2_0 - part2a_of_u2_0_right,
-      part2a_of_u2_0_left_rest = u2_0 - part2a_of_u2_0_left,
-      part2a_of_u2_0_right_rest = u2_0_lo - part2a_of_u2_0_right,
-      part2a_of_u2_0_lo = part2a_of_u2_0_left_rest + part2a_of_u2_0_right_rest,
-      part2a = part2a_of_u2_0 / own2, part2a_product = part2a * own2,
+  const double part2a = divisor2a_of_u2_0 / own2, part2a_product = part2a * own2,
       part2a_product_error = ksl_product_error(part2a, own2, part2a_product),
-      part2a_rest = part2a_of_u2_0 - part2a_product,
+      part2a_rest = divisor2a_of_u2_0 - part2a_product,
       part2a_exact = part2a_rest - part2a_product_error,
-      part2a_numerator = part2a_exact + part2a_of_u2_0_lo, part2a_lo = part2a_numerator / own2,
+      part2a_numerator = part2a_exact + divisor2a_of_u2_0_lo, part2a_lo = part2a_numerator / own2,
       part2 = 0.0 < A->at[2][2] ? part2a : A->at[2][2],
       part2_lo = 0.0 < A->at[2][2] ? part2a_lo : 0.0;
-  const double smallest2 = smallest1 < part2 ? smallest1 : part2,
-      smallest2_lo = smallest1 < part2 ? smallest1_lo : part2_lo;
+  const double smallest2a_of_smallest1 = smallest1 + smallest1_lo,
+      smallest2a_of_smallest1_right = smallest2a_of_smallest1 - smallest1,
+      smallest2a_of_smallest1_left = smallest2a_of_smallest1 - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_left_rest = smallest1 - smallest2a_of_smallest1_left,
+      smallest2a_of_smallest1_right_rest = smallest1_lo - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest + smallest2a_of_smallest1_right_rest,
+      smallest2a_of_part2 = part2 + part2_lo,
+      smallest2a_of_part2_right = smallest2a_of_part2 - part2,
+      smallest2a_of_part2_left = smallest2a_of_part2 - smallest2a_of_part2_right,
+      smallest2a_of_part2_left_rest = part2 - smallest2a_of_part2_left,
+      smallest2a_of_part2_right_rest = part2_lo - smallest2a_of_part2_right,
+      smallest2a_of_part2_lo = smallest2a_of_part2_left_rest + smallest2a_of_part2_right_rest,
+      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 : smallest2a_of_part2,
+      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo : smallest2a_of_part2_lo;
   const double own3 = 0.0 < A->at[3][3] ? A->at[3][3] : 1.0;
-  const double part3a_of_u3_0 = u3_0 + u3_0_lo, part3a_of_u3_0_right = part3a_of_u3_0 - u3_0,
-      part3a_of_u3_0_left = part3a_of_u3_0 - part3a_of_u3_0_right,
-      part3a_of_u3_0_left_rest = u3_0 - part3a_of_u3_0_left,
-      part3a_of_u3_0_right_rest = u3_0_lo - part3a_of_u3_0_right,
-      part3a_of_u3_0_lo = part3a_of_u3_0_left_rest + part3a_of_u3_0_right_rest,
-      part3a = part3a_of_u3_0 / own3, part3a_product = part3a * own3,
+  const double part3a = divisor3a_of_u3_0 / own3, part3a_product = part3a * own3,
       part3a_product_error = ksl_product_error(part3a, own3, part3a_product),
-      part3a_rest = part3a_of_u3_0 - part3a_product,
+      part3a_rest = divisor3a_of_u3_0 - part3a_product,
       part3a_exact = part3a_rest - part3a_product_error,
-      part3a_numerator = part3a_exact + part3a_of_u3_0_lo, part3a_lo = part3a_numerator / own3,
+      part3a_numerator = part3a_exact + divisor3a_of_u3_0_lo, part3a_lo = part3a_numerator / own3,
       part3 = 0.0 < A->at[3][3] ? part3a : A->at[3][3],
       part3_lo = 0.0 < A->at[3][3] ? part3a_lo : 0.0;
-  const double smallest3 = smallest2 < part3 ? smallest2 : part3,
-      smallest3_lo = smallest2 < part3 ? smallest2_lo : part3_lo;
+  const double smallest3a_of_smallest2 = smallest2 + smallest2_lo,
+      smallest3a_of_smallest2_right = smallest3a_of_smallest2 - smallest2,
+      smallest3a_of_smallest2_left = smallest3a_of_smallest2 - smallest3a_of_smallest2_right,
+      smallest3a_of_smallest2_left_rest = smallest2 - smallest3a_of_smallest2_left,
+      smallest3a_of_smallest2_right_rest = smallest2_lo - smallest3a_of_smallest2_right,
+      smallest3a_of_smallest2_lo = smallest3a_of_smallest2_left_rest + smallest3a_of_smallest2_right_rest,
+      smallest3a_of_part3 = part3 + part3_lo,
+      smallest3a_of_part3_right = smallest3a_of_part3 - part3,
+      smallest3a_of_part3_left = smallest3a_of_part3 - smallest3a_of_part3_right,
+      smallest3a_of_part3_left_rest = part3 - smallest3a_of_part3_left,
+      smallest3a_of_part3_right_rest = part3_lo - smallest3a_of_part3_right,
+      smallest3a_of_part3_lo = smallest3a_of_part3_left_rest + smallest3a_of_part3_right_rest,
+      smallest3 = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2 : smallest3a_of_part3,
+      smallest3_lo = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2_lo : smallest3a_of_part3_lo;
   const double own4 = 0.0 < A->at[4][4] ? A->at[4][4] : 1.0;
-  const double part4a_of_u4_0 = u4_0 + u4_0_lo, part4a_of_u4_0_right = part4a_of_u4_0 - u4_0,
-      part4a_of_u4_0_left = part4a_of_u4_0 - part4a_of_u4_0_right,
-      part4a_of_u4_0_left_rest = u4_0 - part4a_of_u4_0_left,
-      part4a_of_u4_0_right_rest = u4_0_lo - part4a_of_u4_0_right,
-      part4a_of_u4_0_lo = part4a_of_u4_0_left_rest + part4a_of_u4_0_right_rest,
-      part4a = part4a_of_u4_0 / own4, part4a_product = part4a * own4,
+  const double part4a = divisor4a_of_u4_0 / own4, part4a_product = part4a * own4,
       part4a_product_error = ksl_product_error(part4a, own4, part4a_product),
-      part4a_rest = part4a_of_u4_0 - part4a_product,
+      part4a_rest = divisor4a_of_u4_0 - part4a_product,
       part4a_exact = part4a_rest - part4a_product_error,
-      part4a_numerator = part4a_exact + part4a_of_u4_0_lo, part4a_lo = part4a_numerator / own4,
+      part4a_numerator = part4a_exact + divisor4a_of_u4_0_lo, part4a_lo = part4a_numerator / own4,
       part4 = 0.0 < A->at[4][4] ? part4a : A->at[4][4],
       part4_lo = 0.0 < A->at[4][4] ? part4a_lo : 0.0;
-  const double smallest4 = smallest3 < part4 ? smallest3 : part4,
-      smallest4_lo = smallest3 < part4 ? smallest3_lo : part4_lo;
+  const double smallest4a_of_smallest3 = smallest3 + smallest3_lo,
+      smallest4a_of_smallest3_right = smallest4a_of_smallest3 - smallest3,
+      smallest4a_of_smallest3_left = smallest4a_of_smallest3 - smallest4a_of_smallest3_right,
+      smallest4a_of_smallest3_left_rest = smallest3 - smallest4a_of_smallest3_left,
+      smallest4a_of_smallest3_right_rest = smallest3_lo - smallest4a_of_smallest3_right,
+      smallest4a_of_smallest3_lo = smallest4a_of_smallest3_left_rest + smallest4a_of_smallest3_right_rest,
+      smallest4a_of_part4 = part4 + part4_lo,
+      smallest4a_of_part4_right = smallest4a_of_part4 - part4,
+      smallest4a_of_part4_left = smallest4a_of_part4 - smallest4a_of_part4_right,
+      smallest4a_of_part4_left_rest = part4 - smallest4a_of_part4_left,
+      smallest4a_of_part4_right_rest = part4_lo - smallest4a_of_part4_right,
+      smallest4a_of_part4_lo = smallest4a_of_part4_left_rest + smallest4a_of_part4_right_rest,
+      smallest4 = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3 : smallest4a_of_part4,
+      smallest4_lo = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3_lo : smallest4a_of_part4_lo;
   const double own5 = 0.0 < A->at[5][5] ? A->at[5][5] : 1.0;
-  const double part5a_of_u5 = u5 + u5_lo, part5a_of_u5_right = part5a_of_u5 - u5,
-      part5a_of_u5_left = part5a_of_u5 - part5a_of_u5_right,
-      part5a_of_u5_left_rest = u5 - part5a_of_u5_left,
-      part5a_of_u5_right_rest = u5_lo - part5a_of_u5_right,
-      part5a_of_u5_lo = part5a_of_u5_left_rest + part5a_of_u5_right_rest,
-      part5a = part5a_of_u5 / own5, part5a_product = part5a * own5,
+  const double part5a = divisor5a_of_u5 / own5, part5a_product = part5a * own5,
       part5a_product_error = ksl_product_error(part5a, own5, part5a_product),
-      part5a_rest = part5a_of_u5 - part5a_product,
+      part5a_rest = divisor5a_of_u5 - part5a_product,
       part5a_exact = part5a_rest - part5a_product_error,
-      part5a_numerator = part5a_exact + part5a_of_u5_lo, part5a_lo = part5a_numerator / own5,
+      part5a_numerator = part5a_exact + divisor5a_of_u5_lo, part5a_lo = part5a_numerator / own5,
       part5 = 0.0 < A->at[5][5] ? part5a : A->at[5][5],
       part5_lo = 0.0 < A->at[5][5] ? part5a_lo : 0.0;
-  const double smallest5 = smallest4 < part5 ? smallest4 : part5,
-      smallest5_lo = smallest4 < part5 ? smallest4_lo : part5_lo;
+  const double smallest5a_of_smallest4 = smallest4 + smallest4_lo,
+      smallest5a_of_smallest4_right = smallest5a_of_smallest4 - smallest4,
+      smallest5a_of_smallest4_left = smallest5a_of_smallest4 - smallest5a_of_smallest4_right,
+      smallest5a_of_smallest4_left_rest = smallest4 - smallest5a_of_smallest4_left,
+      smallest5a_of_smallest4_right_rest = smallest4_lo - smallest5a_of_smallest4_right,
+      smallest5a_of_smallest4_lo = smallest5a_of_smallest4_left_rest + smallest5a_of_smallest4_right_rest,
+      smallest5a_of_part5 = part5 + part5_lo,
+      smallest5a_of_part5_right = smallest5a_of_part5 - part5,
+      smallest5a_of_part5_left = smallest5a_of_part5 - smallest5a_of_part5_right,
+      smallest5a_of_part5_left_rest = part5 - smallest5a_of_part5_left,
+      smallest5a_of_part5_right_rest = part5_lo - smallest5a_of_part5_right,
+      smallest5a_of_part5_lo = smallest5a_of_part5_left_rest + smallest5a_of_part5_right_rest,
+      smallest5 = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4 : smallest5a_of_part5,
+      smallest5_lo = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4_lo : smallest5a_of_part5_lo;
   const double less_0 = A->at[0][0] * 0.9999999999999944;
   const double less_1 = A->at[1][1] * 0.9999999999999944;
   const double less_2 = A->at[2][2] * 0.9999999999999944;
@@ -22158,8 +22956,14 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
   const double less_4 = A->at[4][4] * 0.9999999999999944;
   const double less_5 = A->at[5][5] * 0.9999999999999944;
   const double less_0_lo = ksl_product_error(A->at[0][0], 0.9999999999999944, less_0),
-      less_divisor0 = 0.0 < less_0 ? less_0 : 1.0,
-      less_divisor0_lo = 0.0 < less_0 ? less_0_lo : 0.0;
+      less_divisor0a_of_less_0 = less_0 + less_0_lo,
+      less_divisor0a_of_less_0_right = less_divisor0a_of_less_0 - less_0,
+      less_divisor0a_of_less_0_left = less_divisor0a_of_less_0 - less_divisor0a_of_less_0_right,
+      less_divisor0a_of_less_0_left_rest = less_0 - less_divisor0a_of_less_0_left,
+      less_divisor0a_of_less_0_right_rest = less_0_lo - less_divisor0a_of_less_0_right,
+      less_divisor0a_of_less_0_lo = less_divisor0a_of_less_0_left_rest + less_divisor0a_of_less_0_right_rest,
+      less_divisor0 = 0.0 < less_divisor0a_of_less_0 ? less_divisor0a_of_less_0 : 1.0,
+      less_divisor0_lo = 0.0 < less_divisor0a_of_less_0 ? less_divisor0a_of_less_0_lo : 0.0;
   const double less_l0_0_of_less_divisor0 = less_divisor0 + less_divisor0_lo,
       less_l0_0_of_less_divisor0_right = less_l0_0_of_less_divisor0 - less_divisor0,
       less_l0_0_of_less_divisor0_left = less_l0_0_of_less_divisor0 - less_l0_0_of_less_divisor0_right,
@@ -22198,7 +23002,14 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l0_3_cross = less_l0_3 * less_l0_0_of_less_divisor0_lo,
       less_l0_3_residual = less_l0_3_exact - less_l0_3_cross,
       less_l0_3_lo = less_l0_3_residual / less_l0_0_of_less_divisor0;
-  const double less_l0_4 = A->at[0][5] / less_l0_0_of_less_divisor0;
+  const double less_l0_4 = A->at[0][5] / less_l0_0_of_less_divisor0,
+      less_l0_4_product = less_l0_4 * less_l0_0_of_less_divisor0,
+      less_l0_4_product_error = ksl_product_error(less_l0_4, less_l0_0_of_less_divisor0, less_l0_4_product),
+      less_l0_4_rest = A->at[0][5] - less_l0_4_product,
+      less_l0_4_exact = less_l0_4_rest - less_l0_4_product_error,
+      less_l0_4_cross = less_l0_4 * less_l0_0_of_less_divisor0_lo,
+      less_l0_4_residual = less_l0_4_exact - less_l0_4_cross,
+      less_l0_4_lo = less_l0_4_residual / less_l0_0_of_less_divisor0;
   const double less_u1_0a = A->at[0][1] * less_l0_0, less_u1_0a_cross2 = A->at[0][1] * less_l0_0_lo,
       less_u1_0 = less_1 - less_u1_0a, less_u1_0_right = less_1 - less_u1_0,
       less_u1_0_left = less_u1_0 + less_u1_0_right,
@@ -22234,8 +23045,14 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u1_4_right_rest = ksl_product_rest(A->at[0][5], less_l0_0, less_u1_4a, less_u1_4_right),
       less_u1_4_lo1 = less_u1_4_left_rest - less_u1_4_right_rest,
       less_u1_4_lo = less_u1_4_lo1 - less_u1_4a_cross2;
-  const double less_divisor1 = 0.0 < less_u1_0 ? less_u1_0 : 1.0,
-      less_divisor1_lo = 0.0 < less_u1_0 ? less_u1_0_lo : 0.0;
+  const double less_divisor1a_of_less_u1_0 = less_u1_0 + less_u1_0_lo,
+      less_divisor1a_of_less_u1_0_right = less_divisor1a_of_less_u1_0 - less_u1_0,
+      less_divisor1a_of_less_u1_0_left = less_divisor1a_of_less_u1_0 - less_divisor1a_of_less_u1_0_right,
+      less_divisor1a_of_less_u1_0_left_rest = less_u1_0 - less_divisor1a_of_less_u1_0_left,
+      less_divisor1a_of_less_u1_0_right_rest = less_u1_0_lo - less_divisor1a_of_less_u1_0_right,
+      less_divisor1a_of_less_u1_0_lo = less_divisor1a_of_less_u1_0_left_rest + less_divisor1a_of_less_u1_0_right_rest,
+      less_divisor1 = 0.0 < less_divisor1a_of_less_u1_0 ? less_divisor1a_of_less_u1_0 : 1.0,
+      less_divisor1_lo = 0.0 < less_divisor1a_of_less_u1_0 ? less_divisor1a_of_less_u1_0_lo : 0.0;
   const double less_l1_0_of_less_u1_1 = less_u1_1 + less_u1_1_lo,
       less_l1_0_of_less_u1_1_right = less_l1_0_of_less_u1_1 - less_u1_1,
       less_l1_0_of_less_u1_1_left = less_l1_0_of_less_u1_1 - less_l1_0_of_less_u1_1_right,
@@ -22293,7 +23110,15 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l1_3_of_less_u1_4_left_rest = less_u1_4 - less_l1_3_of_less_u1_4_left,
       less_l1_3_of_less_u1_4_right_rest = less_u1_4_lo - less_l1_3_of_less_u1_4_right,
       less_l1_3_of_less_u1_4_lo = less_l1_3_of_less_u1_4_left_rest + less_l1_3_of_less_u1_4_right_rest,
-      less_l1_3 = less_l1_3_of_less_u1_4 / less_l1_0_of_less_divisor1;
+      less_l1_3 = less_l1_3_of_less_u1_4 / less_l1_0_of_less_divisor1,
+      less_l1_3_product = less_l1_3 * less_l1_0_of_less_divisor1,
+      less_l1_3_product_error = ksl_product_error(less_l1_3, less_l1_0_of_less_divisor1, less_l1_3_product),
+      less_l1_3_rest = less_l1_3_of_less_u1_4 - less_l1_3_product,
+      less_l1_3_exact = less_l1_3_rest - less_l1_3_product_error,
+      less_l1_3_numerator = less_l1_3_exact + less_l1_3_of_less_u1_4_lo,
+      less_l1_3_cross = less_l1_3 * less_l1_0_of_less_divisor1_lo,
+      less_l1_3_residual = less_l1_3_numerator - less_l1_3_cross,
+      less_l1_3_lo = less_l1_3_residual / less_l1_0_of_less_divisor1;
   const double less_u2_0a = A->at[0][2] * less_l0_1, less_u2_0a_cross2 = A->at[0][2] * less_l0_1_lo,
       less_u2_0b = less_2 - less_u2_0a, less_u2_0b_right = less_2 - less_u2_0b,
       less_u2_0b_left = less_u2_0b + less_u2_0b_right,
@@ -22362,8 +23187,14 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u2_3_lo1 = less_u2_3_left_rest - less_u2_3_right_rest,
       less_u2_3_lo2 = less_u2_3_lo1 - less_u2_3c_cross,
       less_u2_3_lo = less_u2_3_lo2 + less_u2_3b_lo;
-  const double less_divisor2 = 0.0 < less_u2_0 ? less_u2_0 : 1.0,
-      less_divisor2_lo = 0.0 < less_u2_0 ? less_u2_0_lo : 0.0;
+  const double less_divisor2a_of_less_u2_0 = less_u2_0 + less_u2_0_lo,
+      less_divisor2a_of_less_u2_0_right = less_divisor2a_of_less_u2_0 - less_u2_0,
+      less_divisor2a_of_less_u2_0_left = less_divisor2a_of_less_u2_0 - less_divisor2a_of_less_u2_0_right,
+      less_divisor2a_of_less_u2_0_left_rest = less_u2_0 - less_divisor2a_of_less_u2_0_left,
+      less_divisor2a_of_less_u2_0_right_rest = less_u2_0_lo - less_divisor2a_of_less_u2_0_right,
+      less_divisor2a_of_less_u2_0_lo = less_divisor2a_of_less_u2_0_left_rest + less_divisor2a_of_less_u2_0_right_rest,
+      less_divisor2 = 0.0 < less_divisor2a_of_less_u2_0 ? less_divisor2a_of_less_u2_0 : 1.0,
+      less_divisor2_lo = 0.0 < less_divisor2a_of_less_u2_0 ? less_divisor2a_of_less_u2_0_lo : 0.0;
   const double less_l2_0_of_less_u2_1 = less_u2_1 + less_u2_1_lo,
       less_l2_0_of_less_u2_1_right = less_l2_0_of_less_u2_1 - less_u2_1,
       less_l2_0_of_less_u2_1_left = less_l2_0_of_less_u2_1 - less_l2_0_of_less_u2_1_right,
@@ -22406,7 +23237,15 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l2_2_of_less_u2_3_left_rest = less_u2_3 - less_l2_2_of_less_u2_3_left,
       less_l2_2_of_less_u2_3_right_rest = less_u2_3_lo - less_l2_2_of_less_u2_3_right,
       less_l2_2_of_less_u2_3_lo = less_l2_2_of_less_u2_3_left_rest + less_l2_2_of_less_u2_3_right_rest,
-      less_l2_2 = less_l2_2_of_less_u2_3 / less_l2_0_of_less_divisor2;
+      less_l2_2 = less_l2_2_of_less_u2_3 / less_l2_0_of_less_divisor2,
+      less_l2_2_product = less_l2_2 * less_l2_0_of_less_divisor2,
+      less_l2_2_product_error = ksl_product_error(less_l2_2, less_l2_0_of_less_divisor2, less_l2_2_product),
+      less_l2_2_rest = less_l2_2_of_less_u2_3 - less_l2_2_product,
+      less_l2_2_exact = less_l2_2_rest - less_l2_2_product_error,
+      less_l2_2_numerator = less_l2_2_exact + less_l2_2_of_less_u2_3_lo,
+      less_l2_2_cross = less_l2_2 * less_l2_0_of_less_divisor2_lo,
+      less_l2_2_residual = less_l2_2_numerator - less_l2_2_cross,
+      less_l2_2_lo = less_l2_2_residual / less_l2_0_of_less_divisor2;
   const double less_u3_0a = A->at[0][3] * less_l0_2, less_u3_0a_cross2 = A->at[0][3] * less_l0_2_lo,
       less_u3_0b = less_3 - less_u3_0a, less_u3_0b_right = less_3 - less_u3_0b,
       less_u3_0b_left = less_u3_0b + less_u3_0b_right,
@@ -22491,8 +23330,14 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u3_2_lo1 = less_u3_2_left_rest - less_u3_2_right_rest,
       less_u3_2_lo2 = less_u3_2_lo1 - less_u3_2e_cross,
       less_u3_2_lo = less_u3_2_lo2 + less_u3_2d_lo;
-  const double less_divisor3 = 0.0 < less_u3_0 ? less_u3_0 : 1.0,
-      less_divisor3_lo = 0.0 < less_u3_0 ? less_u3_0_lo : 0.0;
+  const double less_divisor3a_of_less_u3_0 = less_u3_0 + less_u3_0_lo,
+      less_divisor3a_of_less_u3_0_right = less_divisor3a_of_less_u3_0 - less_u3_0,
+      less_divisor3a_of_less_u3_0_left = less_divisor3a_of_less_u3_0 - less_divisor3a_of_less_u3_0_right,
+      less_divisor3a_of_less_u3_0_left_rest = less_u3_0 - less_divisor3a_of_less_u3_0_left,
+      less_divisor3a_of_less_u3_0_right_rest = less_u3_0_lo - less_divisor3a_of_less_u3_0_right,
+      less_divisor3a_of_less_u3_0_lo = less_divisor3a_of_less_u3_0_left_rest + less_divisor3a_of_less_u3_0_right_rest,
+      less_divisor3 = 0.0 < less_divisor3a_of_less_u3_0 ? less_divisor3a_of_less_u3_0 : 1.0,
+      less_divisor3_lo = 0.0 < less_divisor3a_of_less_u3_0 ? less_divisor3a_of_less_u3_0_lo : 0.0;
   const double less_l3_0_of_less_u3_1 = less_u3_1 + less_u3_1_lo,
       less_l3_0_of_less_u3_1_right = less_l3_0_of_less_u3_1 - less_u3_1,
       less_l3_0_of_less_u3_1_left = less_l3_0_of_less_u3_1 - less_l3_0_of_less_u3_1_right,
@@ -22520,7 +23365,15 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l3_1_of_less_u3_2_left_rest = less_u3_2 - less_l3_1_of_less_u3_2_left,
       less_l3_1_of_less_u3_2_right_rest = less_u3_2_lo - less_l3_1_of_less_u3_2_right,
       less_l3_1_of_less_u3_2_lo = less_l3_1_of_less_u3_2_left_rest + less_l3_1_of_less_u3_2_right_rest,
-      less_l3_1 = less_l3_1_of_less_u3_2 / less_l3_0_of_less_divisor3;
+      less_l3_1 = less_l3_1_of_less_u3_2 / less_l3_0_of_less_divisor3,
+      less_l3_1_product = less_l3_1 * less_l3_0_of_less_divisor3,
+      less_l3_1_product_error = ksl_product_error(less_l3_1, less_l3_0_of_less_divisor3, less_l3_1_product),
+      less_l3_1_rest = less_l3_1_of_less_u3_2 - less_l3_1_product,
+      less_l3_1_exact = less_l3_1_rest - less_l3_1_product_error,
+      less_l3_1_numerator = less_l3_1_exact + less_l3_1_of_less_u3_2_lo,
+      less_l3_1_cross = less_l3_1 * less_l3_0_of_less_divisor3_lo,
+      less_l3_1_residual = less_l3_1_numerator - less_l3_1_cross,
+      less_l3_1_lo = less_l3_1_residual / less_l3_0_of_less_divisor3;
   const double less_u4_0a = A->at[0][4] * less_l0_3, less_u4_0a_cross2 = A->at[0][4] * less_l0_3_lo,
       less_u4_0b = less_4 - less_u4_0a, less_u4_0b_right = less_4 - less_u4_0b,
       less_u4_0b_left = less_u4_0b + less_u4_0b_right,
@@ -22599,21 +23452,92 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u4_1_lo1 = less_u4_1_left_rest - less_u4_1_right_rest,
       less_u4_1_lo2 = less_u4_1_lo1 - less_u4_1g_cross,
       less_u4_1_lo = less_u4_1_lo2 + less_u4_1f_lo;
-  const double less_divisor4 = 0.0 < less_u4_0 ? less_u4_0 : 1.0,
-      less_divisor4_lo = 0.0 < less_u4_0 ? less_u4_0_lo : 0.0;
+  const double less_divisor4a_of_less_u4_0 = less_u4_0 + less_u4_0_lo,
+      less_divisor4a_of_less_u4_0_right = less_divisor4a_of_less_u4_0 - less_u4_0,
+      less_divisor4a_of_less_u4_0_left = less_divisor4a_of_less_u4_0 - less_divisor4a_of_less_u4_0_right,
+      less_divisor4a_of_less_u4_0_left_rest = less_u4_0 - less_divisor4a_of_less_u4_0_left,
+      less_divisor4a_of_less_u4_0_right_rest = less_u4_0_lo - less_divisor4a_of_less_u4_0_right,
+      less_divisor4a_of_less_u4_0_lo = less_divisor4a_of_less_u4_0_left_rest + less_divisor4a_of_less_u4_0_right_rest,
+      less_divisor4 = 0.0 < less_divisor4a_of_less_u4_0 ? less_divisor4a_of_less_u4_0 : 1.0,
+      less_divisor4_lo = 0.0 < less_divisor4a_of_less_u4_0 ? less_divisor4a_of_less_u4_0_lo : 0.0;
   const double less_l4_of_less_u4_1 = less_u4_1 + less_u4_1_lo,
+      less_l4_of_less_u4_1_right = less_l4_of_less_u4_1 - less_u4_1,
+      less_l4_of_less_u4_1_left = less_l4_of_less_u4_1 - less_l4_of_less_u4_1_right,
+      less_l4_of_less_u4_1_left_rest = less_u4_1 - less_l4_of_less_u4_1_left,
+      less_l4_of_less_u4_1_right_rest = less_u4_1_lo - less_l4_of_less_u4_1_right,
+      less_l4_of_less_u4_1_lo = less_l4_of_less_u4_1_left_rest + less_l4_of_less_u4_1_right_rest,
       less_l4_of_less_divisor4 = less_divisor4 + less_divisor4_lo,
-      less_l4 = less_l4_of_less_u4_1 / less_l4_of_less_divisor4;
-  const double less_u5a = A->at[0][5] * less_l0_4, less_u5b = less_5 - less_u5a,
-      less_u5c = less_l1_3_of_less_u1_4 * less_l1_3, less_u5d = less_u5b - less_u5c,
-      less_u5e = less_l2_2_of_less_u2_3 * less_l2_2, less_u5f = less_u5d - less_u5e,
-      less_u5g = less_l3_1_of_less_u3_2 * less_l3_1, less_u5h = less_u5f - less_u5g,
-      less_u5i = less_l4_of_less_u4_1 * less_l4, less_u5 = less_u5h - less_u5i;
-  const double regular_b = 0.0 < less_u5 ? 1.0 : 0.0, regular_c = 0.0 < less_u4_0 ? regular_b : 0.0,
-      regular_d = 0.0 < less_u3_0 ? regular_c : 0.0, regular_e = 0.0 < less_u2_0 ? regular_d : 0.0,
-      regular_f = 0.0 < less_u1_0 ? regular_e : 0.0, regular = 0.0 < less_0 ? regular_f : 0.0;
-  const double least = smallest5 < 0.0 ? smallest5 : 0.0,
-      least_lo = smallest5 < 0.0 ? smallest5_lo : 0.0;
+      less_l4_of_less_divisor4_right = less_l4_of_less_divisor4 - less_divisor4,
+      less_l4_of_less_divisor4_left = less_l4_of_less_divisor4 - less_l4_of_less_divisor4_right,
+      less_l4_of_less_divisor4_left_rest = less_divisor4 - less_l4_of_less_divisor4_left,
+      less_l4_of_less_divisor4_right_rest = less_divisor4_lo - less_l4_of_less_divisor4_right,
+      less_l4_of_less_divisor4_lo = less_l4_of_less_divisor4_left_rest + less_l4_of_less_divisor4_right_rest,
+      less_l4 = less_l4_of_less_u4_1 / less_l4_of_less_divisor4,
+      less_l4_product = less_l4 * less_l4_of_less_divisor4,
+      less_l4_product_error = ksl_product_error(less_l4, less_l4_of_less_divisor4, less_l4_product),
+      less_l4_rest = less_l4_of_less_u4_1 - less_l4_product,
+      less_l4_exact = less_l4_rest - less_l4_product_error,
+      less_l4_numerator = less_l4_exact + less_l4_of_less_u4_1_lo,
+      less_l4_cross = less_l4 * less_l4_of_less_divisor4_lo,
+      less_l4_residual = less_l4_numerator - less_l4_cross,
+      less_l4_lo = less_l4_residual / less_l4_of_less_divisor4;
+  const double less_u5a = A->at[0][5] * less_l0_4, less_u5a_cross2 = A->at[0][5] * less_l0_4_lo,
+      less_u5b = less_5 - less_u5a, less_u5b_right = less_5 - less_u5b,
+      less_u5b_left = less_u5b + less_u5b_right,
+      less_u5b_left_rest = ksl_product_rest(A->at[5][5], 0.9999999999999944, less_5, less_u5b_left),
+      less_u5b_right_rest = ksl_product_rest(A->at[0][5], less_l0_4, less_u5a, less_u5b_right),
+      less_u5b_lo1 = less_u5b_left_rest - less_u5b_right_rest,
+      less_u5b_lo = less_u5b_lo1 - less_u5a_cross2, less_u5c = less_l1_3_of_less_u1_4 * less_l1_3,
+      less_u5c_cross1 = less_l1_3_of_less_u1_4_lo * less_l1_3,
+      less_u5c_cross2 = less_l1_3_of_less_u1_4 * less_l1_3_lo,
+      less_u5c_cross = less_u5c_cross1 + less_u5c_cross2, less_u5d = less_u5b - less_u5c,
+      less_u5d_right = less_u5b - less_u5d, less_u5d_left = less_u5d + less_u5d_right,
+      less_u5d_left_rest = less_u5b - less_u5d_left,
+      less_u5d_right_rest = ksl_product_rest(less_l1_3_of_less_u1_4, less_l1_3, less_u5c, less_u5d_right),
+      less_u5d_lo1 = less_u5d_left_rest - less_u5d_right_rest,
+      less_u5d_lo2 = less_u5d_lo1 - less_u5c_cross, less_u5d_lo = less_u5d_lo2 + less_u5b_lo,
+      less_u5e = less_l2_2_of_less_u2_3 * less_l2_2,
+      less_u5e_cross1 = less_l2_2_of_less_u2_3_lo * less_l2_2,
+      less_u5e_cross2 = less_l2_2_of_less_u2_3 * less_l2_2_lo,
+      less_u5e_cross = less_u5e_cross1 + less_u5e_cross2, less_u5f = less_u5d - less_u5e,
+      less_u5f_right = less_u5d - less_u5f, less_u5f_left = less_u5f + less_u5f_right,
+      less_u5f_left_rest = less_u5d - less_u5f_left,
+      less_u5f_right_rest = ksl_product_rest(less_l2_2_of_less_u2_3, less_l2_2, less_u5e, less_u5f_right),
+      less_u5f_lo1 = less_u5f_left_rest - less_u5f_right_rest,
+      less_u5f_lo2 = less_u5f_lo1 - less_u5e_cross, less_u5f_lo = less_u5f_lo2 + less_u5d_lo,
+      less_u5g = less_l3_1_of_less_u3_2 * less_l3_1,
+      less_u5g_cross1 = less_l3_1_of_less_u3_2_lo * less_l3_1,
+      less_u5g_cross2 = less_l3_1_of_less_u3_2 * less_l3_1_lo,
+      less_u5g_cross = less_u5g_cross1 + less_u5g_cross2, less_u5h = less_u5f - less_u5g,
+      less_u5h_right = less_u5f - less_u5h, less_u5h_left = less_u5h + less_u5h_right,
+      less_u5h_left_rest = less_u5f - less_u5h_left,
+      less_u5h_right_rest = ksl_product_rest(less_l3_1_of_less_u3_2, less_l3_1, less_u5g, less_u5h_right),
+      less_u5h_lo1 = less_u5h_left_rest - less_u5h_right_rest,
+      less_u5h_lo2 = less_u5h_lo1 - less_u5g_cross, less_u5h_lo = less_u5h_lo2 + less_u5f_lo,
+      less_u5i = less_l4_of_less_u4_1 * less_l4,
+      less_u5i_cross1 = less_l4_of_less_u4_1_lo * less_l4,
+      less_u5i_cross2 = less_l4_of_less_u4_1 * less_l4_lo,
+      less_u5i_cross = less_u5i_cross1 + less_u5i_cross2, less_u5 = less_u5h - less_u5i,
+      less_u5_right = less_u5h - less_u5, less_u5_left = less_u5 + less_u5_right,
+      less_u5_left_rest = less_u5h - less_u5_left,
+      less_u5_right_rest = ksl_product_rest(less_l4_of_less_u4_1, less_l4, less_u5i, less_u5_right),
+      less_u5_lo1 = less_u5_left_rest - less_u5_right_rest,
+      less_u5_lo2 = less_u5_lo1 - less_u5i_cross, less_u5_lo = less_u5_lo2 + less_u5h_lo;
+  const double regular_a_of_less_u5 = less_u5 + less_u5_lo,
+      regular_b = 0.0 < regular_a_of_less_u5 ? 1.0 : 0.0,
+      regular_c = 0.0 < less_divisor4a_of_less_u4_0 ? regular_b : 0.0,
+      regular_d = 0.0 < less_divisor3a_of_less_u3_0 ? regular_c : 0.0,
+      regular_e = 0.0 < less_divisor2a_of_less_u2_0 ? regular_d : 0.0,
+      regular_f = 0.0 < less_divisor1a_of_less_u1_0 ? regular_e : 0.0,
+      regular = 0.0 < less_divisor0a_of_less_0 ? regular_f : 0.0;
+  const double least_a_of_smallest5 = smallest5 + smallest5_lo,
+      least_a_of_smallest5_right = least_a_of_smallest5 - smallest5,
+      least_a_of_smallest5_left = least_a_of_smallest5 - least_a_of_smallest5_right,
+      least_a_of_smallest5_left_rest = smallest5 - least_a_of_smallest5_left,
+      least_a_of_smallest5_right_rest = smallest5_lo - least_a_of_smallest5_right,
+      least_a_of_smallest5_lo = least_a_of_smallest5_left_rest + least_a_of_smallest5_right_rest,
+      least = least_a_of_smallest5 < 0.0 ? least_a_of_smallest5 : 0.0,
+      least_lo = least_a_of_smallest5 < 0.0 ? least_a_of_smallest5_lo : 0.0;
   const double y1a = b->m0 * l0_0, y1a_cross2 = b->m0 * l0_0_lo, y1 = b->m1 - y1a,
       y1_right = b->m1 - y1, y1_left = y1 + y1_right, y1_left_rest = b->m1 - y1_left,
       y1_right_rest = ksl_product_rest(b->m0, l0_0, y1a, y1_right),
@@ -23481,8 +24405,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       found_5_right_rest = refined_z5 - found_5_right,
       found_5_lo1 = found_5_left_rest + found_5_right_rest,
       found_5_lo2 = found_5_lo1 + refined_z5_lo, found_5_lo = found_5_lo2 + z5_lo;
-  const double pivot = regular == 1.0 ? smallest5 : least,
-      pivot_lo = regular == 1.0 ? smallest5_lo : least_lo;
+  const double pivot = regular == 1.0 ? least_a_of_smallest5 : least,
+      pivot_lo = regular == 1.0 ? least_a_of_smallest5_lo : least_lo;
   const double x_0 = regular == 1.0 ? found_0 : (double)NAN,
       x_0_lo = regular == 1.0 ? found_0_lo : 0.0;
   const double x_1 = regular == 1.0 ? found_1 : (double)NAN,
@@ -25250,7 +26174,7 @@ static inline void ksl_inertia_transformed_accurate(const ksl_SE3_t *D, const ks
      positive exactly if a body of positive density has this inertia.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2).
-   43 mul, 204 add, 10 product error, 10 product rest, 20 div, 6 neg, 9 less, 1 equal, 26 select. */
+   43 mul, 258 add, 10 product error, 10 product rest, 20 div, 6 neg, 9 less, 1 equal, 26 select. */
 static inline double ksl_inertia_consistency_accurate(const ksl_inertia_t *B) {
   const double trace_a = 0.5 * B->xx, trace_b = 0.5 * B->yy, trace_c = trace_a + trace_b,
       trace_c_right = trace_c - trace_a, trace_c_left = trace_c - trace_c_right,
@@ -25300,7 +26224,14 @@ static inline double ksl_inertia_consistency_accurate(const ksl_inertia_t *B) {
       u1_2b_left_rest = ksl_product_rest(B->h.z, l0_0, u1_2a, u1_2b_left),
       u1_2b_right_rest = B->xz - u1_2b_right, u1_2b_lo1 = u1_2b_left_rest + u1_2b_right_rest,
       u1_2b_lo = u1_2b_lo1 + u1_2a_cross2, u1_2 = -u1_2b, u1_2_lo = -u1_2b_lo;
-  const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0, divisor1_lo = 0.0 < u1_0 ? u1_0_lo : 0.0;
+  const double divisor1a_of_u1_0 = u1_0 + u1_0_lo,
+      divisor1a_of_u1_0_right = divisor1a_of_u1_0 - u1_0,
+      divisor1a_of_u1_0_left = divisor1a_of_u1_0 - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_left_rest = u1_0 - divisor1a_of_u1_0_left,
+      divisor1a_of_u1_0_right_rest = u1_0_lo - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_lo = divisor1a_of_u1_0_left_rest + divisor1a_of_u1_0_right_rest,
+      divisor1 = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0 : 1.0,
+      divisor1_lo = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0_lo : 0.0;
   const double l1_0_of_u1_1 = u1_1 + u1_1_lo, l1_0_of_u1_1_right = l1_0_of_u1_1 - u1_1,
       l1_0_of_u1_1_left = l1_0_of_u1_1 - l1_0_of_u1_1_right,
       l1_0_of_u1_1_left_rest = u1_1 - l1_0_of_u1_1_left,
@@ -25350,7 +26281,14 @@ static inline double ksl_inertia_consistency_accurate(const ksl_inertia_t *B) {
       u2_1d_right_rest = ksl_product_rest(l1_1_of_u1_2, l1_0, u2_1c, u2_1d_right),
       u2_1d_lo1 = u2_1d_left_rest + u2_1d_right_rest, u2_1d_lo2 = u2_1d_lo1 + u2_1c_cross,
       u2_1d_lo = u2_1d_lo2 + u2_1b_lo, u2_1 = -u2_1d, u2_1_lo = -u2_1d_lo;
-  const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0, divisor2_lo = 0.0 < u2_0 ? u2_0_lo : 0.0;
+  const double divisor2a_of_u2_0 = u2_0 + u2_0_lo,
+      divisor2a_of_u2_0_right = divisor2a_of_u2_0 - u2_0,
+      divisor2a_of_u2_0_left = divisor2a_of_u2_0 - divisor2a_of_u2_0_right,
+      divisor2a_of_u2_0_left_rest = u2_0 - divisor2a_of_u2_0_left,
+      divisor2a_of_u2_0_right_rest = u2_0_lo - divisor2a_of_u2_0_right,
+      divisor2a_of_u2_0_lo = divisor2a_of_u2_0_left_rest + divisor2a_of_u2_0_right_rest,
+      divisor2 = 0.0 < divisor2a_of_u2_0 ? divisor2a_of_u2_0 : 1.0,
+      divisor2_lo = 0.0 < divisor2a_of_u2_0 ? divisor2a_of_u2_0_lo : 0.0;
   const double l2_of_u2_1 = u2_1 + u2_1_lo, l2_of_u2_1_right = l2_of_u2_1 - u2_1,
       l2_of_u2_1_left = l2_of_u2_1 - l2_of_u2_1_right,
       l2_of_u2_1_left_rest = u2_1 - l2_of_u2_1_left,
@@ -25385,49 +26323,86 @@ static inline double ksl_inertia_consistency_accurate(const ksl_inertia_t *B) {
       part0a_rest = B->m - part0a_product, part0a_exact = part0a_rest - part0a_product_error,
       part0a_lo = part0a_exact / divisor0, part0 = 0.0 < B->m ? part0a : B->m,
       part0_lo = 0.0 < B->m ? part0a_lo : 0.0;
-  const double own1 = 0.0 < sigma_0 ? sigma_0 : 1.0, own1_lo = 0.0 < sigma_0 ? sigma_0_lo : 0.0;
-  const double part1a_of_u1_0 = u1_0 + u1_0_lo, part1a_of_u1_0_right = part1a_of_u1_0 - u1_0,
-      part1a_of_u1_0_left = part1a_of_u1_0 - part1a_of_u1_0_right,
-      part1a_of_u1_0_left_rest = u1_0 - part1a_of_u1_0_left,
-      part1a_of_u1_0_right_rest = u1_0_lo - part1a_of_u1_0_right,
-      part1a_of_u1_0_lo = part1a_of_u1_0_left_rest + part1a_of_u1_0_right_rest,
-      part1a_of_own1 = own1 + own1_lo, part1a_of_own1_right = part1a_of_own1 - own1,
+  const double own1a_of_sigma_0 = sigma_0 + sigma_0_lo,
+      own1a_of_sigma_0_right = own1a_of_sigma_0 - sigma_0,
+      own1a_of_sigma_0_left = own1a_of_sigma_0 - own1a_of_sigma_0_right,
+      own1a_of_sigma_0_left_rest = sigma_0 - own1a_of_sigma_0_left,
+      own1a_of_sigma_0_right_rest = sigma_0_lo - own1a_of_sigma_0_right,
+      own1a_of_sigma_0_lo = own1a_of_sigma_0_left_rest + own1a_of_sigma_0_right_rest,
+      own1 = 0.0 < own1a_of_sigma_0 ? own1a_of_sigma_0 : 1.0,
+      own1_lo = 0.0 < own1a_of_sigma_0 ? own1a_of_sigma_0_lo : 0.0;
+  const double part1a_of_own1 = own1 + own1_lo, part1a_of_own1_right = part1a_of_own1 - own1,
       part1a_of_own1_left = part1a_of_own1 - part1a_of_own1_right,
       part1a_of_own1_left_rest = own1 - part1a_of_own1_left,
       part1a_of_own1_right_rest = own1_lo - part1a_of_own1_right,
       part1a_of_own1_lo = part1a_of_own1_left_rest + part1a_of_own1_right_rest,
-      part1a = part1a_of_u1_0 / part1a_of_own1, part1a_product = part1a * part1a_of_own1,
+      part1a = divisor1a_of_u1_0 / part1a_of_own1, part1a_product = part1a * part1a_of_own1,
       part1a_product_error = ksl_product_error(part1a, part1a_of_own1, part1a_product),
-      part1a_rest = part1a_of_u1_0 - part1a_product,
+      part1a_rest = divisor1a_of_u1_0 - part1a_product,
       part1a_exact = part1a_rest - part1a_product_error,
-      part1a_numerator = part1a_exact + part1a_of_u1_0_lo,
+      part1a_numerator = part1a_exact + divisor1a_of_u1_0_lo,
       part1a_cross = part1a * part1a_of_own1_lo, part1a_residual = part1a_numerator - part1a_cross,
-      part1a_lo = part1a_residual / part1a_of_own1, part1 = 0.0 < sigma_0 ? part1a : sigma_0,
-      part1_lo = 0.0 < sigma_0 ? part1a_lo : sigma_0_lo;
-  const double smallest1 = part0 < part1 ? part0 : part1,
-      smallest1_lo = part0 < part1 ? part0_lo : part1_lo;
-  const double own2 = 0.0 < sigma_1 ? sigma_1 : 1.0, own2_lo = 0.0 < sigma_1 ? sigma_1_lo : 0.0;
-  const double part2a_of_u2_0 = u2_0 + u2_0_lo, part2a_of_u2_0_right = part2a_of_u2_0 - u2_0,
-      part2a_of_u2_0_left = part2a_of_u2_0 - part2a_of_u2_0_right,
-      part2a_of_u2_0_left_rest = u2_0 - part2a_of_u2_0_left,
-      part2a_of_u2_0_right_rest = u2_0_lo - part2a_of_u2_0_right,
-      part2a_of_u2_0_lo = part2a_of_u2_0_left_rest + part2a_of_u2_0_right_rest,
-      part2a_of_own2 = own2 + own2_lo, part2a_of_own2_right = part2a_of_own2 - own2,
+      part1a_lo = part1a_residual / part1a_of_own1,
+      part1 = 0.0 < own1a_of_sigma_0 ? part1a : own1a_of_sigma_0,
+      part1_lo = 0.0 < own1a_of_sigma_0 ? part1a_lo : own1a_of_sigma_0_lo;
+  const double smallest1a_of_part0 = part0 + part0_lo,
+      smallest1a_of_part0_right = smallest1a_of_part0 - part0,
+      smallest1a_of_part0_left = smallest1a_of_part0 - smallest1a_of_part0_right,
+      smallest1a_of_part0_left_rest = part0 - smallest1a_of_part0_left,
+      smallest1a_of_part0_right_rest = part0_lo - smallest1a_of_part0_right,
+      smallest1a_of_part0_lo = smallest1a_of_part0_left_rest + smallest1a_of_part0_right_rest,
+      smallest1a_of_part1 = part1 + part1_lo,
+      smallest1a_of_part1_right = smallest1a_of_part1 - part1,
+      smallest1a_of_part1_left = smallest1a_of_part1 - smallest1a_of_part1_right,
+      smallest1a_of_part1_left_rest = part1 - smallest1a_of_part1_left,
+      smallest1a_of_part1_right_rest = part1_lo - smallest1a_of_part1_right,
+      smallest1a_of_part1_lo = smallest1a_of_part1_left_rest + smallest1a_of_part1_right_rest,
+      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 : smallest1a_of_part1,
+      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo : smallest1a_of_part1_lo;
+  const double own2a_of_sigma_1 = sigma_1 + sigma_1_lo,
+      own2a_of_sigma_1_right = own2a_of_sigma_1 - sigma_1,
+      own2a_of_sigma_1_left = own2a_of_sigma_1 - own2a_of_sigma_1_right,
+      own2a_of_sigma_1_left_rest = sigma_1 - own2a_of_sigma_1_left,
+      own2a_of_sigma_1_right_rest = sigma_1_lo - own2a_of_sigma_1_right,
+      own2a_of_sigma_1_lo = own2a_of_sigma_1_left_rest + own2a_of_sigma_1_right_rest,
+      own2 = 0.0 < own2a_of_sigma_1 ? own2a_of_sigma_1 : 1.0,
+      own2_lo = 0.0 < own2a_of_sigma_1 ? own2a_of_sigma_1_lo : 0.0;
+  const double part2a_of_own2 = own2 + own2_lo, part2a_of_own2_right = part2a_of_own2 - own2,
       part2a_of_own2_left = part2a_of_own2 - part2a_of_own2_right,
       part2a_of_own2_left_rest = own2 - part2a_of_own2_left,
       part2a_of_own2_right_rest = own2_lo - part2a_of_own2_right,
       part2a_of_own2_lo = part2a_of_own2_left_rest + part2a_of_own2_right_rest,
-      part2a = part2a_of_u2_0 / part2a_of_own2, part2a_product = part2a * part2a_of_own2,
+      part2a = divisor2a_of_u2_0 / part2a_of_own2, part2a_product = part2a * part2a_of_own2,
       part2a_product_error = ksl_product_error(part2a, part2a_of_own2, part2a_product),
-      part2a_rest = part2a_of_u2_0 - part2a_product,
+      part2a_rest = divisor2a_of_u2_0 - part2a_product,
       part2a_exact = part2a_rest - part2a_product_error,
-      part2a_numerator = part2a_exact + part2a_of_u2_0_lo,
+      part2a_numerator = part2a_exact + divisor2a_of_u2_0_lo,
       part2a_cross = part2a * part2a_of_own2_lo, part2a_residual = part2a_numerator - part2a_cross,
-      part2a_lo = part2a_residual / part2a_of_own2, part2 = 0.0 < sigma_1 ? part2a : sigma_1,
-      part2_lo = 0.0 < sigma_1 ? part2a_lo : sigma_1_lo;
-  const double smallest2 = smallest1 < part2 ? smallest1 : part2,
-      smallest2_lo = smallest1 < part2 ? smallest1_lo : part2_lo;
-  const double own3 = 0.0 < sigma_2 ? sigma_2 : 1.0, own3_lo = 0.0 < sigma_2 ? sigma_2_lo : 0.0;
+      part2a_lo = part2a_residual / part2a_of_own2,
+      part2 = 0.0 < own2a_of_sigma_1 ? part2a : own2a_of_sigma_1,
+      part2_lo = 0.0 < own2a_of_sigma_1 ? part2a_lo : own2a_of_sigma_1_lo;
+  const double smallest2a_of_smallest1 = smallest1 + smallest1_lo,
+      smallest2a_of_smallest1_right = smallest2a_of_smallest1 - smallest1,
+      smallest2a_of_smallest1_left = smallest2a_of_smallest1 - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_left_rest = smallest1 - smallest2a_of_smallest1_left,
+      smallest2a_of_smallest1_right_rest = smallest1_lo - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest + smallest2a_of_smallest1_right_rest,
+      smallest2a_of_part2 = part2 + part2_lo,
+      smallest2a_of_part2_right = smallest2a_of_part2 - part2,
+      smallest2a_of_part2_left = smallest2a_of_part2 - smallest2a_of_part2_right,
+      smallest2a_of_part2_left_rest = part2 - smallest2a_of_part2_left,
+      smallest2a_of_part2_right_rest = part2_lo - smallest2a_of_part2_right,
+      smallest2a_of_part2_lo = smallest2a_of_part2_left_rest + smallest2a_of_part2_right_rest,
+      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 : smallest2a_of_part2,
+      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo : smallest2a_of_part2_lo;
+  const double own3a_of_sigma_2 = sigma_2 + sigma_2_lo,
+      own3a_of_sigma_2_right = own3a_of_sigma_2 - sigma_2,
+      own3a_of_sigma_2_left = own3a_of_sigma_2 - own3a_of_sigma_2_right,
+      own3a_of_sigma_2_left_rest = sigma_2 - own3a_of_sigma_2_left,
+      own3a_of_sigma_2_right_rest = sigma_2_lo - own3a_of_sigma_2_right,
+      own3a_of_sigma_2_lo = own3a_of_sigma_2_left_rest + own3a_of_sigma_2_right_rest,
+      own3 = 0.0 < own3a_of_sigma_2 ? own3a_of_sigma_2 : 1.0,
+      own3_lo = 0.0 < own3a_of_sigma_2 ? own3a_of_sigma_2_lo : 0.0;
   const double part3a_of_u3 = u3 + u3_lo, part3a_of_u3_right = part3a_of_u3 - u3,
       part3a_of_u3_left = part3a_of_u3 - part3a_of_u3_right,
       part3a_of_u3_left_rest = u3 - part3a_of_u3_left,
@@ -25444,10 +26419,23 @@ static inline double ksl_inertia_consistency_accurate(const ksl_inertia_t *B) {
       part3a_exact = part3a_rest - part3a_product_error,
       part3a_numerator = part3a_exact + part3a_of_u3_lo, part3a_cross = part3a * part3a_of_own3_lo,
       part3a_residual = part3a_numerator - part3a_cross,
-      part3a_lo = part3a_residual / part3a_of_own3, part3 = 0.0 < sigma_2 ? part3a : sigma_2,
-      part3_lo = 0.0 < sigma_2 ? part3a_lo : sigma_2_lo;
-  const double smallest3 = smallest2 < part3 ? smallest2 : part3,
-      smallest3_lo = smallest2 < part3 ? smallest2_lo : part3_lo;
+      part3a_lo = part3a_residual / part3a_of_own3,
+      part3 = 0.0 < own3a_of_sigma_2 ? part3a : own3a_of_sigma_2,
+      part3_lo = 0.0 < own3a_of_sigma_2 ? part3a_lo : own3a_of_sigma_2_lo;
+  const double smallest3a_of_smallest2 = smallest2 + smallest2_lo,
+      smallest3a_of_smallest2_right = smallest3a_of_smallest2 - smallest2,
+      smallest3a_of_smallest2_left = smallest3a_of_smallest2 - smallest3a_of_smallest2_right,
+      smallest3a_of_smallest2_left_rest = smallest2 - smallest3a_of_smallest2_left,
+      smallest3a_of_smallest2_right_rest = smallest2_lo - smallest3a_of_smallest2_right,
+      smallest3a_of_smallest2_lo = smallest3a_of_smallest2_left_rest + smallest3a_of_smallest2_right_rest,
+      smallest3a_of_part3 = part3 + part3_lo,
+      smallest3a_of_part3_right = smallest3a_of_part3 - part3,
+      smallest3a_of_part3_left = smallest3a_of_part3 - smallest3a_of_part3_right,
+      smallest3a_of_part3_left_rest = part3 - smallest3a_of_part3_left,
+      smallest3a_of_part3_right_rest = part3_lo - smallest3a_of_part3_right,
+      smallest3a_of_part3_lo = smallest3a_of_part3_left_rest + smallest3a_of_part3_right_rest,
+      smallest3 = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2 : smallest3a_of_part3,
+      smallest3_lo = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2_lo : smallest3a_of_part3_lo;
   const double smallest3_rounded = smallest3 + smallest3_lo,
       smallest3_final = smallest3_rounded == smallest3_rounded ? smallest3_rounded : smallest3;
   return smallest3_final;

@@ -1465,7 +1465,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "side of it, the third its side of both; NaN where rows depend on each other to rounding.\n"
     "\n"
     "(3,3)->(3,3).  self: rotation or other 3×3 matrix.\n"
-    "60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 21 less, 5 equal, 36 select.  Rows are\n"
+    "60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are\n"
     "perpendicular, and of length 1, but for 4 u; searched, not proved.\n",
    1, 1, mat3x3_normalize_loops},
   {"mat3x3_normalized", "(3,3)->(3,3)",
@@ -1473,7 +1473,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "side of it, the third its side of both; NaN where rows depend on each other to rounding.\n"
     "\n"
     "(3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.\n"
-    "60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 21 less, 5 equal, 36 select.  Rows are\n"
+    "60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are\n"
     "perpendicular, and of length 1, but for 4 u; searched, not proved.\n",
    1, 1, mat3x3_normalized_loops},
   {"mat3x3_setFromAxisDC", "(3),(2)->(3,3)",
@@ -1524,16 +1524,16 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.\n"
     "\n"
     "(3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.\n"
-    "15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 8 u of its largest component;\n"
-    "searched, not proved.\n",
+    "15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 8 u of its largest component\n"
+    "for |axis| = 1; searched, not proved.\n",
    2, 1, mat3x3_from_axis_angle_loops},
   {"axis_angle_from_mat3x3", "(3,3)->(),(3)",
     "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing\n"
     "turns.\n"
     "\n"
     "(3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.\n"
-    "8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.  Error <=\n"
-    "angle: 8 u, axis: 5 u of its largest component; searched, not proved.\n",
+    "8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.  Error <=\n"
+    "angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not proved.\n",
    1, 2, axis_angle_from_mat3x3_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

@@ -3952,19 +3952,19 @@ const coscrew_gufunc TABLE(screw)[] = {
     "|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).\n"
     "\n"
     "(6)->().  si: screw (v in m/s; ω in rad/s); norm: number.\n"
-    "7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select.\n",
+    "7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select.\n",
    1, 1, screw_norm_loops},
   {"screw_normalize", "(6)->(6)",
     "self = self / |self|, with screw_norm; the zero screw stays zero.\n"
     "\n"
     "(6)->(6).  self: screw (v in m/s; ω in rad/s).\n"
-    "18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.\n",
+    "18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.\n",
    1, 1, screw_normalize_loops},
   {"screw_normalized", "(6)->(6)",
     "so = si / |si|, with screw_norm; the zero screw stays zero.\n"
     "\n"
     "(6)->(6).  si, so: screw (v in m/s; ω in rad/s).\n"
-    "18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.\n",
+    "18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.\n",
    1, 1, screw_normalized_loops},
   {"screw_from_lin_ang", "(3),(3)->(6)",
     "so = (lin; ang).\n"

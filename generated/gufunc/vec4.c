@@ -695,19 +695,19 @@ const coscrew_gufunc TABLE(vec4)[] = {
     "|v| = sqrt(v·v), all four components.\n"
     "\n"
     "(4)->().  v: vector (x, y, z) and a homogeneous coordinate w; norm: number.\n"
-    "9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select.\n",
+    "9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.\n",
    1, 1, vec4_l2norm_loops},
   {"vec4_normalize", "(4)->(4)",
     "self = self / |self|; the zero vector stays zero.\n"
     "\n"
     "(4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.\n"
-    "16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.\n",
+    "16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.\n",
    1, 1, vec4_normalize_loops},
   {"vec4_normalized", "(4)->(4)",
     "vo = v / |v|; the zero vector stays zero.\n"
     "\n"
     "(4)->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w.\n"
-    "16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.\n",
+    "16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.\n",
    1, 1, vec4_normalized_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

@@ -229,8 +229,9 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.\n"
-    "40 mul, 189 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11\n"
-    "less, 10 equal, 51 select.  Error <= vo: 5 u of its largest component; searched, not proved.\n",
+    "40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16\n"
+    "less, 10 equal, 58 select.  Error <= vo: 5 u of its largest component for R a rotation;\n"
+    "searched, not proved.\n",
    1, 1, SO3_log_loops},
   {"mat3x3_orthonormalize", "(3,3)->(3,3)",
     "self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.\n"

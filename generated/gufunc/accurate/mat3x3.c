@@ -725,8 +725,8 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "u times the sum of its terms' sizes), and Ro = NaN.\n"
     "\n"
     "(3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.\n"
-    "52 mul, 161 add, 9 product error, 21 product rest, 18 div, 10 abs, 1 less, 11 equal, 33\n"
-    "select.  Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p\n"
+    "56 mul, 194 add, 9 product error, 31 product rest, 18 div, 1 neg, 10 abs, 2 less, 11 equal,\n"
+    "34 select.  Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p\n"
     "the sums of the sizes of the terms of the cofactor and of det R; barring over- and\n"
     "underflow.\n",
    1, 2, mat3x3_inverse_loops},
@@ -735,8 +735,8 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "side of it, the third its side of both; NaN where rows depend on each other to rounding.\n"
     "\n"
     "(3,3)->(3,3).  self: rotation or other 3×3 matrix.\n"
-    "142 mul, 333 add, 16 product error, 30 product rest, 30 div, 4 sqrt, 6 neg, 10 abs, 21 less,\n"
-    "24 equal, 71 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not\n"
+    "154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,\n"
+    "27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not\n"
     "proved.\n",
    1, 1, mat3x3_normalize_loops},
   {"mat3x3_normalized", "(3,3)->(3,3)",
@@ -744,8 +744,8 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "side of it, the third its side of both; NaN where rows depend on each other to rounding.\n"
     "\n"
     "(3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.\n"
-    "142 mul, 333 add, 16 product error, 30 product rest, 30 div, 4 sqrt, 6 neg, 10 abs, 21 less,\n"
-    "24 equal, 71 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not\n"
+    "154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,\n"
+    "27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not\n"
     "proved.\n",
    1, 1, mat3x3_normalized_loops},
   {"mat3x3_setFromAxisDC", "(3),(2)->(3,3)",
@@ -779,7 +779,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.\n"
     "\n"
     "(3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.\n"
-    "51 mul, 147 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13\n"
+    "51 mul, 153 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13\n"
     "equal, 18 select.  |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched,\n"
     "not proved.\n",
    2, 2, mat3x3_jacobi_loops},
@@ -788,9 +788,9 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "turns.\n"
     "\n"
     "(3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.\n"
-    "35 mul, 204 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11\n"
-    "less, 11 equal, 54 select.  Error <= angle: 8 u, axis: 5 u of its largest component;\n"
-    "searched, not proved.\n",
+    "35 mul, 235 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16\n"
+    "less, 11 equal, 61 select.  Error <= angle: 8 u, axis: 5 u of its largest component for R a\n"
+    "rotation; searched, not proved.\n",
    1, 2, axis_angle_from_mat3x3_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

@@ -151,7 +151,7 @@ def mat3x3_normalize(self):
     side of it, the third its side of both; NaN where rows depend on each other to rounding.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
-    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 21 less, 5 equal, 36 select.  Rows are
+    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
     perpendicular, and of length 1, but for 4 u; searched, not proved.
     """
     self_00, self_01, self_02, self_10, self_11, self_12, self_20, self_21, self_22 = self
@@ -161,7 +161,8 @@ def mat3x3_normalize(self):
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
     q0_s_b = where(6.703903964971299e+153 < q0_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    q0_s = where(q0_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, q0_s_b)
+    q0_s_d = where(q0_s_largest2 < 256, 1.3093562431584567e+151, q0_s_b)
+    q0_s = where(q0_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, q0_s_d)
     q0_y_0 = self_00 * q0_s
     q0_y_1 = self_01 * q0_s
     q0_y_2 = self_02 * q0_s
@@ -184,7 +185,8 @@ def mat3x3_normalize(self):
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
     u1_s_b = where(6.703903964971299e+153 < u1_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    u1_s = where(u1_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, u1_s_b)
+    u1_s_d = where(u1_s_largest2 < 256, 1.3093562431584567e+151, u1_s_b)
+    u1_s = where(u1_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u1_s_d)
     u1_y_0 = self_10 * u1_s
     u1_y_1 = self_11 * u1_s
     u1_y_2 = self_12 * u1_s
@@ -223,7 +225,8 @@ def mat3x3_normalize(self):
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
     u2_s_b = where(6.703903964971299e+153 < u2_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    u2_s = where(u2_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, u2_s_b)
+    u2_s_d = where(u2_s_largest2 < 256, 1.3093562431584567e+151, u2_s_b)
+    u2_s = where(u2_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u2_s_d)
     u2_y_0 = self_20 * u2_s
     u2_y_1 = self_21 * u2_s
     u2_y_2 = self_22 * u2_s
@@ -266,7 +269,7 @@ def mat3x3_normalized(R):
     side of it, the third its side of both; NaN where rows depend on each other to rounding.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
-    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 21 less, 5 equal, 36 select.  Rows are
+    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
     perpendicular, and of length 1, but for 4 u; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
@@ -276,7 +279,8 @@ def mat3x3_normalized(R):
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
     q0_s_b = where(6.703903964971299e+153 < q0_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    q0_s = where(q0_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, q0_s_b)
+    q0_s_d = where(q0_s_largest2 < 256, 1.3093562431584567e+151, q0_s_b)
+    q0_s = where(q0_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, q0_s_d)
     q0_y_0 = R_00 * q0_s
     q0_y_1 = R_01 * q0_s
     q0_y_2 = R_02 * q0_s
@@ -299,7 +303,8 @@ def mat3x3_normalized(R):
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
     u1_s_b = where(6.703903964971299e+153 < u1_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    u1_s = where(u1_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, u1_s_b)
+    u1_s_d = where(u1_s_largest2 < 256, 1.3093562431584567e+151, u1_s_b)
+    u1_s = where(u1_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u1_s_d)
     u1_y_0 = R_10 * u1_s
     u1_y_1 = R_11 * u1_s
     u1_y_2 = R_12 * u1_s
@@ -338,7 +343,8 @@ def mat3x3_normalized(R):
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
     u2_s_b = where(6.703903964971299e+153 < u2_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    u2_s = where(u2_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, u2_s_b)
+    u2_s_d = where(u2_s_largest2 < 256, 1.3093562431584567e+151, u2_s_b)
+    u2_s = where(u2_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u2_s_d)
     u2_y_0 = R_20 * u2_s
     u2_y_1 = R_21 * u2_s
     u2_y_2 = R_22 * u2_s
@@ -526,8 +532,8 @@ def mat3x3_jacobi(A, V):
     apart = A_11 - A_00
     divisor = where(twice == 0, 1, twice)
     theta = apart / divisor
-    absolute = absolute(theta)
-    size = absolute + sqrt(1 + theta * theta)
+    magnitude = absolute(theta)
+    size = magnitude + sqrt(1 + theta * theta)
     along = where(theta < 0, -size, size)
     t = where(twice == 0, 0, 1 / along)
     secant = sqrt(1 + t * t)
@@ -553,8 +559,8 @@ def mat3x3_from_axis_angle(axis, angle):
     """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
 
     (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
-    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 8 u of its largest component;
-    searched, not proved.
+    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 8 u of its largest component
+    for |axis| = 1; searched, not proved.
     """
     axis_0, axis_1, axis_2 = axis
     half = 0.5 * angle
@@ -595,8 +601,8 @@ def axis_angle_from_mat3x3(R):
     turns.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.  Error <=
-    angle: 8 u, axis: 5 u of its largest component; searched, not proved.
+    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.  Error <=
+    angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -635,13 +641,15 @@ def axis_angle_from_mat3x3(R):
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    v_s = where(v_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, v_s_b)
+    v_s_d = where(v_s_largest2 < 256, 1.3093562431584567e+151, v_s_b)
+    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
     v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
-    v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
+    v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
+    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
     n = v_n * v_r
     half = arctan2(n, upper_3)
     divisor = where(v_n == 0, 1, v_n)

@@ -98,7 +98,7 @@ def vec4_l2norm(v):
     """|v| = sqrt(v·v), all four components.
 
     (4)->().  v: vector (x, y, z) and a homogeneous coordinate w; norm: number.
-    9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select.
+    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.
     """
     v_0, v_1, v_2, v_3 = v
     s_size_0 = absolute(v_0)
@@ -109,14 +109,16 @@ def vec4_l2norm(v):
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
     s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest3 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
     y_2 = v_2 * s
     y_3 = v_3 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
     r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
-    r = where(1 < s, 2.409919865102884e-181, r_b)
+    r_d = where(1 < s, 7.637340908749012e-152, r_b)
+    r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     norm = n * r
     return norm
 
@@ -126,7 +128,7 @@ def vec4_normalize(self):
     """self = self / |self|; the zero vector stays zero.
 
     (4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
     self_0, self_1, self_2, self_3 = self
     s_size_0 = absolute(self_0)
@@ -137,7 +139,8 @@ def vec4_normalize(self):
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
     s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest3 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
     y_2 = self_2 * s
@@ -166,7 +169,7 @@ def vec4_normalized(v):
     """vo = v / |v|; the zero vector stays zero.
 
     (4)->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
     v_0, v_1, v_2, v_3 = v
     s_size_0 = absolute(v_0)
@@ -177,7 +180,8 @@ def vec4_normalized(v):
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
     s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest3 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
     y_2 = v_2 * s

@@ -98,7 +98,7 @@ def vec4_l2norm(v):
     """|v| = sqrt(v·v), all four components.
 
     (4)->().  v: vector (x, y, z) and a homogeneous coordinate w; norm: number.
-    9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select.
+    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.
     """
     v_0, v_1, v_2, v_3 = v
     s_size_0 = absolute(v_0)
@@ -109,13 +109,15 @@ def vec4_l2norm(v):
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
     s_b = where(4.611686e+18 < s_largest3, float32(2.7105054e-20), float32(1))
-    s = where(s_largest3 < 8.881784e-16, 1.2676506e+30, s_b)
+    s_d = where(s_largest3 < 256, 1.8014399e+16, s_b)
+    s = where(s_largest3 < 1.4210855e-14, 3.2451855e+32, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
     y_2 = v_2 * s
     y_3 = v_3 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
-    r = where(1 < s, 7.888609e-31, where(s < 1, float32(3.689349e+19), float32(1)))
+    r_d = where(1 < s, 5.551115e-17, where(s < 1, float32(3.689349e+19), float32(1)))
+    r = where(1.8014399e+16 < s, 3.081488e-33, r_d)
     norm = n * r
     return norm
 
@@ -125,7 +127,7 @@ def vec4_normalize(self):
     """self = self / |self|; the zero vector stays zero.
 
     (4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
     self_0, self_1, self_2, self_3 = self
     s_size_0 = absolute(self_0)
@@ -136,7 +138,8 @@ def vec4_normalize(self):
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
     s_b = where(4.611686e+18 < s_largest3, float32(2.7105054e-20), float32(1))
-    s = where(s_largest3 < 8.881784e-16, 1.2676506e+30, s_b)
+    s_d = where(s_largest3 < 256, 1.8014399e+16, s_b)
+    s = where(s_largest3 < 1.4210855e-14, 3.2451855e+32, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
     y_2 = self_2 * s
@@ -165,7 +168,7 @@ def vec4_normalized(v):
     """vo = v / |v|; the zero vector stays zero.
 
     (4)->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
     v_0, v_1, v_2, v_3 = v
     s_size_0 = absolute(v_0)
@@ -176,7 +179,8 @@ def vec4_normalized(v):
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
     s_b = where(4.611686e+18 < s_largest3, float32(2.7105054e-20), float32(1))
-    s = where(s_largest3 < 8.881784e-16, 1.2676506e+30, s_b)
+    s_d = where(s_largest3 < 256, 1.8014399e+16, s_b)
+    s = where(s_largest3 < 1.4210855e-14, 3.2451855e+32, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
     y_2 = v_2 * s

@@ -10,9 +10,9 @@
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   40 mul, 189 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
-     less, 10 equal, 51 select.
-   Error <= vo: 5 u of its largest component; searched, not proved. */
+   40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
+     less, 10 equal, 58 select.
+   Error <= vo: 5 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
       p_0_left_rest = R->m21 - p_0_left, p_0_right_rest = R->m12 - p_0_right,
@@ -84,51 +84,91 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double column_3 = R->m22 < 0.0 ? low_3 : high_3,
       column_3_lo = R->m22 < 0.0 ? low_3_lo : high_3_lo;
   const double upper_0a = -column_0, upper_0a_lo = -column_0_lo,
-      upper_0 = column_3 < 0.0 ? upper_0a : column_0,
-      upper_0_lo = column_3 < 0.0 ? upper_0a_lo : column_0_lo;
+      upper_0b_of_column_3 = column_3 + column_3_lo,
+      upper_0b_of_column_3_right = upper_0b_of_column_3 - column_3,
+      upper_0b_of_column_3_left = upper_0b_of_column_3 - upper_0b_of_column_3_right,
+      upper_0b_of_column_3_left_rest = column_3 - upper_0b_of_column_3_left,
+      upper_0b_of_column_3_right_rest = column_3_lo - upper_0b_of_column_3_right,
+      upper_0b_of_column_3_lo = upper_0b_of_column_3_left_rest + upper_0b_of_column_3_right_rest,
+      upper_0 = upper_0b_of_column_3 < 0.0 ? upper_0a : column_0,
+      upper_0_lo = upper_0b_of_column_3 < 0.0 ? upper_0a_lo : column_0_lo;
   const double upper_1a = -column_1, upper_1a_lo = -column_1_lo,
-      upper_1 = column_3 < 0.0 ? upper_1a : column_1,
-      upper_1_lo = column_3 < 0.0 ? upper_1a_lo : column_1_lo;
+      upper_1 = upper_0b_of_column_3 < 0.0 ? upper_1a : column_1,
+      upper_1_lo = upper_0b_of_column_3 < 0.0 ? upper_1a_lo : column_1_lo;
   const double upper_2a = -column_2, upper_2a_lo = -column_2_lo,
-      upper_2 = column_3 < 0.0 ? upper_2a : column_2,
-      upper_2_lo = column_3 < 0.0 ? upper_2a_lo : column_2_lo;
-  const double upper_3a = -column_3, upper_3a_lo = -column_3_lo,
-      upper_3 = column_3 < 0.0 ? upper_3a : column_3,
-      upper_3_lo = column_3 < 0.0 ? upper_3a_lo : column_3_lo;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
-  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
-  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
-  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0_of_upper_0 = upper_0 + upper_0_lo,
-      v_y_0_of_upper_0_right = v_y_0_of_upper_0 - upper_0,
-      v_y_0_of_upper_0_left = v_y_0_of_upper_0 - v_y_0_of_upper_0_right,
-      v_y_0_of_upper_0_left_rest = upper_0 - v_y_0_of_upper_0_left,
-      v_y_0_of_upper_0_right_rest = upper_0_lo - v_y_0_of_upper_0_right,
-      v_y_0_of_upper_0_lo = v_y_0_of_upper_0_left_rest + v_y_0_of_upper_0_right_rest,
-      v_y_0 = v_y_0_of_upper_0 * v_s, v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
-      v_y_0_lost = v_y_0_of_upper_0 - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_of_upper_0_lo,
-      v_y_0_small = v_y_0_rest * v_s, v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
-  const double v_y_1_of_upper_1 = upper_1 + upper_1_lo,
-      v_y_1_of_upper_1_right = v_y_1_of_upper_1 - upper_1,
-      v_y_1_of_upper_1_left = v_y_1_of_upper_1 - v_y_1_of_upper_1_right,
-      v_y_1_of_upper_1_left_rest = upper_1 - v_y_1_of_upper_1_left,
-      v_y_1_of_upper_1_right_rest = upper_1_lo - v_y_1_of_upper_1_right,
-      v_y_1_of_upper_1_lo = v_y_1_of_upper_1_left_rest + v_y_1_of_upper_1_right_rest,
-      v_y_1 = v_y_1_of_upper_1 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
-      v_y_1_lost = v_y_1_of_upper_1 - v_y_1_back, v_y_1_rest = v_y_1_lost + v_y_1_of_upper_1_lo,
-      v_y_1_small = v_y_1_rest * v_s, v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
-  const double v_y_2_of_upper_2 = upper_2 + upper_2_lo,
-      v_y_2_of_upper_2_right = v_y_2_of_upper_2 - upper_2,
-      v_y_2_of_upper_2_left = v_y_2_of_upper_2 - v_y_2_of_upper_2_right,
-      v_y_2_of_upper_2_left_rest = upper_2 - v_y_2_of_upper_2_left,
-      v_y_2_of_upper_2_right_rest = upper_2_lo - v_y_2_of_upper_2_right,
-      v_y_2_of_upper_2_lo = v_y_2_of_upper_2_left_rest + v_y_2_of_upper_2_right_rest,
-      v_y_2 = v_y_2_of_upper_2 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
-      v_y_2_lost = v_y_2_of_upper_2 - v_y_2_back, v_y_2_rest = v_y_2_lost + v_y_2_of_upper_2_lo,
-      v_y_2_small = v_y_2_rest * v_s, v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
+      upper_2 = upper_0b_of_column_3 < 0.0 ? upper_2a : column_2,
+      upper_2_lo = upper_0b_of_column_3 < 0.0 ? upper_2a_lo : column_2_lo;
+  const double upper_3a = -upper_0b_of_column_3, upper_3a_lo = -upper_0b_of_column_3_lo,
+      upper_3 = upper_0b_of_column_3 < 0.0 ? upper_3a : upper_0b_of_column_3,
+      upper_3_lo = upper_0b_of_column_3 < 0.0 ? upper_3a_lo : upper_0b_of_column_3_lo;
+  const double v_s_size_0_of_upper_0 = upper_0 + upper_0_lo,
+      v_s_size_0_of_upper_0_right = v_s_size_0_of_upper_0 - upper_0,
+      v_s_size_0_of_upper_0_left = v_s_size_0_of_upper_0 - v_s_size_0_of_upper_0_right,
+      v_s_size_0_of_upper_0_left_rest = upper_0 - v_s_size_0_of_upper_0_left,
+      v_s_size_0_of_upper_0_right_rest = upper_0_lo - v_s_size_0_of_upper_0_right,
+      v_s_size_0_of_upper_0_lo = v_s_size_0_of_upper_0_left_rest + v_s_size_0_of_upper_0_right_rest,
+      v_s_size_0 = fabs(v_s_size_0_of_upper_0), v_s_size_0_opposite = -v_s_size_0_of_upper_0_lo,
+      v_s_size_0_lo = v_s_size_0_of_upper_0 < 0.0 ? v_s_size_0_opposite : v_s_size_0_of_upper_0_lo;
+  const double v_s_size_1_of_upper_1 = upper_1 + upper_1_lo,
+      v_s_size_1_of_upper_1_right = v_s_size_1_of_upper_1 - upper_1,
+      v_s_size_1_of_upper_1_left = v_s_size_1_of_upper_1 - v_s_size_1_of_upper_1_right,
+      v_s_size_1_of_upper_1_left_rest = upper_1 - v_s_size_1_of_upper_1_left,
+      v_s_size_1_of_upper_1_right_rest = upper_1_lo - v_s_size_1_of_upper_1_right,
+      v_s_size_1_of_upper_1_lo = v_s_size_1_of_upper_1_left_rest + v_s_size_1_of_upper_1_right_rest,
+      v_s_size_1 = fabs(v_s_size_1_of_upper_1), v_s_size_1_opposite = -v_s_size_1_of_upper_1_lo,
+      v_s_size_1_lo = v_s_size_1_of_upper_1 < 0.0 ? v_s_size_1_opposite : v_s_size_1_of_upper_1_lo;
+  const double v_s_size_2_of_upper_2 = upper_2 + upper_2_lo,
+      v_s_size_2_of_upper_2_right = v_s_size_2_of_upper_2 - upper_2,
+      v_s_size_2_of_upper_2_left = v_s_size_2_of_upper_2 - v_s_size_2_of_upper_2_right,
+      v_s_size_2_of_upper_2_left_rest = upper_2 - v_s_size_2_of_upper_2_left,
+      v_s_size_2_of_upper_2_right_rest = upper_2_lo - v_s_size_2_of_upper_2_right,
+      v_s_size_2_of_upper_2_lo = v_s_size_2_of_upper_2_left_rest + v_s_size_2_of_upper_2_right_rest,
+      v_s_size_2 = fabs(v_s_size_2_of_upper_2), v_s_size_2_opposite = -v_s_size_2_of_upper_2_lo,
+      v_s_size_2_lo = v_s_size_2_of_upper_2 < 0.0 ? v_s_size_2_opposite : v_s_size_2_of_upper_2_lo;
+  const double v_s_largest1a_of_v_s_size_0 = v_s_size_0 + v_s_size_0_lo,
+      v_s_largest1a_of_v_s_size_0_right = v_s_largest1a_of_v_s_size_0 - v_s_size_0,
+      v_s_largest1a_of_v_s_size_0_left = v_s_largest1a_of_v_s_size_0 - v_s_largest1a_of_v_s_size_0_right,
+      v_s_largest1a_of_v_s_size_0_left_rest = v_s_size_0 - v_s_largest1a_of_v_s_size_0_left,
+      v_s_largest1a_of_v_s_size_0_right_rest = v_s_size_0_lo - v_s_largest1a_of_v_s_size_0_right,
+      v_s_largest1a_of_v_s_size_0_lo = v_s_largest1a_of_v_s_size_0_left_rest + v_s_largest1a_of_v_s_size_0_right_rest,
+      v_s_largest1a_of_v_s_size_1 = v_s_size_1 + v_s_size_1_lo,
+      v_s_largest1a_of_v_s_size_1_right = v_s_largest1a_of_v_s_size_1 - v_s_size_1,
+      v_s_largest1a_of_v_s_size_1_left = v_s_largest1a_of_v_s_size_1 - v_s_largest1a_of_v_s_size_1_right,
+      v_s_largest1a_of_v_s_size_1_left_rest = v_s_size_1 - v_s_largest1a_of_v_s_size_1_left,
+      v_s_largest1a_of_v_s_size_1_right_rest = v_s_size_1_lo - v_s_largest1a_of_v_s_size_1_right,
+      v_s_largest1a_of_v_s_size_1_lo = v_s_largest1a_of_v_s_size_1_left_rest + v_s_largest1a_of_v_s_size_1_right_rest,
+      v_s_largest1 = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ? v_s_largest1a_of_v_s_size_1 : v_s_largest1a_of_v_s_size_0,
+      v_s_largest1_lo = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ? v_s_largest1a_of_v_s_size_1_lo : v_s_largest1a_of_v_s_size_0_lo;
+  const double v_s_largest2a_of_v_s_largest1 = v_s_largest1 + v_s_largest1_lo,
+      v_s_largest2a_of_v_s_largest1_right = v_s_largest2a_of_v_s_largest1 - v_s_largest1,
+      v_s_largest2a_of_v_s_largest1_left = v_s_largest2a_of_v_s_largest1 - v_s_largest2a_of_v_s_largest1_right,
+      v_s_largest2a_of_v_s_largest1_left_rest = v_s_largest1 - v_s_largest2a_of_v_s_largest1_left,
+      v_s_largest2a_of_v_s_largest1_right_rest = v_s_largest1_lo - v_s_largest2a_of_v_s_largest1_right,
+      v_s_largest2a_of_v_s_largest1_lo = v_s_largest2a_of_v_s_largest1_left_rest + v_s_largest2a_of_v_s_largest1_right_rest,
+      v_s_largest2a_of_v_s_size_2 = v_s_size_2 + v_s_size_2_lo,
+      v_s_largest2a_of_v_s_size_2_right = v_s_largest2a_of_v_s_size_2 - v_s_size_2,
+      v_s_largest2a_of_v_s_size_2_left = v_s_largest2a_of_v_s_size_2 - v_s_largest2a_of_v_s_size_2_right,
+      v_s_largest2a_of_v_s_size_2_left_rest = v_s_size_2 - v_s_largest2a_of_v_s_size_2_left,
+      v_s_largest2a_of_v_s_size_2_right_rest = v_s_size_2_lo - v_s_largest2a_of_v_s_size_2_right,
+      v_s_largest2a_of_v_s_size_2_lo = v_s_largest2a_of_v_s_size_2_left_rest + v_s_largest2a_of_v_s_size_2_right_rest,
+      v_s_largest2 = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ? v_s_largest2a_of_v_s_size_2 : v_s_largest2a_of_v_s_largest1,
+      v_s_largest2_lo = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ? v_s_largest2a_of_v_s_size_2_lo : v_s_largest2a_of_v_s_largest1_lo;
+  const double v_s_a_of_v_s_largest2 = v_s_largest2 + v_s_largest2_lo,
+      v_s_b = 6.703903964971299e+153 < v_s_a_of_v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      v_s_d = v_s_a_of_v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_a_of_v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
+  const double v_y_0 = v_s_size_0_of_upper_0 * v_s, v_y_0_inverse = 1.0 / v_s,
+      v_y_0_back = v_y_0 * v_y_0_inverse, v_y_0_lost = v_s_size_0_of_upper_0 - v_y_0_back,
+      v_y_0_rest = v_y_0_lost + v_s_size_0_of_upper_0_lo, v_y_0_small = v_y_0_rest * v_s,
+      v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
+  const double v_y_1 = v_s_size_1_of_upper_1 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
+      v_y_1_lost = v_s_size_1_of_upper_1 - v_y_1_back,
+      v_y_1_rest = v_y_1_lost + v_s_size_1_of_upper_1_lo, v_y_1_small = v_y_1_rest * v_s,
+      v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
+  const double v_y_2 = v_s_size_2_of_upper_2 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
+      v_y_2_lost = v_s_size_2_of_upper_2 - v_y_2_back,
+      v_y_2_rest = v_y_2_lost + v_s_size_2_of_upper_2_lo, v_y_2_small = v_y_2_rest * v_s,
+      v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
   const double v_n_a = v_y_0 * v_y_0, v_n_a_cross1 = v_y_0_lo * v_y_0,
       v_n_a_cross2 = v_y_0 * v_y_0_lo, v_n_a_cross = v_n_a_cross1 + v_n_a_cross2,
       v_n_b = v_y_1 * v_y_1, v_n_b_cross1 = v_y_1_lo * v_y_1, v_n_b_cross2 = v_y_1 * v_y_1_lo,
@@ -154,7 +194,8 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       v_n_residual = v_n_exact + v_n_of_v_n_e_lo, v_n_twice = v_n + v_n,
       v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n_of_v_n = v_n + v_n_lo, n_of_v_n_right = n_of_v_n - v_n,
       n_of_v_n_left = n_of_v_n - n_of_v_n_right, n_of_v_n_left_rest = v_n - n_of_v_n_left,
       n_of_v_n_right_rest = v_n_lo - n_of_v_n_right,
@@ -197,19 +238,22 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       k_rest = k_of_theta - k_product, k_exact = k_rest - k_product_error,
       k_numerator = k_exact + k_of_theta_lo, k_cross = k * k_of_divisor_lo,
       k_residual = k_numerator - k_cross, k_lo = k_residual / k_of_divisor;
-  const double vector_0 = v_y_0_of_upper_0 * k, vector_0_cross1 = v_y_0_of_upper_0_lo * k,
-      vector_0_cross2 = v_y_0_of_upper_0 * k_lo, vector_0_cross = vector_0_cross1 + vector_0_cross2;
-  const double vector_1 = v_y_1_of_upper_1 * k, vector_1_cross1 = v_y_1_of_upper_1_lo * k,
-      vector_1_cross2 = v_y_1_of_upper_1 * k_lo, vector_1_cross = vector_1_cross1 + vector_1_cross2;
-  const double vector_2 = v_y_2_of_upper_2 * k, vector_2_cross1 = v_y_2_of_upper_2_lo * k,
-      vector_2_cross2 = v_y_2_of_upper_2 * k_lo, vector_2_cross = vector_2_cross1 + vector_2_cross2;
-  const double vector_0_error = ksl_product_error(v_y_0_of_upper_0, k, vector_0),
+  const double vector_0 = v_s_size_0_of_upper_0 * k, vector_0_cross1 = v_s_size_0_of_upper_0_lo * k,
+      vector_0_cross2 = v_s_size_0_of_upper_0 * k_lo,
+      vector_0_cross = vector_0_cross1 + vector_0_cross2;
+  const double vector_1 = v_s_size_1_of_upper_1 * k, vector_1_cross1 = v_s_size_1_of_upper_1_lo * k,
+      vector_1_cross2 = v_s_size_1_of_upper_1 * k_lo,
+      vector_1_cross = vector_1_cross1 + vector_1_cross2;
+  const double vector_2 = v_s_size_2_of_upper_2 * k, vector_2_cross1 = v_s_size_2_of_upper_2_lo * k,
+      vector_2_cross2 = v_s_size_2_of_upper_2 * k_lo,
+      vector_2_cross = vector_2_cross1 + vector_2_cross2;
+  const double vector_0_error = ksl_product_error(v_s_size_0_of_upper_0, k, vector_0),
       vector_0_lo = vector_0_error + vector_0_cross, vector_0_rounded = vector_0 + vector_0_lo,
       vector_0_final = vector_0_rounded == vector_0_rounded ? vector_0_rounded : vector_0;
-  const double vector_1_error = ksl_product_error(v_y_1_of_upper_1, k, vector_1),
+  const double vector_1_error = ksl_product_error(v_s_size_1_of_upper_1, k, vector_1),
       vector_1_lo = vector_1_error + vector_1_cross, vector_1_rounded = vector_1 + vector_1_lo,
       vector_1_final = vector_1_rounded == vector_1_rounded ? vector_1_rounded : vector_1;
-  const double vector_2_error = ksl_product_error(v_y_2_of_upper_2, k, vector_2),
+  const double vector_2_error = ksl_product_error(v_s_size_2_of_upper_2, k, vector_2),
       vector_2_lo = vector_2_error + vector_2_cross, vector_2_rounded = vector_2 + vector_2_lo,
       vector_2_final = vector_2_rounded == vector_2_rounded ? vector_2_rounded : vector_2;
   vo->x = vector_0_final;
@@ -895,8 +939,8 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
-   Error <= vo: 5 u of its largest component; searched, not proved. */
+   11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.
+   Error <= vo: 5 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const double p_0 = (double)R->m21 - (double)R->m12;
   const double p_1 = (double)R->m02 - (double)R->m20;
@@ -934,14 +978,16 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      v_s = v_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : v_s_b,
+      v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
-      v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
+      v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
+      v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_d;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;

@@ -268,7 +268,7 @@ static inline double ksl_mat3x3_inverse(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro)
 /* self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
      side of it, the third its side of both; NaN where rows depend on each other to rounding.
    self: rotation or other 3×3 matrix.
-   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 21 less, 5 equal, 36 select.
+   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
    Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
 static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
   const double q0_s_size_0 = fabs(self->m00);
@@ -277,7 +277,8 @@ static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
   const double q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
   const double q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
   const double q0_s_b = 6.703903964971299e+153 < q0_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      q0_s = q0_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : q0_s_b;
+      q0_s_d = q0_s_largest2 < 256.0 ? 1.3093562431584567e+151 : q0_s_b,
+      q0_s = q0_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : q0_s_d;
   const double q0_y_0 = self->m00 * q0_s;
   const double q0_y_1 = self->m01 * q0_s;
   const double q0_y_2 = self->m02 * q0_s;
@@ -301,7 +302,8 @@ static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
   const double u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
   const double u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
   const double u1_s_b = 6.703903964971299e+153 < u1_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      u1_s = u1_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : u1_s_b;
+      u1_s_d = u1_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u1_s_b,
+      u1_s = u1_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u1_s_d;
   const double u1_y_0 = self->m10 * u1_s;
   const double u1_y_1 = self->m11 * u1_s;
   const double u1_y_2 = self->m12 * u1_s;
@@ -344,7 +346,8 @@ static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
   const double u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
   const double u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
   const double u2_s_b = 6.703903964971299e+153 < u2_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      u2_s = u2_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : u2_s_b;
+      u2_s_d = u2_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u2_s_b,
+      u2_s = u2_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u2_s_d;
   const double u2_y_0 = self->m20 * u2_s;
   const double u2_y_1 = self->m21 * u2_s;
   const double u2_y_2 = self->m22 * u2_s;
@@ -393,7 +396,7 @@ static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
 /* Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its side
      of it, the third its side of both; NaN where rows depend on each other to rounding.
    R, Ro: rotation or other 3×3 matrix.
-   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 21 less, 5 equal, 36 select.
+   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
    Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
 static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double q0_s_size_0 = fabs(R->m00);
@@ -402,7 +405,8 @@ static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
   const double q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
   const double q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
   const double q0_s_b = 6.703903964971299e+153 < q0_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      q0_s = q0_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : q0_s_b;
+      q0_s_d = q0_s_largest2 < 256.0 ? 1.3093562431584567e+151 : q0_s_b,
+      q0_s = q0_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : q0_s_d;
   const double q0_y_0 = R->m00 * q0_s;
   const double q0_y_1 = R->m01 * q0_s;
   const double q0_y_2 = R->m02 * q0_s;
@@ -426,7 +430,8 @@ static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
   const double u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
   const double u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
   const double u1_s_b = 6.703903964971299e+153 < u1_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      u1_s = u1_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : u1_s_b;
+      u1_s_d = u1_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u1_s_b,
+      u1_s = u1_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u1_s_d;
   const double u1_y_0 = R->m10 * u1_s;
   const double u1_y_1 = R->m11 * u1_s;
   const double u1_y_2 = R->m12 * u1_s;
@@ -469,7 +474,8 @@ static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
   const double u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
   const double u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
   const double u2_s_b = 6.703903964971299e+153 < u2_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      u2_s = u2_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : u2_s_b;
+      u2_s_d = u2_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u2_s_b,
+      u2_s = u2_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u2_s_d;
   const double u2_y_0 = R->m20 * u2_s;
   const double u2_y_1 = R->m21 * u2_s;
   const double u2_y_2 = R->m22 * u2_s;
@@ -673,9 +679,9 @@ static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
   const double apart = A->m11 - A->m00;
   const double divisor = twice == 0.0 ? 1.0 : twice;
   const double theta = apart / divisor;
-  const double absolute = fabs(theta);
+  const double magnitude = fabs(theta);
   const double size_a = theta * theta, size_b = 1.0 + size_a, size_c = sqrt(size_b),
-      size = absolute + size_c;
+      size = magnitude + size_c;
   const double along_a = -size, along = theta < 0.0 ? along_a : size;
   const double t_a = 1.0 / along, t = twice == 0.0 ? 0.0 : t_a;
   const double secant_a = t * t, secant_b = 1.0 + secant_a, secant = sqrt(secant_b);
@@ -719,7 +725,7 @@ static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
-   Error <= R: 8 u of its largest component; searched, not proved. */
+   Error <= R: 8 u of its largest component for |axis| = 1; searched, not proved. */
 static inline void ksl_mat3x3_from_axis_angle(const ksl_vec3_t *axis, const double angle,
     ksl_mat3x3_t *R) {
   const double half = 0.5 * angle;
@@ -765,8 +771,9 @@ static inline void ksl_mat3x3_from_axis_angle(const ksl_vec3_t *axis, const doub
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
    R: rotation or other 3×3 matrix; axis: vector.
-   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
-   Error <= angle: 8 u, axis: 5 u of its largest component; searched, not proved. */
+   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.
+   Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
+     proved. */
 static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
   const double p_0 = R->m21 - R->m12;
   const double p_1 = R->m02 - R->m20;
@@ -804,14 +811,16 @@ static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
@@ -1083,7 +1092,7 @@ static inline float ksl_mat3x3f_inverse(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *R
 /* self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
      side of it, the third its side of both; NaN where rows depend on each other to rounding.
    self: rotation or other 3×3 matrix.
-   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 21 less, 5 equal, 36 select.
+   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
    Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
 static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
   const float q0_s_size_0 = fabsf(self->m00);
@@ -1092,7 +1101,8 @@ static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
   const float q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
   const float q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
   const float q0_s_b = 4.611686e+18f < q0_s_largest2 ? 2.7105054e-20f : 1.0f,
-      q0_s = q0_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : q0_s_b;
+      q0_s_d = q0_s_largest2 < 256.0f ? 1.8014399e+16f : q0_s_b,
+      q0_s = q0_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : q0_s_d;
   const float q0_y_0 = self->m00 * q0_s;
   const float q0_y_1 = self->m01 * q0_s;
   const float q0_y_2 = self->m02 * q0_s;
@@ -1116,7 +1126,8 @@ static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
   const float u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
   const float u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
   const float u1_s_b = 4.611686e+18f < u1_s_largest2 ? 2.7105054e-20f : 1.0f,
-      u1_s = u1_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : u1_s_b;
+      u1_s_d = u1_s_largest2 < 256.0f ? 1.8014399e+16f : u1_s_b,
+      u1_s = u1_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : u1_s_d;
   const float u1_y_0 = self->m10 * u1_s;
   const float u1_y_1 = self->m11 * u1_s;
   const float u1_y_2 = self->m12 * u1_s;
@@ -1159,7 +1170,8 @@ static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
   const float u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
   const float u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
   const float u2_s_b = 4.611686e+18f < u2_s_largest2 ? 2.7105054e-20f : 1.0f,
-      u2_s = u2_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : u2_s_b;
+      u2_s_d = u2_s_largest2 < 256.0f ? 1.8014399e+16f : u2_s_b,
+      u2_s = u2_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : u2_s_d;
   const float u2_y_0 = self->m20 * u2_s;
   const float u2_y_1 = self->m21 * u2_s;
   const float u2_y_2 = self->m22 * u2_s;
@@ -1208,7 +1220,7 @@ static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
 /* Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its side
      of it, the third its side of both; NaN where rows depend on each other to rounding.
    R, Ro: rotation or other 3×3 matrix.
-   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 21 less, 5 equal, 36 select.
+   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
    Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
 static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const float q0_s_size_0 = fabsf(R->m00);
@@ -1217,7 +1229,8 @@ static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
   const float q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
   const float q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
   const float q0_s_b = 4.611686e+18f < q0_s_largest2 ? 2.7105054e-20f : 1.0f,
-      q0_s = q0_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : q0_s_b;
+      q0_s_d = q0_s_largest2 < 256.0f ? 1.8014399e+16f : q0_s_b,
+      q0_s = q0_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : q0_s_d;
   const float q0_y_0 = R->m00 * q0_s;
   const float q0_y_1 = R->m01 * q0_s;
   const float q0_y_2 = R->m02 * q0_s;
@@ -1241,7 +1254,8 @@ static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
   const float u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
   const float u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
   const float u1_s_b = 4.611686e+18f < u1_s_largest2 ? 2.7105054e-20f : 1.0f,
-      u1_s = u1_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : u1_s_b;
+      u1_s_d = u1_s_largest2 < 256.0f ? 1.8014399e+16f : u1_s_b,
+      u1_s = u1_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : u1_s_d;
   const float u1_y_0 = R->m10 * u1_s;
   const float u1_y_1 = R->m11 * u1_s;
   const float u1_y_2 = R->m12 * u1_s;
@@ -1284,7 +1298,8 @@ static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
   const float u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
   const float u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
   const float u2_s_b = 4.611686e+18f < u2_s_largest2 ? 2.7105054e-20f : 1.0f,
-      u2_s = u2_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : u2_s_b;
+      u2_s_d = u2_s_largest2 < 256.0f ? 1.8014399e+16f : u2_s_b,
+      u2_s = u2_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : u2_s_d;
   const float u2_y_0 = R->m20 * u2_s;
   const float u2_y_1 = R->m21 * u2_s;
   const float u2_y_2 = R->m22 * u2_s;
@@ -1488,9 +1503,9 @@ static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
   const float apart = A->m11 - A->m00;
   const float divisor = twice == 0.0f ? 1.0f : twice;
   const float theta = apart / divisor;
-  const float absolute = fabsf(theta);
+  const float magnitude = fabsf(theta);
   const float size_a = theta * theta, size_b = 1.0f + size_a, size_c = sqrtf(size_b),
-      size = absolute + size_c;
+      size = magnitude + size_c;
   const float along_a = -size, along = theta < 0.0f ? along_a : size;
   const float t_a = 1.0f / along, t = twice == 0.0f ? 0.0f : t_a;
   const float secant_a = t * t, secant_b = 1.0f + secant_a, secant = sqrtf(secant_b);
@@ -1534,7 +1549,7 @@ static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
-   Error <= R: 8 u of its largest component; searched, not proved. */
+   Error <= R: 8 u of its largest component for |axis| = 1; searched, not proved. */
 static inline void ksl_mat3x3f_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
     ksl_mat3x3f_t *R) {
   const float half = 0.5f * angle;
@@ -1580,8 +1595,9 @@ static inline void ksl_mat3x3f_from_axis_angle(const ksl_vec3f_t *axis, const fl
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
    R: rotation or other 3×3 matrix; axis: vector.
-   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
-   Error <= angle: 8 u, axis: 5 u of its largest component; searched, not proved. */
+   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.
+   Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
+     proved. */
 static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *axis) {
   const float p_0 = R->m21 - R->m12;
   const float p_1 = R->m02 - R->m20;
@@ -1619,13 +1635,15 @@ static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
-      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
+      v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
+      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
   const float v_y_0 = upper_0 * v_s;
   const float v_y_1 = upper_1 * v_s;
   const float v_y_2 = upper_2 * v_s;
   const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
-  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
+      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = v_n * v_r;
   const float half = atan2f(n, upper_3);
   const float divisor = v_n == 0.0f ? 1.0f : v_n;

@@ -48,7 +48,7 @@ static inline double ksl_mat3x3_determinant_accurate(const ksl_mat3x3_t *R) {
 /* Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8 u
      times the sum of its terms' sizes), and Ro = NaN.
    R, Ro: rotation or other 3×3 matrix.
-   52 mul, 161 add, 9 product error, 21 product rest, 18 div, 10 abs, 1 less, 11 equal, 33
+   56 mul, 194 add, 9 product error, 31 product rest, 18 div, 1 neg, 10 abs, 2 less, 11 equal, 34
      select.
    Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of
      the sizes of the terms of the cofactor and of det R; barring over- and underflow. */
@@ -117,17 +117,60 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
   const double size2_1 = fabs(R->m12);
   const double size2_2 = fabs(R->m22);
   const double permanent_a = size1_1 * size2_2, permanent_b = size1_2 * size2_1,
-      permanent_c = permanent_a + permanent_b, permanent_d = size0_0 * permanent_c,
+      permanent_c = permanent_a + permanent_b, permanent_c_right = permanent_c - permanent_a,
+      permanent_c_left = permanent_c - permanent_c_right,
+      permanent_c_left_rest = ksl_product_rest(size1_1, size2_2, permanent_a, permanent_c_left),
+      permanent_c_right_rest = ksl_product_rest(size1_2, size2_1, permanent_b, permanent_c_right),
+      permanent_c_lo = permanent_c_left_rest + permanent_c_right_rest,
+      permanent_d = size0_0 * permanent_c, permanent_d_cross2 = size0_0 * permanent_c_lo,
       permanent_e = size1_0 * size2_2, permanent_f = size1_2 * size2_0,
-      permanent_g = permanent_e + permanent_f, permanent_h = size0_1 * permanent_g,
-      permanent_i = permanent_d + permanent_h, permanent_j = size1_0 * size2_1,
+      permanent_g = permanent_e + permanent_f, permanent_g_right = permanent_g - permanent_e,
+      permanent_g_left = permanent_g - permanent_g_right,
+      permanent_g_left_rest = ksl_product_rest(size1_0, size2_2, permanent_e, permanent_g_left),
+      permanent_g_right_rest = ksl_product_rest(size1_2, size2_0, permanent_f, permanent_g_right),
+      permanent_g_lo = permanent_g_left_rest + permanent_g_right_rest,
+      permanent_h = size0_1 * permanent_g, permanent_h_cross2 = size0_1 * permanent_g_lo,
+      permanent_i = permanent_d + permanent_h, permanent_i_right = permanent_i - permanent_d,
+      permanent_i_left = permanent_i - permanent_i_right,
+      permanent_i_left_rest = ksl_product_rest(size0_0, permanent_c, permanent_d, permanent_i_left),
+      permanent_i_right_rest = ksl_product_rest(size0_1, permanent_g, permanent_h, permanent_i_right),
+      permanent_i_cross = permanent_d_cross2 + permanent_h_cross2,
+      permanent_i_lo1 = permanent_i_left_rest + permanent_i_right_rest,
+      permanent_i_lo = permanent_i_lo1 + permanent_i_cross, permanent_j = size1_0 * size2_1,
       permanent_k = size1_1 * size2_0, permanent_l = permanent_j + permanent_k,
-      permanent_m = size0_2 * permanent_l, permanent = permanent_i + permanent_m;
+      permanent_l_right = permanent_l - permanent_j,
+      permanent_l_left = permanent_l - permanent_l_right,
+      permanent_l_left_rest = ksl_product_rest(size1_0, size2_1, permanent_j, permanent_l_left),
+      permanent_l_right_rest = ksl_product_rest(size1_1, size2_0, permanent_k, permanent_l_right),
+      permanent_l_lo = permanent_l_left_rest + permanent_l_right_rest,
+      permanent_m = size0_2 * permanent_l, permanent_m_cross2 = size0_2 * permanent_l_lo,
+      permanent = permanent_i + permanent_m, permanent_right = permanent - permanent_i,
+      permanent_left = permanent - permanent_right,
+      permanent_left_rest = permanent_i - permanent_left,
+      permanent_right_rest = ksl_product_rest(size0_2, permanent_l, permanent_m, permanent_right),
+      permanent_lo1 = permanent_left_rest + permanent_right_rest,
+      permanent_lo2 = permanent_lo1 + permanent_m_cross2,
+      permanent_lo = permanent_lo2 + permanent_i_lo;
   const double least_a = permanent * 8.881784197001252e-16,
-      least = least_a + 1.0261342003245941e-289;
-  const double regular_a = fabs(d), regular = least < regular_a ? 1.0 : 0.0;
-  const double divisor = regular == 1.0 ? d : 1.0, divisor_lo = regular == 1.0 ? d_lo : 0.0;
-  const double det = regular == 1.0 ? d : 0.0, det_lo = regular == 1.0 ? d_lo : 0.0;
+      least_a_cross1 = permanent_lo * 8.881784197001252e-16,
+      least = least_a + 1.0261342003245941e-289, least_right = least - least_a,
+      least_left = least - least_right,
+      least_left_rest = ksl_product_rest(permanent, 8.881784197001252e-16, least_a, least_left),
+      least_right_rest = 1.0261342003245941e-289 - least_right,
+      least_lo1 = least_left_rest + least_right_rest, least_lo = least_lo1 + least_a_cross1;
+  const double regular_a_of_d = d + d_lo, regular_a_of_d_right = regular_a_of_d - d,
+      regular_a_of_d_left = regular_a_of_d - regular_a_of_d_right,
+      regular_a_of_d_left_rest = d - regular_a_of_d_left,
+      regular_a_of_d_right_rest = d_lo - regular_a_of_d_right,
+      regular_a_of_d_lo = regular_a_of_d_left_rest + regular_a_of_d_right_rest,
+      regular_a = fabs(regular_a_of_d), regular_a_opposite = -regular_a_of_d_lo,
+      regular_a_lo = regular_a_of_d < 0.0 ? regular_a_opposite : regular_a_of_d_lo,
+      regular_b_of_least = least + least_lo, regular_b_of_regular_a = regular_a + regular_a_lo,
+      regular = regular_b_of_least < regular_b_of_regular_a ? 1.0 : 0.0;
+  const double divisor = regular == 1.0 ? regular_a_of_d : 1.0,
+      divisor_lo = regular == 1.0 ? regular_a_of_d_lo : 0.0;
+  const double det = regular == 1.0 ? regular_a_of_d : 0.0,
+      det_lo = regular == 1.0 ? regular_a_of_d_lo : 0.0;
   const double Ro_00a_of_n0_0 = n0_0 + n0_0_lo, Ro_00a_of_n0_0_right = Ro_00a_of_n0_0 - n0_0,
       Ro_00a_of_n0_0_left = Ro_00a_of_n0_0 - Ro_00a_of_n0_0_right,
       Ro_00a_of_n0_0_left_rest = n0_0 - Ro_00a_of_n0_0_left,
@@ -295,8 +338,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
 /* self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
      side of it, the third its side of both; NaN where rows depend on each other to rounding.
    self: rotation or other 3×3 matrix.
-   142 mul, 333 add, 16 product error, 30 product rest, 30 div, 4 sqrt, 6 neg, 10 abs, 21 less,
-     24 equal, 71 select.
+   154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
+     27 equal, 79 select.
    Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
 static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double q0_s_size_0 = fabs(self->m00);
@@ -305,7 +348,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
   const double q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
   const double q0_s_b = 6.703903964971299e+153 < q0_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      q0_s = q0_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : q0_s_b;
+      q0_s_d = q0_s_largest2 < 256.0 ? 1.3093562431584567e+151 : q0_s_b,
+      q0_s = q0_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : q0_s_d;
   const double q0_y_0 = self->m00 * q0_s;
   const double q0_y_1 = self->m01 * q0_s;
   const double q0_y_2 = self->m02 * q0_s;
@@ -330,7 +374,14 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       q0_n_rest = q0_n_of_q0_n_e - q0_n_product, q0_n_exact = q0_n_rest - q0_n_product_error,
       q0_n_residual = q0_n_exact + q0_n_of_q0_n_e_lo, q0_n_twice = q0_n + q0_n,
       q0_n_divisor = q0_n == 0.0 ? 1.0 : q0_n_twice, q0_n_lo = q0_n_residual / q0_n_divisor;
-  const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n, q0_divisor_lo = q0_n == 0.0 ? 0.0 : q0_n_lo;
+  const double q0_divisor_a_of_q0_n = q0_n + q0_n_lo,
+      q0_divisor_a_of_q0_n_right = q0_divisor_a_of_q0_n - q0_n,
+      q0_divisor_a_of_q0_n_left = q0_divisor_a_of_q0_n - q0_divisor_a_of_q0_n_right,
+      q0_divisor_a_of_q0_n_left_rest = q0_n - q0_divisor_a_of_q0_n_left,
+      q0_divisor_a_of_q0_n_right_rest = q0_n_lo - q0_divisor_a_of_q0_n_right,
+      q0_divisor_a_of_q0_n_lo = q0_divisor_a_of_q0_n_left_rest + q0_divisor_a_of_q0_n_right_rest,
+      q0_divisor = q0_divisor_a_of_q0_n == 0.0 ? q0_up : q0_divisor_a_of_q0_n,
+      q0_divisor_lo = q0_divisor_a_of_q0_n == 0.0 ? 0.0 : q0_divisor_a_of_q0_n_lo;
   const double q0_enlarged_0 = self->m00 * q0_up;
   const double q0_enlarged_1 = self->m01 * q0_up;
   const double q0_enlarged_2 = self->m02 * q0_up;
@@ -400,7 +451,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
   const double u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
   const double u1_s_b = 6.703903964971299e+153 < u1_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      u1_s = u1_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : u1_s_b;
+      u1_s_d = u1_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u1_s_b,
+      u1_s = u1_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u1_s_d;
   const double u1_y_0 = self->m10 * u1_s;
   const double u1_y_1 = self->m11 * u1_s;
   const double u1_y_2 = self->m12 * u1_s;
@@ -425,7 +477,14 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u1_n_rest = u1_n_of_u1_n_e - u1_n_product, u1_n_exact = u1_n_rest - u1_n_product_error,
       u1_n_residual = u1_n_exact + u1_n_of_u1_n_e_lo, u1_n_twice = u1_n + u1_n,
       u1_n_divisor = u1_n == 0.0 ? 1.0 : u1_n_twice, u1_n_lo = u1_n_residual / u1_n_divisor;
-  const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n, u1_divisor_lo = u1_n == 0.0 ? 0.0 : u1_n_lo;
+  const double u1_divisor_a_of_u1_n = u1_n + u1_n_lo,
+      u1_divisor_a_of_u1_n_right = u1_divisor_a_of_u1_n - u1_n,
+      u1_divisor_a_of_u1_n_left = u1_divisor_a_of_u1_n - u1_divisor_a_of_u1_n_right,
+      u1_divisor_a_of_u1_n_left_rest = u1_n - u1_divisor_a_of_u1_n_left,
+      u1_divisor_a_of_u1_n_right_rest = u1_n_lo - u1_divisor_a_of_u1_n_right,
+      u1_divisor_a_of_u1_n_lo = u1_divisor_a_of_u1_n_left_rest + u1_divisor_a_of_u1_n_right_rest,
+      u1_divisor = u1_divisor_a_of_u1_n == 0.0 ? u1_up : u1_divisor_a_of_u1_n,
+      u1_divisor_lo = u1_divisor_a_of_u1_n == 0.0 ? 0.0 : u1_divisor_a_of_u1_n_lo;
   const double u1_enlarged_0 = self->m10 * u1_up;
   const double u1_enlarged_1 = self->m11 * u1_up;
   const double u1_enlarged_2 = self->m12 * u1_up;
@@ -583,7 +642,13 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? 1.0 : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double q1_0_of_twice_0 = twice_0 + twice_0_lo,
       q1_0_of_twice_0_right = q1_0_of_twice_0 - twice_0,
       q1_0_of_twice_0_left = q1_0_of_twice_0 - q1_0_of_twice_0_right,
@@ -658,7 +723,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
   const double u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
   const double u2_s_b = 6.703903964971299e+153 < u2_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      u2_s = u2_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : u2_s_b;
+      u2_s_d = u2_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u2_s_b,
+      u2_s = u2_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u2_s_d;
   const double u2_y_0 = self->m20 * u2_s;
   const double u2_y_1 = self->m21 * u2_s;
   const double u2_y_2 = self->m22 * u2_s;
@@ -683,7 +749,14 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u2_n_rest = u2_n_of_u2_n_e - u2_n_product, u2_n_exact = u2_n_rest - u2_n_product_error,
       u2_n_residual = u2_n_exact + u2_n_of_u2_n_e_lo, u2_n_twice = u2_n + u2_n,
       u2_n_divisor = u2_n == 0.0 ? 1.0 : u2_n_twice, u2_n_lo = u2_n_residual / u2_n_divisor;
-  const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n, u2_divisor_lo = u2_n == 0.0 ? 0.0 : u2_n_lo;
+  const double u2_divisor_a_of_u2_n = u2_n + u2_n_lo,
+      u2_divisor_a_of_u2_n_right = u2_divisor_a_of_u2_n - u2_n,
+      u2_divisor_a_of_u2_n_left = u2_divisor_a_of_u2_n - u2_divisor_a_of_u2_n_right,
+      u2_divisor_a_of_u2_n_left_rest = u2_n - u2_divisor_a_of_u2_n_left,
+      u2_divisor_a_of_u2_n_right_rest = u2_n_lo - u2_divisor_a_of_u2_n_right,
+      u2_divisor_a_of_u2_n_lo = u2_divisor_a_of_u2_n_left_rest + u2_divisor_a_of_u2_n_right_rest,
+      u2_divisor = u2_divisor_a_of_u2_n == 0.0 ? u2_up : u2_divisor_a_of_u2_n,
+      u2_divisor_lo = u2_divisor_a_of_u2_n == 0.0 ? 0.0 : u2_divisor_a_of_u2_n_lo;
   const double u2_enlarged_0 = self->m20 * u2_up;
   const double u2_enlarged_1 = self->m21 * u2_up;
   const double u2_enlarged_2 = self->m22 * u2_up;
@@ -718,22 +791,76 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u2_quotient_2_residual = u2_quotient_2_exact - u2_quotient_2_cross,
       u2_quotient_2_lo = u2_quotient_2_residual / u2_quotient_0_of_u2_divisor;
   const double u2_0_of_u2_quotient_0 = u2_quotient_0 + u2_quotient_0_lo,
-      u2_0 = u2_0_of_u2_quotient_0 * u2_down;
+      u2_0_of_u2_quotient_0_right = u2_0_of_u2_quotient_0 - u2_quotient_0,
+      u2_0_of_u2_quotient_0_left = u2_0_of_u2_quotient_0 - u2_0_of_u2_quotient_0_right,
+      u2_0_of_u2_quotient_0_left_rest = u2_quotient_0 - u2_0_of_u2_quotient_0_left,
+      u2_0_of_u2_quotient_0_right_rest = u2_quotient_0_lo - u2_0_of_u2_quotient_0_right,
+      u2_0_of_u2_quotient_0_lo = u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest,
+      u2_0 = u2_0_of_u2_quotient_0 * u2_down, u2_0_inverse = 1.0 / u2_down,
+      u2_0_back = u2_0 * u2_0_inverse, u2_0_lost = u2_0_of_u2_quotient_0 - u2_0_back,
+      u2_0_rest = u2_0_lost + u2_0_of_u2_quotient_0_lo, u2_0_small = u2_0_rest * u2_down,
+      u2_0_lo = u2_0_lost == 0.0 ? 0.0 : u2_0_small;
   const double u2_1_of_u2_quotient_1 = u2_quotient_1 + u2_quotient_1_lo,
-      u2_1 = u2_1_of_u2_quotient_1 * u2_down;
+      u2_1_of_u2_quotient_1_right = u2_1_of_u2_quotient_1 - u2_quotient_1,
+      u2_1_of_u2_quotient_1_left = u2_1_of_u2_quotient_1 - u2_1_of_u2_quotient_1_right,
+      u2_1_of_u2_quotient_1_left_rest = u2_quotient_1 - u2_1_of_u2_quotient_1_left,
+      u2_1_of_u2_quotient_1_right_rest = u2_quotient_1_lo - u2_1_of_u2_quotient_1_right,
+      u2_1_of_u2_quotient_1_lo = u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest,
+      u2_1 = u2_1_of_u2_quotient_1 * u2_down, u2_1_back = u2_1 * u2_0_inverse,
+      u2_1_lost = u2_1_of_u2_quotient_1 - u2_1_back,
+      u2_1_rest = u2_1_lost + u2_1_of_u2_quotient_1_lo, u2_1_small = u2_1_rest * u2_down,
+      u2_1_lo = u2_1_lost == 0.0 ? 0.0 : u2_1_small;
   const double u2_2_of_u2_quotient_2 = u2_quotient_2 + u2_quotient_2_lo,
-      u2_2 = u2_2_of_u2_quotient_2 * u2_down;
-  const double side_a = normal_0 * u2_0, side_b = normal_1 * u2_1, side_c = side_a + side_b,
-      side_d = normal_2 * u2_2, side = side_c + side_d;
-  const double q2_0a = -normal_0, q2_0a_lo = -normal_0_lo, q2_0 = side < 0.0 ? q2_0a : normal_0,
-      q2_0_lo = side < 0.0 ? q2_0a_lo : normal_0_lo;
-  const double q2_1a = -normal_1, q2_1a_lo = -normal_1_lo, q2_1 = side < 0.0 ? q2_1a : normal_1,
-      q2_1_lo = side < 0.0 ? q2_1a_lo : normal_1_lo;
-  const double q2_2a = -normal_2, q2_2a_lo = -normal_2_lo, q2_2 = side < 0.0 ? q2_2a : normal_2,
-      q2_2_lo = side < 0.0 ? q2_2a_lo : normal_2_lo;
-  const double size = fabs(side);
-  const double less = n < size ? n : size;
-  const double dependent = less < 1.7763568394002505e-15 ? 1.0 : 0.0;
+      u2_2_of_u2_quotient_2_right = u2_2_of_u2_quotient_2 - u2_quotient_2,
+      u2_2_of_u2_quotient_2_left = u2_2_of_u2_quotient_2 - u2_2_of_u2_quotient_2_right,
+      u2_2_of_u2_quotient_2_left_rest = u2_quotient_2 - u2_2_of_u2_quotient_2_left,
+      u2_2_of_u2_quotient_2_right_rest = u2_quotient_2_lo - u2_2_of_u2_quotient_2_right,
+      u2_2_of_u2_quotient_2_lo = u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest,
+      u2_2 = u2_2_of_u2_quotient_2 * u2_down, u2_2_back = u2_2 * u2_0_inverse,
+      u2_2_lost = u2_2_of_u2_quotient_2 - u2_2_back,
+      u2_2_rest = u2_2_lost + u2_2_of_u2_quotient_2_lo, u2_2_small = u2_2_rest * u2_down,
+      u2_2_lo = u2_2_lost == 0.0 ? 0.0 : u2_2_small;
+  const double side_a = normal_0 * u2_0, side_a_cross1 = normal_0_lo * u2_0,
+      side_a_cross2 = normal_0 * u2_0_lo, side_a_cross = side_a_cross1 + side_a_cross2,
+      side_b = normal_1 * u2_1, side_b_cross1 = normal_1_lo * u2_1,
+      side_b_cross2 = normal_1 * u2_1_lo, side_b_cross = side_b_cross1 + side_b_cross2,
+      side_c = side_a + side_b, side_c_right = side_c - side_a, side_c_left = side_c - side_c_right,
+      side_c_left_rest = ksl_product_rest(normal_0, u2_0, side_a, side_c_left),
+      side_c_right_rest = ksl_product_rest(normal_1, u2_1, side_b, side_c_right),
+      side_c_cross = side_a_cross + side_b_cross, side_c_lo1 = side_c_left_rest + side_c_right_rest,
+      side_c_lo = side_c_lo1 + side_c_cross, side_d = normal_2 * u2_2,
+      side_d_cross1 = normal_2_lo * u2_2, side_d_cross2 = normal_2 * u2_2_lo,
+      side_d_cross = side_d_cross1 + side_d_cross2, side = side_c + side_d,
+      side_right = side - side_c, side_left = side - side_right,
+      side_left_rest = side_c - side_left,
+      side_right_rest = ksl_product_rest(normal_2, u2_2, side_d, side_right),
+      side_lo1 = side_left_rest + side_right_rest, side_lo2 = side_lo1 + side_d_cross,
+      side_lo = side_lo2 + side_c_lo;
+  const double q2_0a = -normal_0, q2_0a_lo = -normal_0_lo, q2_0b_of_side = side + side_lo,
+      q2_0b_of_side_right = q2_0b_of_side - side,
+      q2_0b_of_side_left = q2_0b_of_side - q2_0b_of_side_right,
+      q2_0b_of_side_left_rest = side - q2_0b_of_side_left,
+      q2_0b_of_side_right_rest = side_lo - q2_0b_of_side_right,
+      q2_0b_of_side_lo = q2_0b_of_side_left_rest + q2_0b_of_side_right_rest,
+      q2_0 = q2_0b_of_side < 0.0 ? q2_0a : normal_0,
+      q2_0_lo = q2_0b_of_side < 0.0 ? q2_0a_lo : normal_0_lo;
+  const double q2_1a = -normal_1, q2_1a_lo = -normal_1_lo,
+      q2_1 = q2_0b_of_side < 0.0 ? q2_1a : normal_1,
+      q2_1_lo = q2_0b_of_side < 0.0 ? q2_1a_lo : normal_1_lo;
+  const double q2_2a = -normal_2, q2_2a_lo = -normal_2_lo,
+      q2_2 = q2_0b_of_side < 0.0 ? q2_2a : normal_2,
+      q2_2_lo = q2_0b_of_side < 0.0 ? q2_2a_lo : normal_2_lo;
+  const double size = fabs(q2_0b_of_side), size_opposite = -q2_0b_of_side_lo,
+      size_lo = q2_0b_of_side < 0.0 ? size_opposite : q2_0b_of_side_lo;
+  const double less_a_of_size = size + size_lo, less_a_of_size_right = less_a_of_size - size,
+      less_a_of_size_left = less_a_of_size - less_a_of_size_right,
+      less_a_of_size_left_rest = size - less_a_of_size_left,
+      less_a_of_size_right_rest = size_lo - less_a_of_size_right,
+      less_a_of_size_lo = less_a_of_size_left_rest + less_a_of_size_right_rest,
+      less = divisor_a_of_n < less_a_of_size ? divisor_a_of_n : less_a_of_size,
+      less_lo = divisor_a_of_n < less_a_of_size ? divisor_a_of_n_lo : less_a_of_size_lo;
+  const double dependent_a_of_less = less + less_lo,
+      dependent = dependent_a_of_less < 1.7763568394002505e-15 ? 1.0 : 0.0;
   const double self_00_new = dependent == 1.0 ? (double)NAN : q0_0,
       self_00_new_lo = dependent == 1.0 ? 0.0 : q0_0_lo;
   const double self_01_new = dependent == 1.0 ? (double)NAN : q0_1,
@@ -784,8 +911,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
 /* Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its side
      of it, the third its side of both; NaN where rows depend on each other to rounding.
    R, Ro: rotation or other 3×3 matrix.
-   142 mul, 333 add, 16 product error, 30 product rest, 30 div, 4 sqrt, 6 neg, 10 abs, 21 less,
-     24 equal, 71 select.
+   154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
+     27 equal, 79 select.
    Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
 static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double q0_s_size_0 = fabs(R->m00);
@@ -794,7 +921,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
   const double q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
   const double q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
   const double q0_s_b = 6.703903964971299e+153 < q0_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      q0_s = q0_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : q0_s_b;
+      q0_s_d = q0_s_largest2 < 256.0 ? 1.3093562431584567e+151 : q0_s_b,
+      q0_s = q0_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : q0_s_d;
   const double q0_y_0 = R->m00 * q0_s;
   const double q0_y_1 = R->m01 * q0_s;
   const double q0_y_2 = R->m02 * q0_s;
@@ -819,7 +947,14 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       q0_n_rest = q0_n_of_q0_n_e - q0_n_product, q0_n_exact = q0_n_rest - q0_n_product_error,
       q0_n_residual = q0_n_exact + q0_n_of_q0_n_e_lo, q0_n_twice = q0_n + q0_n,
       q0_n_divisor = q0_n == 0.0 ? 1.0 : q0_n_twice, q0_n_lo = q0_n_residual / q0_n_divisor;
-  const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n, q0_divisor_lo = q0_n == 0.0 ? 0.0 : q0_n_lo;
+  const double q0_divisor_a_of_q0_n = q0_n + q0_n_lo,
+      q0_divisor_a_of_q0_n_right = q0_divisor_a_of_q0_n - q0_n,
+      q0_divisor_a_of_q0_n_left = q0_divisor_a_of_q0_n - q0_divisor_a_of_q0_n_right,
+      q0_divisor_a_of_q0_n_left_rest = q0_n - q0_divisor_a_of_q0_n_left,
+      q0_divisor_a_of_q0_n_right_rest = q0_n_lo - q0_divisor_a_of_q0_n_right,
+      q0_divisor_a_of_q0_n_lo = q0_divisor_a_of_q0_n_left_rest + q0_divisor_a_of_q0_n_right_rest,
+      q0_divisor = q0_divisor_a_of_q0_n == 0.0 ? q0_up : q0_divisor_a_of_q0_n,
+      q0_divisor_lo = q0_divisor_a_of_q0_n == 0.0 ? 0.0 : q0_divisor_a_of_q0_n_lo;
   const double q0_enlarged_0 = R->m00 * q0_up;
   const double q0_enlarged_1 = R->m01 * q0_up;
   const double q0_enlarged_2 = R->m02 * q0_up;
@@ -889,7 +1024,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
   const double u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
   const double u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
   const double u1_s_b = 6.703903964971299e+153 < u1_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      u1_s = u1_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : u1_s_b;
+      u1_s_d = u1_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u1_s_b,
+      u1_s = u1_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u1_s_d;
   const double u1_y_0 = R->m10 * u1_s;
   const double u1_y_1 = R->m11 * u1_s;
   const double u1_y_2 = R->m12 * u1_s;
@@ -914,7 +1050,14 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u1_n_rest = u1_n_of_u1_n_e - u1_n_product, u1_n_exact = u1_n_rest - u1_n_product_error,
       u1_n_residual = u1_n_exact + u1_n_of_u1_n_e_lo, u1_n_twice = u1_n + u1_n,
       u1_n_divisor = u1_n == 0.0 ? 1.0 : u1_n_twice, u1_n_lo = u1_n_residual / u1_n_divisor;
-  const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n, u1_divisor_lo = u1_n == 0.0 ? 0.0 : u1_n_lo;
+  const double u1_divisor_a_of_u1_n = u1_n + u1_n_lo,
+      u1_divisor_a_of_u1_n_right = u1_divisor_a_of_u1_n - u1_n,
+      u1_divisor_a_of_u1_n_left = u1_divisor_a_of_u1_n - u1_divisor_a_of_u1_n_right,
+      u1_divisor_a_of_u1_n_left_rest = u1_n - u1_divisor_a_of_u1_n_left,
+      u1_divisor_a_of_u1_n_right_rest = u1_n_lo - u1_divisor_a_of_u1_n_right,
+      u1_divisor_a_of_u1_n_lo = u1_divisor_a_of_u1_n_left_rest + u1_divisor_a_of_u1_n_right_rest,
+      u1_divisor = u1_divisor_a_of_u1_n == 0.0 ? u1_up : u1_divisor_a_of_u1_n,
+      u1_divisor_lo = u1_divisor_a_of_u1_n == 0.0 ? 0.0 : u1_divisor_a_of_u1_n_lo;
   const double u1_enlarged_0 = R->m10 * u1_up;
   const double u1_enlarged_1 = R->m11 * u1_up;
   const double u1_enlarged_2 = R->m12 * u1_up;
@@ -1072,7 +1215,13 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? 1.0 : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double q1_0_of_twice_0 = twice_0 + twice_0_lo,
       q1_0_of_twice_0_right = q1_0_of_twice_0 - twice_0,
       q1_0_of_twice_0_left = q1_0_of_twice_0 - q1_0_of_twice_0_right,
@@ -1147,7 +1296,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
   const double u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
   const double u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
   const double u2_s_b = 6.703903964971299e+153 < u2_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      u2_s = u2_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : u2_s_b;
+      u2_s_d = u2_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u2_s_b,
+      u2_s = u2_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u2_s_d;
   const double u2_y_0 = R->m20 * u2_s;
   const double u2_y_1 = R->m21 * u2_s;
   const double u2_y_2 = R->m22 * u2_s;
@@ -1172,7 +1322,14 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u2_n_rest = u2_n_of_u2_n_e - u2_n_product, u2_n_exact = u2_n_rest - u2_n_product_error,
       u2_n_residual = u2_n_exact + u2_n_of_u2_n_e_lo, u2_n_twice = u2_n + u2_n,
       u2_n_divisor = u2_n == 0.0 ? 1.0 : u2_n_twice, u2_n_lo = u2_n_residual / u2_n_divisor;
-  const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n, u2_divisor_lo = u2_n == 0.0 ? 0.0 : u2_n_lo;
+  const double u2_divisor_a_of_u2_n = u2_n + u2_n_lo,
+      u2_divisor_a_of_u2_n_right = u2_divisor_a_of_u2_n - u2_n,
+      u2_divisor_a_of_u2_n_left = u2_divisor_a_of_u2_n - u2_divisor_a_of_u2_n_right,
+      u2_divisor_a_of_u2_n_left_rest = u2_n - u2_divisor_a_of_u2_n_left,
+      u2_divisor_a_of_u2_n_right_rest = u2_n_lo - u2_divisor_a_of_u2_n_right,
+      u2_divisor_a_of_u2_n_lo = u2_divisor_a_of_u2_n_left_rest + u2_divisor_a_of_u2_n_right_rest,
+      u2_divisor = u2_divisor_a_of_u2_n == 0.0 ? u2_up : u2_divisor_a_of_u2_n,
+      u2_divisor_lo = u2_divisor_a_of_u2_n == 0.0 ? 0.0 : u2_divisor_a_of_u2_n_lo;
   const double u2_enlarged_0 = R->m20 * u2_up;
   const double u2_enlarged_1 = R->m21 * u2_up;
   const double u2_enlarged_2 = R->m22 * u2_up;
@@ -1207,22 +1364,76 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u2_quotient_2_residual = u2_quotient_2_exact - u2_quotient_2_cross,
       u2_quotient_2_lo = u2_quotient_2_residual / u2_quotient_0_of_u2_divisor;
   const double u2_0_of_u2_quotient_0 = u2_quotient_0 + u2_quotient_0_lo,
-      u2_0 = u2_0_of_u2_quotient_0 * u2_down;
+      u2_0_of_u2_quotient_0_right = u2_0_of_u2_quotient_0 - u2_quotient_0,
+      u2_0_of_u2_quotient_0_left = u2_0_of_u2_quotient_0 - u2_0_of_u2_quotient_0_right,
+      u2_0_of_u2_quotient_0_left_rest = u2_quotient_0 - u2_0_of_u2_quotient_0_left,
+      u2_0_of_u2_quotient_0_right_rest = u2_quotient_0_lo - u2_0_of_u2_quotient_0_right,
+      u2_0_of_u2_quotient_0_lo = u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest,
+      u2_0 = u2_0_of_u2_quotient_0 * u2_down, u2_0_inverse = 1.0 / u2_down,
+      u2_0_back = u2_0 * u2_0_inverse, u2_0_lost = u2_0_of_u2_quotient_0 - u2_0_back,
+      u2_0_rest = u2_0_lost + u2_0_of_u2_quotient_0_lo, u2_0_small = u2_0_rest * u2_down,
+      u2_0_lo = u2_0_lost == 0.0 ? 0.0 : u2_0_small;
   const double u2_1_of_u2_quotient_1 = u2_quotient_1 + u2_quotient_1_lo,
-      u2_1 = u2_1_of_u2_quotient_1 * u2_down;
+      u2_1_of_u2_quotient_1_right = u2_1_of_u2_quotient_1 - u2_quotient_1,
+      u2_1_of_u2_quotient_1_left = u2_1_of_u2_quotient_1 - u2_1_of_u2_quotient_1_right,
+      u2_1_of_u2_quotient_1_left_rest = u2_quotient_1 - u2_1_of_u2_quotient_1_left,
+      u2_1_of_u2_quotient_1_right_rest = u2_quotient_1_lo - u2_1_of_u2_quotient_1_right,
+      u2_1_of_u2_quotient_1_lo = u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest,
+      u2_1 = u2_1_of_u2_quotient_1 * u2_down, u2_1_back = u2_1 * u2_0_inverse,
+      u2_1_lost = u2_1_of_u2_quotient_1 - u2_1_back,
+      u2_1_rest = u2_1_lost + u2_1_of_u2_quotient_1_lo, u2_1_small = u2_1_rest * u2_down,
+      u2_1_lo = u2_1_lost == 0.0 ? 0.0 : u2_1_small;
   const double u2_2_of_u2_quotient_2 = u2_quotient_2 + u2_quotient_2_lo,
-      u2_2 = u2_2_of_u2_quotient_2 * u2_down;
-  const double side_a = normal_0 * u2_0, side_b = normal_1 * u2_1, side_c = side_a + side_b,
-      side_d = normal_2 * u2_2, side = side_c + side_d;
-  const double q2_0a = -normal_0, q2_0a_lo = -normal_0_lo, q2_0 = side < 0.0 ? q2_0a : normal_0,
-      q2_0_lo = side < 0.0 ? q2_0a_lo : normal_0_lo;
-  const double q2_1a = -normal_1, q2_1a_lo = -normal_1_lo, q2_1 = side < 0.0 ? q2_1a : normal_1,
-      q2_1_lo = side < 0.0 ? q2_1a_lo : normal_1_lo;
-  const double q2_2a = -normal_2, q2_2a_lo = -normal_2_lo, q2_2 = side < 0.0 ? q2_2a : normal_2,
-      q2_2_lo = side < 0.0 ? q2_2a_lo : normal_2_lo;
-  const double size = fabs(side);
-  const double less = n < size ? n : size;
-  const double dependent = less < 1.7763568394002505e-15 ? 1.0 : 0.0;
+      u2_2_of_u2_quotient_2_right = u2_2_of_u2_quotient_2 - u2_quotient_2,
+      u2_2_of_u2_quotient_2_left = u2_2_of_u2_quotient_2 - u2_2_of_u2_quotient_2_right,
+      u2_2_of_u2_quotient_2_left_rest = u2_quotient_2 - u2_2_of_u2_quotient_2_left,
+      u2_2_of_u2_quotient_2_right_rest = u2_quotient_2_lo - u2_2_of_u2_quotient_2_right,
+      u2_2_of_u2_quotient_2_lo = u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest,
+      u2_2 = u2_2_of_u2_quotient_2 * u2_down, u2_2_back = u2_2 * u2_0_inverse,
+      u2_2_lost = u2_2_of_u2_quotient_2 - u2_2_back,
+      u2_2_rest = u2_2_lost + u2_2_of_u2_quotient_2_lo, u2_2_small = u2_2_rest * u2_down,
+      u2_2_lo = u2_2_lost == 0.0 ? 0.0 : u2_2_small;
+  const double side_a = normal_0 * u2_0, side_a_cross1 = normal_0_lo * u2_0,
+      side_a_cross2 = normal_0 * u2_0_lo, side_a_cross = side_a_cross1 + side_a_cross2,
+      side_b = normal_1 * u2_1, side_b_cross1 = normal_1_lo * u2_1,
+      side_b_cross2 = normal_1 * u2_1_lo, side_b_cross = side_b_cross1 + side_b_cross2,
+      side_c = side_a + side_b, side_c_right = side_c - side_a, side_c_left = side_c - side_c_right,
+      side_c_left_rest = ksl_product_rest(normal_0, u2_0, side_a, side_c_left),
+      side_c_right_rest = ksl_product_rest(normal_1, u2_1, side_b, side_c_right),
+      side_c_cross = side_a_cross + side_b_cross, side_c_lo1 = side_c_left_rest + side_c_right_rest,
+      side_c_lo = side_c_lo1 + side_c_cross, side_d = normal_2 * u2_2,
+      side_d_cross1 = normal_2_lo * u2_2, side_d_cross2 = normal_2 * u2_2_lo,
+      side_d_cross = side_d_cross1 + side_d_cross2, side = side_c + side_d,
+      side_right = side - side_c, side_left = side - side_right,
+      side_left_rest = side_c - side_left,
+      side_right_rest = ksl_product_rest(normal_2, u2_2, side_d, side_right),
+      side_lo1 = side_left_rest + side_right_rest, side_lo2 = side_lo1 + side_d_cross,
+      side_lo = side_lo2 + side_c_lo;
+  const double q2_0a = -normal_0, q2_0a_lo = -normal_0_lo, q2_0b_of_side = side + side_lo,
+      q2_0b_of_side_right = q2_0b_of_side - side,
+      q2_0b_of_side_left = q2_0b_of_side - q2_0b_of_side_right,
+      q2_0b_of_side_left_rest = side - q2_0b_of_side_left,
+      q2_0b_of_side_right_rest = side_lo - q2_0b_of_side_right,
+      q2_0b_of_side_lo = q2_0b_of_side_left_rest + q2_0b_of_side_right_rest,
+      q2_0 = q2_0b_of_side < 0.0 ? q2_0a : normal_0,
+      q2_0_lo = q2_0b_of_side < 0.0 ? q2_0a_lo : normal_0_lo;
+  const double q2_1a = -normal_1, q2_1a_lo = -normal_1_lo,
+      q2_1 = q2_0b_of_side < 0.0 ? q2_1a : normal_1,
+      q2_1_lo = q2_0b_of_side < 0.0 ? q2_1a_lo : normal_1_lo;
+  const double q2_2a = -normal_2, q2_2a_lo = -normal_2_lo,
+      q2_2 = q2_0b_of_side < 0.0 ? q2_2a : normal_2,
+      q2_2_lo = q2_0b_of_side < 0.0 ? q2_2a_lo : normal_2_lo;
+  const double size = fabs(q2_0b_of_side), size_opposite = -q2_0b_of_side_lo,
+      size_lo = q2_0b_of_side < 0.0 ? size_opposite : q2_0b_of_side_lo;
+  const double less_a_of_size = size + size_lo, less_a_of_size_right = less_a_of_size - size,
+      less_a_of_size_left = less_a_of_size - less_a_of_size_right,
+      less_a_of_size_left_rest = size - less_a_of_size_left,
+      less_a_of_size_right_rest = size_lo - less_a_of_size_right,
+      less_a_of_size_lo = less_a_of_size_left_rest + less_a_of_size_right_rest,
+      less = divisor_a_of_n < less_a_of_size ? divisor_a_of_n : less_a_of_size,
+      less_lo = divisor_a_of_n < less_a_of_size ? divisor_a_of_n_lo : less_a_of_size_lo;
+  const double dependent_a_of_less = less + less_lo,
+      dependent = dependent_a_of_less < 1.7763568394002505e-15 ? 1.0 : 0.0;
   const double Ro_00 = dependent == 1.0 ? (double)NAN : q0_0,
       Ro_00_lo = dependent == 1.0 ? 0.0 : q0_0_lo;
   const double Ro_01 = dependent == 1.0 ? (double)NAN : q0_1,
@@ -1373,7 +1584,13 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_c - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_c_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? 1.0 : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double cosine_a_of_divisor = divisor + divisor_lo,
       cosine_a_of_divisor_right = cosine_a_of_divisor - divisor,
       cosine_a_of_divisor_left = cosine_a_of_divisor - cosine_a_of_divisor_right,
@@ -1386,8 +1603,9 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       cosine_a_exact = cosine_a_rest - cosine_a_product_error,
       cosine_a_cross = cosine_a * cosine_a_of_divisor_lo,
       cosine_a_residual = cosine_a_exact - cosine_a_cross,
-      cosine_a_lo = cosine_a_residual / cosine_a_of_divisor, cosine = n == 0.0 ? 1.0 : cosine_a,
-      cosine_lo = n == 0.0 ? 0.0 : cosine_a_lo;
+      cosine_a_lo = cosine_a_residual / cosine_a_of_divisor,
+      cosine = divisor_a_of_n == 0.0 ? 1.0 : cosine_a,
+      cosine_lo = divisor_a_of_n == 0.0 ? 0.0 : cosine_a_lo;
   const double sine_a = -R->m01, sine = sine_a / cosine_a_of_divisor,
       sine_product = sine * cosine_a_of_divisor,
       sine_product_error = ksl_product_error(sine, cosine_a_of_divisor, sine_product),
@@ -1395,7 +1613,7 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       sine_cross = sine * cosine_a_of_divisor_lo, sine_residual = sine_exact - sine_cross,
       sine_lo = sine_residual / cosine_a_of_divisor;
   const double polar = atan2(sine_a, R->m00);
-  const double third = n == 0.0 ? 0.0 : polar;
+  const double third = divisor_a_of_n == 0.0 ? 0.0 : polar;
   const double left_1a = R->m10 * sine, left_1a_cross2 = R->m10 * sine_lo,
       left_1b = R->m11 * cosine, left_1b_cross2 = R->m11 * cosine_lo, left_1 = left_1a + left_1b,
       left_1_right = left_1 - left_1a, left_1_left = left_1 - left_1_right,
@@ -1437,17 +1655,13 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_0_divisor2 = angles_0_divisor * angles_0_square,
       angles_0_safe = angles_0_most == 0.0 ? 1.0 : angles_0_divisor2,
       angles_0_lo = angles_0_cross / angles_0_safe;
-  const double angles_1_of_n = n + n_lo, angles_1_of_n_right = angles_1_of_n - n,
-      angles_1_of_n_left = angles_1_of_n - angles_1_of_n_right,
-      angles_1_of_n_left_rest = n - angles_1_of_n_left,
-      angles_1_of_n_right_rest = n_lo - angles_1_of_n_right,
-      angles_1_of_n_lo = angles_1_of_n_left_rest + angles_1_of_n_right_rest,
-      angles_1 = atan2(R->m02, angles_1_of_n), angles_1_size0 = fabs(R->m02),
-      angles_1_size1 = fabs(angles_1_of_n),
+  const double angles_1 = atan2(R->m02, divisor_a_of_n), angles_1_size0 = fabs(R->m02),
+      angles_1_size1 = fabs(divisor_a_of_n),
       angles_1_most = angles_1_size0 < angles_1_size1 ? angles_1_size1 : angles_1_size0,
       angles_1_divisor = angles_1_most == 0.0 ? 1.0 : angles_1_most,
-      angles_1_part0 = R->m02 / angles_1_divisor, angles_1_part1 = angles_1_of_n / angles_1_divisor,
-      angles_1_cross1 = angles_1_part1 * 0.0, angles_1_cross2 = angles_1_part0 * angles_1_of_n_lo,
+      angles_1_part0 = R->m02 / angles_1_divisor,
+      angles_1_part1 = divisor_a_of_n / angles_1_divisor, angles_1_cross1 = angles_1_part1 * 0.0,
+      angles_1_cross2 = angles_1_part0 * divisor_a_of_n_lo,
       angles_1_square1 = angles_1_part1 * angles_1_part1,
       angles_1_square2 = angles_1_part0 * angles_1_part0,
       angles_1_cross = angles_1_cross1 - angles_1_cross2,
@@ -1482,7 +1696,13 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_c - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_c_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? 1.0 : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double cosine_a_of_divisor = divisor + divisor_lo,
       cosine_a_of_divisor_right = cosine_a_of_divisor - divisor,
       cosine_a_of_divisor_left = cosine_a_of_divisor - cosine_a_of_divisor_right,
@@ -1495,15 +1715,16 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       cosine_a_exact = cosine_a_rest - cosine_a_product_error,
       cosine_a_cross = cosine_a * cosine_a_of_divisor_lo,
       cosine_a_residual = cosine_a_exact - cosine_a_cross,
-      cosine_a_lo = cosine_a_residual / cosine_a_of_divisor, cosine = n == 0.0 ? 1.0 : cosine_a,
-      cosine_lo = n == 0.0 ? 0.0 : cosine_a_lo;
+      cosine_a_lo = cosine_a_residual / cosine_a_of_divisor,
+      cosine = divisor_a_of_n == 0.0 ? 1.0 : cosine_a,
+      cosine_lo = divisor_a_of_n == 0.0 ? 0.0 : cosine_a_lo;
   const double sine = R->m01 / cosine_a_of_divisor, sine_product = sine * cosine_a_of_divisor,
       sine_product_error = ksl_product_error(sine, cosine_a_of_divisor, sine_product),
       sine_rest = R->m01 - sine_product, sine_exact = sine_rest - sine_product_error,
       sine_cross = sine * cosine_a_of_divisor_lo, sine_residual = sine_exact - sine_cross,
       sine_lo = sine_residual / cosine_a_of_divisor;
   const double polar = atan2(R->m01, R->m02);
-  const double third = n == 0.0 ? 0.0 : polar;
+  const double third = divisor_a_of_n == 0.0 ? 0.0 : polar;
   const double left_1a = R->m11 * cosine, left_1a_cross2 = R->m11 * cosine_lo,
       left_1b = R->m12 * sine, left_1b_cross2 = R->m12 * sine_lo, left_1 = left_1a - left_1b,
       left_1_right = left_1a - left_1, left_1_left = left_1 + left_1_right,
@@ -1545,17 +1766,13 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_0_divisor2 = angles_0_divisor * angles_0_square,
       angles_0_safe = angles_0_most == 0.0 ? 1.0 : angles_0_divisor2,
       angles_0_lo = angles_0_cross / angles_0_safe;
-  const double angles_1_of_n = n + n_lo, angles_1_of_n_right = angles_1_of_n - n,
-      angles_1_of_n_left = angles_1_of_n - angles_1_of_n_right,
-      angles_1_of_n_left_rest = n - angles_1_of_n_left,
-      angles_1_of_n_right_rest = n_lo - angles_1_of_n_right,
-      angles_1_of_n_lo = angles_1_of_n_left_rest + angles_1_of_n_right_rest,
-      angles_1 = atan2(angles_1_of_n, R->m00), angles_1_size0 = fabs(angles_1_of_n),
+  const double angles_1 = atan2(divisor_a_of_n, R->m00), angles_1_size0 = fabs(divisor_a_of_n),
       angles_1_size1 = fabs(R->m00),
       angles_1_most = angles_1_size0 < angles_1_size1 ? angles_1_size1 : angles_1_size0,
       angles_1_divisor = angles_1_most == 0.0 ? 1.0 : angles_1_most,
-      angles_1_part0 = angles_1_of_n / angles_1_divisor, angles_1_part1 = R->m00 / angles_1_divisor,
-      angles_1_cross1 = angles_1_part1 * angles_1_of_n_lo, angles_1_cross2 = angles_1_part0 * 0.0,
+      angles_1_part0 = divisor_a_of_n / angles_1_divisor,
+      angles_1_part1 = R->m00 / angles_1_divisor,
+      angles_1_cross1 = angles_1_part1 * divisor_a_of_n_lo, angles_1_cross2 = angles_1_part0 * 0.0,
       angles_1_square1 = angles_1_part1 * angles_1_part1,
       angles_1_square2 = angles_1_part0 * angles_1_part0,
       angles_1_cross = angles_1_cross1 - angles_1_cross2,
@@ -1576,7 +1793,7 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
      A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
      I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
    A, V: rotation or other 3×3 matrix.
-   51 mul, 147 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13
+   51 mul, 153 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13
      equal, 18 select.
    |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
@@ -1594,13 +1811,21 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
       theta_product_error = ksl_product_error(theta, divisor, theta_product),
       theta_rest = theta_of_apart - theta_product, theta_exact = theta_rest - theta_product_error,
       theta_numerator = theta_exact + theta_of_apart_lo, theta_lo = theta_numerator / divisor;
-  const double absolute = fabs(theta), absolute_opposite = -theta_lo,
-      absolute_lo = theta < 0.0 ? absolute_opposite : theta_lo;
-  const double size_a = theta * theta, size_a_cross1 = theta_lo * theta,
-      size_a_cross2 = theta * theta_lo, size_a_cross = size_a_cross1 + size_a_cross2,
-      size_b = 1.0 + size_a, size_b_right = size_b - 1.0, size_b_left = size_b - size_b_right,
+  const double magnitude_of_theta = theta + theta_lo,
+      magnitude_of_theta_right = magnitude_of_theta - theta,
+      magnitude_of_theta_left = magnitude_of_theta - magnitude_of_theta_right,
+      magnitude_of_theta_left_rest = theta - magnitude_of_theta_left,
+      magnitude_of_theta_right_rest = theta_lo - magnitude_of_theta_right,
+      magnitude_of_theta_lo = magnitude_of_theta_left_rest + magnitude_of_theta_right_rest,
+      magnitude = fabs(magnitude_of_theta), magnitude_opposite = -magnitude_of_theta_lo,
+      magnitude_lo = magnitude_of_theta < 0.0 ? magnitude_opposite : magnitude_of_theta_lo;
+  const double size_a = magnitude_of_theta * magnitude_of_theta,
+      size_a_cross1 = magnitude_of_theta_lo * magnitude_of_theta,
+      size_a_cross2 = magnitude_of_theta * magnitude_of_theta_lo,
+      size_a_cross = size_a_cross1 + size_a_cross2, size_b = 1.0 + size_a,
+      size_b_right = size_b - 1.0, size_b_left = size_b - size_b_right,
       size_b_left_rest = 1.0 - size_b_left,
-      size_b_right_rest = ksl_product_rest(theta, theta, size_a, size_b_right),
+      size_b_right_rest = ksl_product_rest(magnitude_of_theta, magnitude_of_theta, size_a, size_b_right),
       size_b_lo1 = size_b_left_rest + size_b_right_rest, size_b_lo = size_b_lo1 + size_a_cross,
       size_c_of_size_b = size_b + size_b_lo, size_c_of_size_b_right = size_c_of_size_b - size_b,
       size_c_of_size_b_left = size_c_of_size_b - size_c_of_size_b_right,
@@ -1613,13 +1838,14 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
       size_c_exact = size_c_rest - size_c_product_error,
       size_c_residual = size_c_exact + size_c_of_size_b_lo, size_c_twice = size_c + size_c,
       size_c_divisor = size_c == 0.0 ? 1.0 : size_c_twice,
-      size_c_lo = size_c_residual / size_c_divisor, size = absolute + size_c,
-      size_right = size - absolute, size_left = size - size_right,
-      size_left_rest = absolute - size_left, size_right_rest = size_c - size_right,
+      size_c_lo = size_c_residual / size_c_divisor, size = magnitude + size_c,
+      size_right = size - magnitude, size_left = size - size_right,
+      size_left_rest = magnitude - size_left, size_right_rest = size_c - size_right,
       size_lo1 = size_left_rest + size_right_rest, size_lo2 = size_lo1 + size_c_lo,
-      size_lo = size_lo2 + absolute_lo;
-  const double along_a = -size, along_a_lo = -size_lo, along = theta < 0.0 ? along_a : size,
-      along_lo = theta < 0.0 ? along_a_lo : size_lo;
+      size_lo = size_lo2 + magnitude_lo;
+  const double along_a = -size, along_a_lo = -size_lo,
+      along = magnitude_of_theta < 0.0 ? along_a : size,
+      along_lo = magnitude_of_theta < 0.0 ? along_a_lo : size_lo;
   const double t_a_of_along = along + along_lo, t_a_of_along_right = t_a_of_along - along,
       t_a_of_along_left = t_a_of_along - t_a_of_along_right,
       t_a_of_along_left_rest = along - t_a_of_along_left,
@@ -1763,9 +1989,10 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
    R: rotation or other 3×3 matrix; axis: vector.
-   35 mul, 204 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
-     less, 11 equal, 54 select.
-   Error <= angle: 8 u, axis: 5 u of its largest component; searched, not proved. */
+   35 mul, 235 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
+     less, 11 equal, 61 select.
+   Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
+     proved. */
 static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
       p_0_left_rest = R->m21 - p_0_left, p_0_right_rest = R->m12 - p_0_right,
@@ -1837,51 +2064,91 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
   const double column_3 = R->m22 < 0.0 ? low_3 : high_3,
       column_3_lo = R->m22 < 0.0 ? low_3_lo : high_3_lo;
   const double upper_0a = -column_0, upper_0a_lo = -column_0_lo,
-      upper_0 = column_3 < 0.0 ? upper_0a : column_0,
-      upper_0_lo = column_3 < 0.0 ? upper_0a_lo : column_0_lo;
+      upper_0b_of_column_3 = column_3 + column_3_lo,
+      upper_0b_of_column_3_right = upper_0b_of_column_3 - column_3,
+      upper_0b_of_column_3_left = upper_0b_of_column_3 - upper_0b_of_column_3_right,
+      upper_0b_of_column_3_left_rest = column_3 - upper_0b_of_column_3_left,
+      upper_0b_of_column_3_right_rest = column_3_lo - upper_0b_of_column_3_right,
+      upper_0b_of_column_3_lo = upper_0b_of_column_3_left_rest + upper_0b_of_column_3_right_rest,
+      upper_0 = upper_0b_of_column_3 < 0.0 ? upper_0a : column_0,
+      upper_0_lo = upper_0b_of_column_3 < 0.0 ? upper_0a_lo : column_0_lo;
   const double upper_1a = -column_1, upper_1a_lo = -column_1_lo,
-      upper_1 = column_3 < 0.0 ? upper_1a : column_1,
-      upper_1_lo = column_3 < 0.0 ? upper_1a_lo : column_1_lo;
+      upper_1 = upper_0b_of_column_3 < 0.0 ? upper_1a : column_1,
+      upper_1_lo = upper_0b_of_column_3 < 0.0 ? upper_1a_lo : column_1_lo;
   const double upper_2a = -column_2, upper_2a_lo = -column_2_lo,
-      upper_2 = column_3 < 0.0 ? upper_2a : column_2,
-      upper_2_lo = column_3 < 0.0 ? upper_2a_lo : column_2_lo;
-  const double upper_3a = -column_3, upper_3a_lo = -column_3_lo,
-      upper_3 = column_3 < 0.0 ? upper_3a : column_3,
-      upper_3_lo = column_3 < 0.0 ? upper_3a_lo : column_3_lo;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
-  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
-  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
-  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0_of_upper_0 = upper_0 + upper_0_lo,
-      v_y_0_of_upper_0_right = v_y_0_of_upper_0 - upper_0,
-      v_y_0_of_upper_0_left = v_y_0_of_upper_0 - v_y_0_of_upper_0_right,
-      v_y_0_of_upper_0_left_rest = upper_0 - v_y_0_of_upper_0_left,
-      v_y_0_of_upper_0_right_rest = upper_0_lo - v_y_0_of_upper_0_right,
-      v_y_0_of_upper_0_lo = v_y_0_of_upper_0_left_rest + v_y_0_of_upper_0_right_rest,
-      v_y_0 = v_y_0_of_upper_0 * v_s, v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
-      v_y_0_lost = v_y_0_of_upper_0 - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_of_upper_0_lo,
-      v_y_0_small = v_y_0_rest * v_s, v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
-  const double v_y_1_of_upper_1 = upper_1 + upper_1_lo,
-      v_y_1_of_upper_1_right = v_y_1_of_upper_1 - upper_1,
-      v_y_1_of_upper_1_left = v_y_1_of_upper_1 - v_y_1_of_upper_1_right,
-      v_y_1_of_upper_1_left_rest = upper_1 - v_y_1_of_upper_1_left,
-      v_y_1_of_upper_1_right_rest = upper_1_lo - v_y_1_of_upper_1_right,
-      v_y_1_of_upper_1_lo = v_y_1_of_upper_1_left_rest + v_y_1_of_upper_1_right_rest,
-      v_y_1 = v_y_1_of_upper_1 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
-      v_y_1_lost = v_y_1_of_upper_1 - v_y_1_back, v_y_1_rest = v_y_1_lost + v_y_1_of_upper_1_lo,
-      v_y_1_small = v_y_1_rest * v_s, v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
-  const double v_y_2_of_upper_2 = upper_2 + upper_2_lo,
-      v_y_2_of_upper_2_right = v_y_2_of_upper_2 - upper_2,
-      v_y_2_of_upper_2_left = v_y_2_of_upper_2 - v_y_2_of_upper_2_right,
-      v_y_2_of_upper_2_left_rest = upper_2 - v_y_2_of_upper_2_left,
-      v_y_2_of_upper_2_right_rest = upper_2_lo - v_y_2_of_upper_2_right,
-      v_y_2_of_upper_2_lo = v_y_2_of_upper_2_left_rest + v_y_2_of_upper_2_right_rest,
-      v_y_2 = v_y_2_of_upper_2 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
-      v_y_2_lost = v_y_2_of_upper_2 - v_y_2_back, v_y_2_rest = v_y_2_lost + v_y_2_of_upper_2_lo,
-      v_y_2_small = v_y_2_rest * v_s, v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
+      upper_2 = upper_0b_of_column_3 < 0.0 ? upper_2a : column_2,
+      upper_2_lo = upper_0b_of_column_3 < 0.0 ? upper_2a_lo : column_2_lo;
+  const double upper_3a = -upper_0b_of_column_3, upper_3a_lo = -upper_0b_of_column_3_lo,
+      upper_3 = upper_0b_of_column_3 < 0.0 ? upper_3a : upper_0b_of_column_3,
+      upper_3_lo = upper_0b_of_column_3 < 0.0 ? upper_3a_lo : upper_0b_of_column_3_lo;
+  const double v_s_size_0_of_upper_0 = upper_0 + upper_0_lo,
+      v_s_size_0_of_upper_0_right = v_s_size_0_of_upper_0 - upper_0,
+      v_s_size_0_of_upper_0_left = v_s_size_0_of_upper_0 - v_s_size_0_of_upper_0_right,
+      v_s_size_0_of_upper_0_left_rest = upper_0 - v_s_size_0_of_upper_0_left,
+      v_s_size_0_of_upper_0_right_rest = upper_0_lo - v_s_size_0_of_upper_0_right,
+      v_s_size_0_of_upper_0_lo = v_s_size_0_of_upper_0_left_rest + v_s_size_0_of_upper_0_right_rest,
+      v_s_size_0 = fabs(v_s_size_0_of_upper_0), v_s_size_0_opposite = -v_s_size_0_of_upper_0_lo,
+      v_s_size_0_lo = v_s_size_0_of_upper_0 < 0.0 ? v_s_size_0_opposite : v_s_size_0_of_upper_0_lo;
+  const double v_s_size_1_of_upper_1 = upper_1 + upper_1_lo,
+      v_s_size_1_of_upper_1_right = v_s_size_1_of_upper_1 - upper_1,
+      v_s_size_1_of_upper_1_left = v_s_size_1_of_upper_1 - v_s_size_1_of_upper_1_right,
+      v_s_size_1_of_upper_1_left_rest = upper_1 - v_s_size_1_of_upper_1_left,
+      v_s_size_1_of_upper_1_right_rest = upper_1_lo - v_s_size_1_of_upper_1_right,
+      v_s_size_1_of_upper_1_lo = v_s_size_1_of_upper_1_left_rest + v_s_size_1_of_upper_1_right_rest,
+      v_s_size_1 = fabs(v_s_size_1_of_upper_1), v_s_size_1_opposite = -v_s_size_1_of_upper_1_lo,
+      v_s_size_1_lo = v_s_size_1_of_upper_1 < 0.0 ? v_s_size_1_opposite : v_s_size_1_of_upper_1_lo;
+  const double v_s_size_2_of_upper_2 = upper_2 + upper_2_lo,
+      v_s_size_2_of_upper_2_right = v_s_size_2_of_upper_2 - upper_2,
+      v_s_size_2_of_upper_2_left = v_s_size_2_of_upper_2 - v_s_size_2_of_upper_2_right,
+      v_s_size_2_of_upper_2_left_rest = upper_2 - v_s_size_2_of_upper_2_left,
+      v_s_size_2_of_upper_2_right_rest = upper_2_lo - v_s_size_2_of_upper_2_right,
+      v_s_size_2_of_upper_2_lo = v_s_size_2_of_upper_2_left_rest + v_s_size_2_of_upper_2_right_rest,
+      v_s_size_2 = fabs(v_s_size_2_of_upper_2), v_s_size_2_opposite = -v_s_size_2_of_upper_2_lo,
+      v_s_size_2_lo = v_s_size_2_of_upper_2 < 0.0 ? v_s_size_2_opposite : v_s_size_2_of_upper_2_lo;
+  const double v_s_largest1a_of_v_s_size_0 = v_s_size_0 + v_s_size_0_lo,
+      v_s_largest1a_of_v_s_size_0_right = v_s_largest1a_of_v_s_size_0 - v_s_size_0,
+      v_s_largest1a_of_v_s_size_0_left = v_s_largest1a_of_v_s_size_0 - v_s_largest1a_of_v_s_size_0_right,
+      v_s_largest1a_of_v_s_size_0_left_rest = v_s_size_0 - v_s_largest1a_of_v_s_size_0_left,
+      v_s_largest1a_of_v_s_size_0_right_rest = v_s_size_0_lo - v_s_largest1a_of_v_s_size_0_right,
+      v_s_largest1a_of_v_s_size_0_lo = v_s_largest1a_of_v_s_size_0_left_rest + v_s_largest1a_of_v_s_size_0_right_rest,
+      v_s_largest1a_of_v_s_size_1 = v_s_size_1 + v_s_size_1_lo,
+      v_s_largest1a_of_v_s_size_1_right = v_s_largest1a_of_v_s_size_1 - v_s_size_1,
+      v_s_largest1a_of_v_s_size_1_left = v_s_largest1a_of_v_s_size_1 - v_s_largest1a_of_v_s_size_1_right,
+      v_s_largest1a_of_v_s_size_1_left_rest = v_s_size_1 - v_s_largest1a_of_v_s_size_1_left,
+      v_s_largest1a_of_v_s_size_1_right_rest = v_s_size_1_lo - v_s_largest1a_of_v_s_size_1_right,
+      v_s_largest1a_of_v_s_size_1_lo = v_s_largest1a_of_v_s_size_1_left_rest + v_s_largest1a_of_v_s_size_1_right_rest,
+      v_s_largest1 = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ? v_s_largest1a_of_v_s_size_1 : v_s_largest1a_of_v_s_size_0,
+      v_s_largest1_lo = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ? v_s_largest1a_of_v_s_size_1_lo : v_s_largest1a_of_v_s_size_0_lo;
+  const double v_s_largest2a_of_v_s_largest1 = v_s_largest1 + v_s_largest1_lo,
+      v_s_largest2a_of_v_s_largest1_right = v_s_largest2a_of_v_s_largest1 - v_s_largest1,
+      v_s_largest2a_of_v_s_largest1_left = v_s_largest2a_of_v_s_largest1 - v_s_largest2a_of_v_s_largest1_right,
+      v_s_largest2a_of_v_s_largest1_left_rest = v_s_largest1 - v_s_largest2a_of_v_s_largest1_left,
+      v_s_largest2a_of_v_s_largest1_right_rest = v_s_largest1_lo - v_s_largest2a_of_v_s_largest1_right,
+      v_s_largest2a_of_v_s_largest1_lo = v_s_largest2a_of_v_s_largest1_left_rest + v_s_largest2a_of_v_s_largest1_right_rest,
+      v_s_largest2a_of_v_s_size_2 = v_s_size_2 + v_s_size_2_lo,
+      v_s_largest2a_of_v_s_size_2_right = v_s_largest2a_of_v_s_size_2 - v_s_size_2,
+      v_s_largest2a_of_v_s_size_2_left = v_s_largest2a_of_v_s_size_2 - v_s_largest2a_of_v_s_size_2_right,
+      v_s_largest2a_of_v_s_size_2_left_rest = v_s_size_2 - v_s_largest2a_of_v_s_size_2_left,
+      v_s_largest2a_of_v_s_size_2_right_rest = v_s_size_2_lo - v_s_largest2a_of_v_s_size_2_right,
+      v_s_largest2a_of_v_s_size_2_lo = v_s_largest2a_of_v_s_size_2_left_rest + v_s_largest2a_of_v_s_size_2_right_rest,
+      v_s_largest2 = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ? v_s_largest2a_of_v_s_size_2 : v_s_largest2a_of_v_s_largest1,
+      v_s_largest2_lo = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ? v_s_largest2a_of_v_s_size_2_lo : v_s_largest2a_of_v_s_largest1_lo;
+  const double v_s_a_of_v_s_largest2 = v_s_largest2 + v_s_largest2_lo,
+      v_s_b = 6.703903964971299e+153 < v_s_a_of_v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      v_s_d = v_s_a_of_v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_a_of_v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
+  const double v_y_0 = v_s_size_0_of_upper_0 * v_s, v_y_0_inverse = 1.0 / v_s,
+      v_y_0_back = v_y_0 * v_y_0_inverse, v_y_0_lost = v_s_size_0_of_upper_0 - v_y_0_back,
+      v_y_0_rest = v_y_0_lost + v_s_size_0_of_upper_0_lo, v_y_0_small = v_y_0_rest * v_s,
+      v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
+  const double v_y_1 = v_s_size_1_of_upper_1 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
+      v_y_1_lost = v_s_size_1_of_upper_1 - v_y_1_back,
+      v_y_1_rest = v_y_1_lost + v_s_size_1_of_upper_1_lo, v_y_1_small = v_y_1_rest * v_s,
+      v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
+  const double v_y_2 = v_s_size_2_of_upper_2 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
+      v_y_2_lost = v_s_size_2_of_upper_2 - v_y_2_back,
+      v_y_2_rest = v_y_2_lost + v_s_size_2_of_upper_2_lo, v_y_2_small = v_y_2_rest * v_s,
+      v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
   const double v_n_a = v_y_0 * v_y_0, v_n_a_cross1 = v_y_0_lo * v_y_0,
       v_n_a_cross2 = v_y_0 * v_y_0_lo, v_n_a_cross = v_n_a_cross1 + v_n_a_cross2,
       v_n_b = v_y_1 * v_y_1, v_n_b_cross1 = v_y_1_lo * v_y_1, v_n_b_cross2 = v_y_1 * v_y_1_lo,
@@ -1907,7 +2174,8 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       v_n_residual = v_n_exact + v_n_of_v_n_e_lo, v_n_twice = v_n + v_n,
       v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n_of_v_n = v_n + v_n_lo, n_of_v_n_right = n_of_v_n - v_n,
       n_of_v_n_left = n_of_v_n - n_of_v_n_right, n_of_v_n_left_rest = v_n - n_of_v_n_left,
       n_of_v_n_right_rest = v_n_lo - n_of_v_n_right,
@@ -2084,7 +2352,7 @@ static inline float ksl_mat3x3f_inverse_accurate(const ksl_mat3x3f_t *R, ksl_mat
 /* self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
      side of it, the third its side of both; NaN where rows depend on each other to rounding.
    self: rotation or other 3×3 matrix.
-   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 21 less, 5 equal, 36 select.
+   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
    Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
 static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
   const double q0_s_size_0 = fabs((double)self->m00);
@@ -2093,7 +2361,8 @@ static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
   const double q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
   const double q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
   const double q0_s_b = 4.611686018427388e+18 < q0_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      q0_s = q0_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : q0_s_b;
+      q0_s_d = q0_s_largest2 < 256.0 ? 1.8014398509481984e+16 : q0_s_b,
+      q0_s = q0_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : q0_s_d;
   const double q0_y_0 = (double)self->m00 * q0_s;
   const double q0_y_1 = (double)self->m01 * q0_s;
   const double q0_y_2 = (double)self->m02 * q0_s;
@@ -2117,7 +2386,8 @@ static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
   const double u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
   const double u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
   const double u1_s_b = 4.611686018427388e+18 < u1_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      u1_s = u1_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : u1_s_b;
+      u1_s_d = u1_s_largest2 < 256.0 ? 1.8014398509481984e+16 : u1_s_b,
+      u1_s = u1_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : u1_s_d;
   const double u1_y_0 = (double)self->m10 * u1_s;
   const double u1_y_1 = (double)self->m11 * u1_s;
   const double u1_y_2 = (double)self->m12 * u1_s;
@@ -2160,7 +2430,8 @@ static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
   const double u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
   const double u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
   const double u2_s_b = 4.611686018427388e+18 < u2_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      u2_s = u2_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : u2_s_b;
+      u2_s_d = u2_s_largest2 < 256.0 ? 1.8014398509481984e+16 : u2_s_b,
+      u2_s = u2_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : u2_s_d;
   const double u2_y_0 = (double)self->m20 * u2_s;
   const double u2_y_1 = (double)self->m21 * u2_s;
   const double u2_y_2 = (double)self->m22 * u2_s;
@@ -2209,7 +2480,7 @@ static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
 /* Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its side
      of it, the third its side of both; NaN where rows depend on each other to rounding.
    R, Ro: rotation or other 3×3 matrix.
-   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 21 less, 5 equal, 36 select.
+   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
    Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
 static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const double q0_s_size_0 = fabs((double)R->m00);
@@ -2218,7 +2489,8 @@ static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_m
   const double q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
   const double q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
   const double q0_s_b = 4.611686018427388e+18 < q0_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      q0_s = q0_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : q0_s_b;
+      q0_s_d = q0_s_largest2 < 256.0 ? 1.8014398509481984e+16 : q0_s_b,
+      q0_s = q0_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : q0_s_d;
   const double q0_y_0 = (double)R->m00 * q0_s;
   const double q0_y_1 = (double)R->m01 * q0_s;
   const double q0_y_2 = (double)R->m02 * q0_s;
@@ -2242,7 +2514,8 @@ static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_m
   const double u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
   const double u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
   const double u1_s_b = 4.611686018427388e+18 < u1_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      u1_s = u1_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : u1_s_b;
+      u1_s_d = u1_s_largest2 < 256.0 ? 1.8014398509481984e+16 : u1_s_b,
+      u1_s = u1_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : u1_s_d;
   const double u1_y_0 = (double)R->m10 * u1_s;
   const double u1_y_1 = (double)R->m11 * u1_s;
   const double u1_y_2 = (double)R->m12 * u1_s;
@@ -2285,7 +2558,8 @@ static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_m
   const double u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
   const double u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
   const double u2_s_b = 4.611686018427388e+18 < u2_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      u2_s = u2_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : u2_s_b;
+      u2_s_d = u2_s_largest2 < 256.0 ? 1.8014398509481984e+16 : u2_s_b,
+      u2_s = u2_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : u2_s_d;
   const double u2_y_0 = (double)R->m20 * u2_s;
   const double u2_y_1 = (double)R->m21 * u2_s;
   const double u2_y_2 = (double)R->m22 * u2_s;
@@ -2434,9 +2708,9 @@ static inline void ksl_mat3x3f_jacobi_accurate(ksl_mat3x3f_t *A, ksl_mat3x3f_t *
   const double apart = (double)A->m11 - (double)A->m00;
   const double divisor = twice == 0.0 ? 1.0 : twice;
   const double theta = apart / divisor;
-  const double absolute = fabs(theta);
+  const double magnitude = fabs(theta);
   const double size_a = theta * theta, size_b = 1.0 + size_a, size_c = sqrt(size_b),
-      size = absolute + size_c;
+      size = magnitude + size_c;
   const double along_a = -size, along = theta < 0.0 ? along_a : size;
   const double t_a = 1.0 / along, t = twice == 0.0 ? 0.0 : t_a;
   const double secant_a = t * t, secant_b = 1.0 + secant_a, secant = sqrt(secant_b);
@@ -2479,8 +2753,9 @@ static inline void ksl_mat3x3f_jacobi_accurate(ksl_mat3x3f_t *A, ksl_mat3x3f_t *
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
    R: rotation or other 3×3 matrix; axis: vector.
-   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
-   Error <= angle: 8 u, axis: 5 u of its largest component; searched, not proved. */
+   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.
+   Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
+     proved. */
 static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *axis) {
   const double p_0 = (double)R->m21 - (double)R->m12;
@@ -2519,14 +2794,16 @@ static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      v_s = v_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : v_s_b,
+      v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
-      v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
+      v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
+      v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_d;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;

@@ -49,22 +49,6 @@ static inline void ksl_quaternion_scale(ksl_quaternion_t *self, const double a) 
   self->w = self_3_new;
 }
 
-/* y = a x + y.
-   a: number; x, y: quaternion (x, y, z, w), the scalar last.
-   4 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_axpy_qq(const double a, const ksl_quaternion_t *x, ksl_quaternion_t *y) {
-  const double y_0_new_a = a * x->x, y_0_new = y_0_new_a + y->x;
-  const double y_1_new_a = a * x->y, y_1_new = y_1_new_a + y->y;
-  const double y_2_new_a = a * x->z, y_2_new = y_2_new_a + y->z;
-  const double y_3_new_a = a * x->w, y_3_new = y_3_new_a + y->w;
-  y->x = y_0_new;
-  y->y = y_1_new;
-  y->z = y_2_new;
-  y->w = y_3_new;
-}
-
 /* self = (0; 1).
    self: quaternion (x, y, z, w), the scalar last.
    No arithmetic.
@@ -93,7 +77,7 @@ static inline void ksl_quaternion_conjugated(const ksl_quaternion_t *q, ksl_quat
 
 /* |q| = sqrt(v·v + w^2).
    q: quaternion (x, y, z, w), the scalar last.
-   9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select. */
+   9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline double ksl_quaternion_norm(const ksl_quaternion_t *q) {
   const double s_size_0 = fabs(q->x);
   const double s_size_1 = fabs(q->y);
@@ -103,7 +87,8 @@ static inline double ksl_quaternion_norm(const ksl_quaternion_t *q) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = q->x * s;
   const double y_1 = q->y * s;
   const double y_2 = q->z * s;
@@ -111,14 +96,15 @@ static inline double ksl_quaternion_norm(const ksl_quaternion_t *q) {
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm = n * r;
   return norm;
 }
 
 /* self = self / |self|; zero stays zero.
    self: quaternion (x, y, z, w), the scalar last.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternion_normalize(ksl_quaternion_t *self) {
   const double s_size_0 = fabs(self->x);
   const double s_size_1 = fabs(self->y);
@@ -128,7 +114,8 @@ static inline void ksl_quaternion_normalize(ksl_quaternion_t *self) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = self->x * s;
   const double y_1 = self->y * s;
   const double y_2 = self->z * s;
@@ -158,7 +145,7 @@ static inline void ksl_quaternion_normalize(ksl_quaternion_t *self) {
 
 /* qo = q / |q|; zero stays zero.
    q, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quaternion_t *qo) {
   const double s_size_0 = fabs(q->x);
   const double s_size_1 = fabs(q->y);
@@ -168,7 +155,8 @@ static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quat
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = q->x * s;
   const double y_1 = q->y * s;
   const double y_2 = q->z * s;
@@ -196,12 +184,75 @@ static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quat
   qo->w = qo_3;
 }
 
+/* qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qq(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
+    ksl_quaternion_t *qo) {
+  const double qo_0a = q1->x * q2->w, qo_0b = q1->y * q2->z, qo_0c = q1->z * q2->y,
+      qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d, qo_0f = q1->w * q2->x, qo_0 = qo_0e + qo_0f;
+  const double qo_1a = q1->z * q2->x, qo_1b = q1->x * q2->z, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->y * q2->w, qo_1e = qo_1c + qo_1d, qo_1f = q1->w * q2->y, qo_1 = qo_1e + qo_1f;
+  const double qo_2a = q1->x * q2->y, qo_2b = q1->y * q2->x, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->z * q2->w, qo_2e = qo_2c + qo_2d, qo_2f = q1->w * q2->z, qo_2 = qo_2e + qo_2f;
+  const double qo_3a = q1->w * q2->w, qo_3b = q1->x * q2->x, qo_3c = q1->y * q2->y,
+      qo_3d = qo_3b + qo_3c, qo_3e = q1->z * q2->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = q1* q2, q1* the conjugate.
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_qconjq(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
+    ksl_quaternion_t *qo) {
+  const double qo_0a = q1->w * q2->x, qo_0b = q1->x * q2->w, qo_0c = qo_0a - qo_0b,
+      qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const double qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->w * q2->y, qo_1e = q1->y * q2->w, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const double qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->w * q2->z, qo_2e = q1->z * q2->w, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const double qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
+      qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d, qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = q1 q2*, q2* the conjugate.
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_qqconj(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
+    ksl_quaternion_t *qo) {
+  const double qo_0a = q1->x * q2->w, qo_0b = q1->w * q2->x, qo_0c = qo_0a - qo_0b,
+      qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const double qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->y * q2->w, qo_1e = q1->w * q2->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const double qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->z * q2->w, qo_2e = q1->w * q2->z, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const double qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
+      qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d, qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
 /* vo = R(q) v, |q| = 1.
    q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    18 mul, 12 add.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
-static inline void ksl_rotate_qv(const ksl_quaternion_t *q, const ksl_vec3_t *v, ksl_vec3_t *vo) {
+static inline void ksl_product_qv(const ksl_quaternion_t *q, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double c_0a = q->y * v->z, c_0b = q->z * v->y, c_0 = c_0a - c_0b;
   const double c_1a = q->z * v->x, c_1b = q->x * v->z, c_1 = c_1a - c_1b;
   const double c_2a = q->x * v->y, c_2b = q->y * v->x, c_2 = c_2a - c_2b;
@@ -227,7 +278,7 @@ static inline void ksl_rotate_qv(const ksl_quaternion_t *q, const ksl_vec3_t *v,
    18 mul, 12 add.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
-static inline void ksl_rotate_qconjv(const ksl_quaternion_t *q, const ksl_vec3_t *v,
+static inline void ksl_product_qconjv(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
   const double c_0a = q->z * v->y, c_0b = q->y * v->z, c_0 = c_0a - c_0b;
   const double c_1a = q->x * v->z, c_1b = q->z * v->x, c_1 = c_1a - c_1b;
@@ -249,678 +300,11 @@ static inline void ksl_rotate_qconjv(const ksl_quaternion_t *q, const ksl_vec3_t
   vo->z = vo_2;
 }
 
-/* qo = q1i q2i.
-   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
-   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qq(const ksl_quaternion_t *q1i,
-    const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
-  const double qo_0a = q1i->x * q2i->w, qo_0b = q1i->y * q2i->z, qo_0c = q1i->z * q2i->y,
-      qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d, qo_0f = q1i->w * q2i->x, qo_0 = qo_0e + qo_0f;
-  const double qo_1a = q1i->z * q2i->x, qo_1b = q1i->x * q2i->z, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1i->y * q2i->w, qo_1e = qo_1c + qo_1d, qo_1f = q1i->w * q2i->y, qo_1 = qo_1e + qo_1f;
-  const double qo_2a = q1i->x * q2i->y, qo_2b = q1i->y * q2i->x, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1i->z * q2i->w, qo_2e = qo_2c + qo_2d, qo_2f = q1i->w * q2i->z, qo_2 = qo_2e + qo_2f;
-  const double qo_3a = q1i->w * q2i->w, qo_3b = q1i->x * q2i->x, qo_3c = q1i->y * q2i->y,
-      qo_3d = qo_3b + qo_3c, qo_3e = q1i->z * q2i->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = q1i q2i*.
-   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
-   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
-     barring over- and underflow. */
-static inline void ksl_quaternion_product_qqconj(const ksl_quaternion_t *q1i,
-    const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
-  const double qo_0a = q1i->x * q2i->w, qo_0b = q1i->w * q2i->x, qo_0c = qo_0a - qo_0b,
-      qo_0d = q1i->z * q2i->y, qo_0e = q1i->y * q2i->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const double qo_1a = q1i->x * q2i->z, qo_1b = q1i->z * q2i->x, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1i->y * q2i->w, qo_1e = q1i->w * q2i->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = q1i->y * q2i->x, qo_2b = q1i->x * q2i->y, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1i->z * q2i->w, qo_2e = q1i->w * q2i->z, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = q1i->x * q2i->x, qo_3b = q1i->y * q2i->y, qo_3c = qo_3a + qo_3b,
-      qo_3d = q1i->z * q2i->z, qo_3e = qo_3c + qo_3d, qo_3f = q1i->w * q2i->w, qo_3 = qo_3e + qo_3f;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = q1i* q2i.
-   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
-   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
-     barring over- and underflow. */
-static inline void ksl_quaternion_product_qconjq(const ksl_quaternion_t *q1i,
-    const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
-  const double qo_0a = q1i->w * q2i->x, qo_0b = q1i->x * q2i->w, qo_0c = qo_0a - qo_0b,
-      qo_0d = q1i->z * q2i->y, qo_0e = q1i->y * q2i->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const double qo_1a = q1i->x * q2i->z, qo_1b = q1i->z * q2i->x, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1i->w * q2i->y, qo_1e = q1i->y * q2i->w, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = q1i->y * q2i->x, qo_2b = q1i->x * q2i->y, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1i->w * q2i->z, qo_2e = q1i->z * q2i->w, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = q1i->x * q2i->x, qo_3b = q1i->y * q2i->y, qo_3c = qo_3a + qo_3b,
-      qo_3d = q1i->z * q2i->z, qo_3e = qo_3c + qo_3d, qo_3f = q1i->w * q2i->w, qo_3 = qo_3e + qo_3f;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = q1i* q2i*.
-   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
-   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qconjqconj(const ksl_quaternion_t *q1i,
-    const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
-  const double qo_0a = q1i->y * q2i->z, qo_0b = q1i->z * q2i->y, qo_0c = qo_0a - qo_0b,
-      qo_0d = q1i->x * q2i->w, qo_0e = qo_0c - qo_0d, qo_0f = q1i->w * q2i->x, qo_0 = qo_0e - qo_0f;
-  const double qo_1a = q1i->z * q2i->x, qo_1b = q1i->x * q2i->z, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1i->y * q2i->w, qo_1e = qo_1c - qo_1d, qo_1f = q1i->w * q2i->y, qo_1 = qo_1e - qo_1f;
-  const double qo_2a = q1i->x * q2i->y, qo_2b = q1i->y * q2i->x, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1i->z * q2i->w, qo_2e = qo_2c - qo_2d, qo_2f = q1i->w * q2i->z, qo_2 = qo_2e - qo_2f;
-  const double qo_3a = q1i->w * q2i->w, qo_3b = q1i->x * q2i->x, qo_3c = q1i->y * q2i->y,
-      qo_3d = qo_3b + qo_3c, qo_3e = q1i->z * q2i->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qxq(const double dci[2], const ksl_quaternion_t *qi,
-    ksl_quaternion_t *qo) {
-  const double qo_0a = dci[0] * qi->w, qo_0b = dci[1] * qi->x, qo_0 = qo_0a + qo_0b;
-  const double qo_1a = dci[1] * qi->y, qo_1b = dci[0] * qi->z, qo_1 = qo_1a - qo_1b;
-  const double qo_2a = dci[0] * qi->y, qo_2b = dci[1] * qi->z, qo_2 = qo_2a + qo_2b;
-  const double qo_3a = dci[1] * qi->w, qo_3b = dci[0] * qi->x, qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add, 1 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qxqconj(const double dci[2], const ksl_quaternion_t *qi,
-    ksl_quaternion_t *qo) {
-  const double qo_0a = dci[0] * qi->w, qo_0b = dci[1] * qi->x, qo_0 = qo_0a - qo_0b;
-  const double qo_1a = dci[0] * qi->z, qo_1b = dci[1] * qi->y, qo_1 = qo_1a - qo_1b;
-  const double qo_2a = dci[0] * qi->y, qo_2b = dci[1] * qi->z, qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = dci[0] * qi->x, qo_3b = dci[1] * qi->w, qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qxconjq(const double dci[2], const ksl_quaternion_t *qi,
-    ksl_quaternion_t *qo) {
-  const double qo_0a = dci[1] * qi->x, qo_0b = dci[0] * qi->w, qo_0 = qo_0a - qo_0b;
-  const double qo_1a = dci[0] * qi->z, qo_1b = dci[1] * qi->y, qo_1 = qo_1a + qo_1b;
-  const double qo_2a = dci[1] * qi->z, qo_2b = dci[0] * qi->y, qo_2 = qo_2a - qo_2b;
-  const double qo_3a = dci[0] * qi->x, qo_3b = dci[1] * qi->w, qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add, 2 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qxconjqconj(const double dci[2],
-    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
-  const double qo_0a = dci[0] * qi->w, qo_0b = dci[1] * qi->x, qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = dci[0] * qi->z, qo_1b = dci[1] * qi->y, qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = dci[0] * qi->y, qo_2b = dci[1] * qi->z, qo_2 = qo_2a - qo_2b;
-  const double qo_3a = dci[1] * qi->w, qo_3b = dci[0] * qi->x, qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qqx(const ksl_quaternion_t *qi, const double dci[2],
-    ksl_quaternion_t *qo) {
-  const double qo_0a = qi->x * dci[1], qo_0b = qi->w * dci[0], qo_0 = qo_0a + qo_0b;
-  const double qo_1a = qi->y * dci[1], qo_1b = qi->z * dci[0], qo_1 = qo_1a + qo_1b;
-  const double qo_2a = qi->z * dci[1], qo_2b = qi->y * dci[0], qo_2 = qo_2a - qo_2b;
-  const double qo_3a = qi->w * dci[1], qo_3b = qi->x * dci[0], qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qqxconj(const ksl_quaternion_t *qi, const double dci[2],
-    ksl_quaternion_t *qo) {
-  const double qo_0a = qi->x * dci[1], qo_0b = qi->w * dci[0], qo_0 = qo_0a - qo_0b;
-  const double qo_1a = qi->y * dci[1], qo_1b = qi->z * dci[0], qo_1 = qo_1a - qo_1b;
-  const double qo_2a = qi->y * dci[0], qo_2b = qi->z * dci[1], qo_2 = qo_2a + qo_2b;
-  const double qo_3a = qi->x * dci[0], qo_3b = qi->w * dci[1], qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add, 1 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qconjqx(const ksl_quaternion_t *qi, const double dci[2],
-    ksl_quaternion_t *qo) {
-  const double qo_0a = qi->w * dci[0], qo_0b = qi->x * dci[1], qo_0 = qo_0a - qo_0b;
-  const double qo_1a = qi->y * dci[1], qo_1b = qi->z * dci[0], qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = qi->y * dci[0], qo_2b = qi->z * dci[1], qo_2 = qo_2a - qo_2b;
-  const double qo_3a = qi->x * dci[0], qo_3b = qi->w * dci[1], qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add, 2 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qconjqxconj(const ksl_quaternion_t *qi,
-    const double dci[2], ksl_quaternion_t *qo) {
-  const double qo_0a = qi->x * dci[1], qo_0b = qi->w * dci[0], qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = qi->z * dci[0], qo_1b = qi->y * dci[1], qo_1 = qo_1a - qo_1b;
-  const double qo_2a = qi->y * dci[0], qo_2b = qi->z * dci[1], qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = qi->w * dci[1], qo_3b = qi->x * dci[0], qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qyq(const double dci[2], const ksl_quaternion_t *qi,
-    ksl_quaternion_t *qo) {
-  const double qo_0a = dci[0] * qi->z, qo_0b = dci[1] * qi->x, qo_0 = qo_0a + qo_0b;
-  const double qo_1a = dci[0] * qi->w, qo_1b = dci[1] * qi->y, qo_1 = qo_1a + qo_1b;
-  const double qo_2a = dci[1] * qi->z, qo_2b = dci[0] * qi->x, qo_2 = qo_2a - qo_2b;
-  const double qo_3a = dci[1] * qi->w, qo_3b = dci[0] * qi->y, qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add, 1 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qyqconj(const double dci[2], const ksl_quaternion_t *qi,
-    ksl_quaternion_t *qo) {
-  const double qo_0a = dci[0] * qi->z, qo_0b = dci[1] * qi->x, qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = dci[0] * qi->w, qo_1b = dci[1] * qi->y, qo_1 = qo_1a - qo_1b;
-  const double qo_2a = dci[0] * qi->x, qo_2b = dci[1] * qi->z, qo_2 = qo_2a - qo_2b;
-  const double qo_3a = dci[0] * qi->y, qo_3b = dci[1] * qi->w, qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qyconjq(const double dci[2], const ksl_quaternion_t *qi,
-    ksl_quaternion_t *qo) {
-  const double qo_0a = dci[1] * qi->x, qo_0b = dci[0] * qi->z, qo_0 = qo_0a - qo_0b;
-  const double qo_1a = dci[1] * qi->y, qo_1b = dci[0] * qi->w, qo_1 = qo_1a - qo_1b;
-  const double qo_2a = dci[0] * qi->x, qo_2b = dci[1] * qi->z, qo_2 = qo_2a + qo_2b;
-  const double qo_3a = dci[0] * qi->y, qo_3b = dci[1] * qi->w, qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add, 2 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qyconjqconj(const double dci[2],
-    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
-  const double qo_0a = dci[0] * qi->z, qo_0b = dci[1] * qi->x, qo_0 = qo_0a - qo_0b;
-  const double qo_1a = dci[0] * qi->w, qo_1b = dci[1] * qi->y, qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = dci[0] * qi->x, qo_2b = dci[1] * qi->z, qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = dci[1] * qi->w, qo_3b = dci[0] * qi->y, qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qqy(const ksl_quaternion_t *qi, const double dci[2],
-    ksl_quaternion_t *qo) {
-  const double qo_0a = qi->x * dci[1], qo_0b = qi->z * dci[0], qo_0 = qo_0a - qo_0b;
-  const double qo_1a = qi->y * dci[1], qo_1b = qi->w * dci[0], qo_1 = qo_1a + qo_1b;
-  const double qo_2a = qi->x * dci[0], qo_2b = qi->z * dci[1], qo_2 = qo_2a + qo_2b;
-  const double qo_3a = qi->w * dci[1], qo_3b = qi->y * dci[0], qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qqyconj(const ksl_quaternion_t *qi, const double dci[2],
-    ksl_quaternion_t *qo) {
-  const double qo_0a = qi->x * dci[1], qo_0b = qi->z * dci[0], qo_0 = qo_0a + qo_0b;
-  const double qo_1a = qi->y * dci[1], qo_1b = qi->w * dci[0], qo_1 = qo_1a - qo_1b;
-  const double qo_2a = qi->z * dci[1], qo_2b = qi->x * dci[0], qo_2 = qo_2a - qo_2b;
-  const double qo_3a = qi->y * dci[0], qo_3b = qi->w * dci[1], qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add, 1 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qconjqy(const ksl_quaternion_t *qi, const double dci[2],
-    ksl_quaternion_t *qo) {
-  const double qo_0a = qi->z * dci[0], qo_0b = qi->x * dci[1], qo_0 = qo_0a - qo_0b;
-  const double qo_1a = qi->w * dci[0], qo_1b = qi->y * dci[1], qo_1 = qo_1a - qo_1b;
-  const double qo_2a = qi->x * dci[0], qo_2b = qi->z * dci[1], qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = qi->y * dci[0], qo_3b = qi->w * dci[1], qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add, 2 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qconjqyconj(const ksl_quaternion_t *qi,
-    const double dci[2], ksl_quaternion_t *qo) {
-  const double qo_0a = qi->x * dci[1], qo_0b = qi->z * dci[0], qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = qi->y * dci[1], qo_1b = qi->w * dci[0], qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = qi->x * dci[0], qo_2b = qi->z * dci[1], qo_2 = qo_2a - qo_2b;
-  const double qo_3a = qi->w * dci[1], qo_3b = qi->y * dci[0], qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qzq(const double dci[2], const ksl_quaternion_t *qi,
-    ksl_quaternion_t *qo) {
-  const double qo_0a = dci[1] * qi->x, qo_0b = dci[0] * qi->y, qo_0 = qo_0a - qo_0b;
-  const double qo_1a = dci[0] * qi->x, qo_1b = dci[1] * qi->y, qo_1 = qo_1a + qo_1b;
-  const double qo_2a = dci[0] * qi->w, qo_2b = dci[1] * qi->z, qo_2 = qo_2a + qo_2b;
-  const double qo_3a = dci[1] * qi->w, qo_3b = dci[0] * qi->z, qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add, 1 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qzqconj(const double dci[2], const ksl_quaternion_t *qi,
-    ksl_quaternion_t *qo) {
-  const double qo_0a = dci[0] * qi->y, qo_0b = dci[1] * qi->x, qo_0 = qo_0a - qo_0b;
-  const double qo_1a = dci[0] * qi->x, qo_1b = dci[1] * qi->y, qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = dci[0] * qi->w, qo_2b = dci[1] * qi->z, qo_2 = qo_2a - qo_2b;
-  const double qo_3a = dci[0] * qi->z, qo_3b = dci[1] * qi->w, qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qzconjq(const double dci[2], const ksl_quaternion_t *qi,
-    ksl_quaternion_t *qo) {
-  const double qo_0a = dci[0] * qi->y, qo_0b = dci[1] * qi->x, qo_0 = qo_0a + qo_0b;
-  const double qo_1a = dci[1] * qi->y, qo_1b = dci[0] * qi->x, qo_1 = qo_1a - qo_1b;
-  const double qo_2a = dci[1] * qi->z, qo_2b = dci[0] * qi->w, qo_2 = qo_2a - qo_2b;
-  const double qo_3a = dci[0] * qi->z, qo_3b = dci[1] * qi->w, qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add, 2 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qzconjqconj(const double dci[2],
-    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
-  const double qo_0a = dci[0] * qi->y, qo_0b = dci[1] * qi->x, qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = dci[0] * qi->x, qo_1b = dci[1] * qi->y, qo_1 = qo_1a - qo_1b;
-  const double qo_2a = dci[0] * qi->w, qo_2b = dci[1] * qi->z, qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = dci[1] * qi->w, qo_3b = dci[0] * qi->z, qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qqz(const ksl_quaternion_t *qi, const double dci[2],
-    ksl_quaternion_t *qo) {
-  const double qo_0a = qi->x * dci[1], qo_0b = qi->y * dci[0], qo_0 = qo_0a + qo_0b;
-  const double qo_1a = qi->y * dci[1], qo_1b = qi->x * dci[0], qo_1 = qo_1a - qo_1b;
-  const double qo_2a = qi->z * dci[1], qo_2b = qi->w * dci[0], qo_2 = qo_2a + qo_2b;
-  const double qo_3a = qi->w * dci[1], qo_3b = qi->z * dci[0], qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qqzconj(const ksl_quaternion_t *qi, const double dci[2],
-    ksl_quaternion_t *qo) {
-  const double qo_0a = qi->x * dci[1], qo_0b = qi->y * dci[0], qo_0 = qo_0a - qo_0b;
-  const double qo_1a = qi->x * dci[0], qo_1b = qi->y * dci[1], qo_1 = qo_1a + qo_1b;
-  const double qo_2a = qi->z * dci[1], qo_2b = qi->w * dci[0], qo_2 = qo_2a - qo_2b;
-  const double qo_3a = qi->z * dci[0], qo_3b = qi->w * dci[1], qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add, 1 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qconjqz(const ksl_quaternion_t *qi, const double dci[2],
-    ksl_quaternion_t *qo) {
-  const double qo_0a = qi->x * dci[1], qo_0b = qi->y * dci[0], qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = qi->x * dci[0], qo_1b = qi->y * dci[1], qo_1 = qo_1a - qo_1b;
-  const double qo_2a = qi->w * dci[0], qo_2b = qi->z * dci[1], qo_2 = qo_2a - qo_2b;
-  const double qo_3a = qi->z * dci[0], qo_3b = qi->w * dci[1], qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add, 2 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qconjqzconj(const ksl_quaternion_t *qi,
-    const double dci[2], ksl_quaternion_t *qo) {
-  const double qo_0a = qi->y * dci[0], qo_0b = qi->x * dci[1], qo_0 = qo_0a - qo_0b;
-  const double qo_1a = qi->x * dci[0], qo_1b = qi->y * dci[1], qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = qi->z * dci[1], qo_2b = qi->w * dci[0], qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = qi->w * dci[1], qo_3b = qi->z * dci[0], qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi (vi; 0).
-   qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
-   12 mul, 8 add, 1 neg.
-   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qv(const ksl_quaternion_t *qi, const ksl_vec3_t *vi,
-    ksl_quaternion_t *qo) {
-  const double qo_0a = qi->y * vi->z, qo_0b = qi->z * vi->y, qo_0c = qo_0a - qo_0b,
-      qo_0d = qi->w * vi->x, qo_0 = qo_0c + qo_0d;
-  const double qo_1a = qi->z * vi->x, qo_1b = qi->x * vi->z, qo_1c = qo_1a - qo_1b,
-      qo_1d = qi->w * vi->y, qo_1 = qo_1c + qo_1d;
-  const double qo_2a = qi->x * vi->y, qo_2b = qi->y * vi->x, qo_2c = qo_2a - qo_2b,
-      qo_2d = qi->w * vi->z, qo_2 = qo_2c + qo_2d;
-  const double qo_3a = qi->x * vi->x, qo_3b = qi->y * vi->y, qo_3c = qo_3a + qo_3b,
-      qo_3d = qi->z * vi->z, qo_3e = qo_3c + qo_3d, qo_3 = -qo_3e;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi* (vi; 0).
-   qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
-   12 mul, 8 add.
-   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_qconjv(const ksl_quaternion_t *qi, const ksl_vec3_t *vi,
-    ksl_quaternion_t *qo) {
-  const double qo_0a = qi->z * vi->y, qo_0b = qi->y * vi->z, qo_0c = qo_0a - qo_0b,
-      qo_0d = qi->w * vi->x, qo_0 = qo_0c + qo_0d;
-  const double qo_1a = qi->x * vi->z, qo_1b = qi->z * vi->x, qo_1c = qo_1a - qo_1b,
-      qo_1d = qi->w * vi->y, qo_1 = qo_1c + qo_1d;
-  const double qo_2a = qi->y * vi->x, qo_2b = qi->x * vi->y, qo_2c = qo_2a - qo_2b,
-      qo_2d = qi->w * vi->z, qo_2 = qo_2c + qo_2d;
-  const double qo_3a = qi->x * vi->x, qo_3b = qi->y * vi->y, qo_3c = qo_3a + qo_3b,
-      qo_3d = qi->z * vi->z, qo_3 = qo_3c + qo_3d;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (vi; 0) qi.
-   vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
-   12 mul, 8 add, 1 neg.
-   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_vq(const ksl_vec3_t *vi, const ksl_quaternion_t *qi,
-    ksl_quaternion_t *qo) {
-  const double qo_0a = vi->x * qi->w, qo_0b = vi->y * qi->z, qo_0c = vi->z * qi->y,
-      qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
-  const double qo_1a = vi->z * qi->x, qo_1b = vi->x * qi->z, qo_1c = qo_1a - qo_1b,
-      qo_1d = vi->y * qi->w, qo_1 = qo_1c + qo_1d;
-  const double qo_2a = vi->x * qi->y, qo_2b = vi->y * qi->x, qo_2c = qo_2a - qo_2b,
-      qo_2d = vi->z * qi->w, qo_2 = qo_2c + qo_2d;
-  const double qo_3a = vi->x * qi->x, qo_3b = vi->y * qi->y, qo_3c = qo_3a + qo_3b,
-      qo_3d = vi->z * qi->z, qo_3e = qo_3c + qo_3d, qo_3 = -qo_3e;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (vi; 0) qi*.
-   vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
-   12 mul, 8 add.
-   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_quaternion_product_vqconj(const ksl_vec3_t *vi, const ksl_quaternion_t *qi,
-    ksl_quaternion_t *qo) {
-  const double qo_0a = vi->x * qi->w, qo_0b = vi->z * qi->y, qo_0c = vi->y * qi->z,
-      qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
-  const double qo_1a = vi->x * qi->z, qo_1b = vi->z * qi->x, qo_1c = qo_1a - qo_1b,
-      qo_1d = vi->y * qi->w, qo_1 = qo_1c + qo_1d;
-  const double qo_2a = vi->y * qi->x, qo_2b = vi->x * qi->y, qo_2c = qo_2a - qo_2b,
-      qo_2d = vi->z * qi->w, qo_2 = qo_2c + qo_2d;
-  const double qo_3a = vi->x * qi->x, qo_3b = vi->y * qi->y, qo_3c = qo_3a + qo_3b,
-      qo_3d = vi->z * qi->z, qo_3 = qo_3c + qo_3d;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* q1i·q2i.
-   q1i, q2i: quaternion (x, y, z, w), the scalar last.
-   4 mul, 3 add.
-   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline double ksl_dot_qq(const ksl_quaternion_t *q1i, const ksl_quaternion_t *q2i) {
-  const double dot_a = q1i->x * q2i->x, dot_b = q1i->y * q2i->y, dot_c = dot_a + dot_b,
-      dot_d = q1i->z * q2i->z, dot_e = dot_c + dot_d, dot_f = q1i->w * q2i->w, dot = dot_e + dot_f;
-  return dot;
-}
-
-/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
-     first order; not normalized.
-   dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
-   15 mul, 12 add.
-   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_add_dpiToq(const ksl_vec3_t *dpi, ksl_quaternion_t *qi) {
-  const double qi_0_new_a = 0.5 * dpi->x, qi_0_new_b = qi_0_new_a * qi->w,
-      qi_0_new_c = 0.5 * dpi->z, qi_0_new_d = qi_0_new_c * qi->y, qi_0_new_e = 0.5 * dpi->y,
-      qi_0_new_f = qi_0_new_e * qi->z, qi_0_new_g = qi_0_new_d - qi_0_new_f,
-      qi_0_new_h = qi_0_new_b + qi_0_new_g, qi_0_new = qi_0_new_h + qi->x;
-  const double qi_1_new_a = qi_0_new_a * qi->z, qi_1_new_b = qi_0_new_c * qi->x,
-      qi_1_new_c = qi_1_new_a - qi_1_new_b, qi_1_new_d = qi_0_new_e * qi->w,
-      qi_1_new_e = qi_1_new_c + qi_1_new_d, qi_1_new = qi_1_new_e + qi->y;
-  const double qi_2_new_a = qi_0_new_e * qi->x, qi_2_new_b = qi_0_new_a * qi->y,
-      qi_2_new_c = qi_2_new_a - qi_2_new_b, qi_2_new_d = qi_0_new_c * qi->w,
-      qi_2_new_e = qi_2_new_c + qi_2_new_d, qi_2_new = qi_2_new_e + qi->z;
-  const double qi_3_new_a = qi_0_new_a * qi->x, qi_3_new_b = qi_0_new_e * qi->y,
-      qi_3_new_c = qi_3_new_a + qi_3_new_b, qi_3_new_d = qi_0_new_c * qi->z,
-      qi_3_new_e = qi_3_new_c + qi_3_new_d, qi_3_new = qi->w - qi_3_new_e;
-  qi->x = qi_0_new;
-  qi->y = qi_1_new;
-  qi->z = qi_2_new;
-  qi->w = qi_3_new;
-}
-
-/* qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order.
-   dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
-   15 mul, 12 add.
-   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_subtract_dpiFromq(const ksl_vec3_t *dpi, ksl_quaternion_t *qi) {
-  const double qi_0_new_a = 0.5 * dpi->y, qi_0_new_b = qi_0_new_a * qi->z,
-      qi_0_new_c = 0.5 * dpi->z, qi_0_new_d = qi_0_new_c * qi->y,
-      qi_0_new_e = qi_0_new_b - qi_0_new_d, qi_0_new_f = 0.5 * dpi->x,
-      qi_0_new_g = qi_0_new_f * qi->w, qi_0_new_h = qi_0_new_e - qi_0_new_g,
-      qi_0_new = qi_0_new_h + qi->x;
-  const double qi_1_new_a = qi_0_new_c * qi->x, qi_1_new_b = qi_0_new_f * qi->z,
-      qi_1_new_c = qi_1_new_a - qi_1_new_b, qi_1_new_d = qi_0_new_a * qi->w,
-      qi_1_new_e = qi_1_new_c - qi_1_new_d, qi_1_new = qi_1_new_e + qi->y;
-  const double qi_2_new_a = qi_0_new_f * qi->y, qi_2_new_b = qi_0_new_a * qi->x,
-      qi_2_new_c = qi_2_new_a - qi_2_new_b, qi_2_new_d = qi_0_new_c * qi->w,
-      qi_2_new_e = qi_2_new_c - qi_2_new_d, qi_2_new = qi_2_new_e + qi->z;
-  const double qi_3_new_a = qi_0_new_f * qi->x, qi_3_new_b = qi_0_new_a * qi->y,
-      qi_3_new_c = qi_3_new_a + qi_3_new_b, qi_3_new_d = qi_0_new_c * qi->z,
-      qi_3_new_e = qi_3_new_c + qi_3_new_d, qi_3_new = qi_3_new_e + qi->w;
-  qi->x = qi_0_new;
-  qi->y = qi_1_new;
-  qi->z = qi_2_new;
-  qi->w = qi_3_new;
-}
-
-/* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-     reference frame, rad/s, and what draws its norm to 1.
-   w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
-   23 mul, 16 add.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_omega_to_dquaternion(const ksl_vec3_t *w, const ksl_quaternion_t *qi,
-    ksl_quaternion_t *dqo) {
-  const double dqo_0a = 0.5 * w->x, dqo_0b = dqo_0a * qi->w, dqo_0c = 0.5 * w->y,
-      dqo_0d = dqo_0c * qi->z, dqo_0e = 0.5 * w->z, dqo_0f = dqo_0e * qi->y,
-      dqo_0g = dqo_0d - dqo_0f, dqo_0h = dqo_0b + dqo_0g, dqo_0i = qi->x * qi->x,
-      dqo_0j = 1.0 - dqo_0i, dqo_0k = qi->y * qi->y, dqo_0l = dqo_0j - dqo_0k,
-      dqo_0m = qi->z * qi->z, dqo_0n = dqo_0l - dqo_0m, dqo_0o = qi->w * qi->w,
-      dqo_0p = dqo_0n - dqo_0o, dqo_0q = qi->x * dqo_0p, dqo_0 = dqo_0h + dqo_0q;
-  const double dqo_1a = dqo_0e * qi->x, dqo_1b = dqo_0a * qi->z, dqo_1c = dqo_1a - dqo_1b,
-      dqo_1d = dqo_0c * qi->w, dqo_1e = dqo_1c + dqo_1d, dqo_1f = qi->y * dqo_0p,
-      dqo_1 = dqo_1e + dqo_1f;
-  const double dqo_2a = dqo_0a * qi->y, dqo_2b = dqo_0c * qi->x, dqo_2c = dqo_2a - dqo_2b,
-      dqo_2d = dqo_0e * qi->w, dqo_2e = dqo_2c + dqo_2d, dqo_2f = qi->z * dqo_0p,
-      dqo_2 = dqo_2e + dqo_2f;
-  const double dqo_3a = qi->w * dqo_0p, dqo_3b = dqo_0a * qi->x, dqo_3c = dqo_0c * qi->y,
-      dqo_3d = dqo_3b + dqo_3c, dqo_3e = dqo_0e * qi->z, dqo_3f = dqo_3d + dqo_3e,
-      dqo_3 = dqo_3a - dqo_3f;
-  dqo->x = dqo_0;
-  dqo->y = dqo_1;
-  dqo->z = dqo_2;
-  dqo->w = dqo_3;
-}
-
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
+     |q| < 2^63; searched, not proved. */
 static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
   const double squares_0 = q->w * q->w;
   const double squares_1 = q->x * q->x;
@@ -967,7 +351,7 @@ static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
-   Error <= qo: 5 u of its largest component; searched, not proved. */
+   Error <= qo: 5 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quaternion_t *qo) {
   const double p_0 = R->m21 - R->m12;
   const double p_1 = R->m02 - R->m20;
@@ -1015,7 +399,7 @@ static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quatern
 /* qo = (axis sin angle/2; cos angle/2); axis of length 1.
    axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 1 sin, 1 cos.
-   Error <= qo: 3 u of its largest component; searched, not proved. */
+   Error <= qo: 3 u of its largest component for |axis| = 1; searched, not proved. */
 static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const double angle,
     ksl_quaternion_t *qo) {
   const double half = 0.5 * angle;
@@ -1033,27 +417,43 @@ static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const 
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
      nothing turns; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
-   8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
+   12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.
    Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
 static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, ksl_vec3_t *axis) {
-  const double upper_0a = -q->x, upper_0 = q->w < 0.0 ? upper_0a : q->x;
-  const double upper_1a = -q->y, upper_1 = q->w < 0.0 ? upper_1a : q->y;
-  const double upper_2a = -q->z, upper_2 = q->w < 0.0 ? upper_2a : q->z;
-  const double upper_3a = -q->w, upper_3 = q->w < 0.0 ? upper_3a : q->w;
+  const double s_size_0 = fabs(q->x);
+  const double s_size_1 = fabs(q->y);
+  const double s_size_2 = fabs(q->z);
+  const double s_size_3 = fabs(q->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double scaled_s_0 = q->x * s;
+  const double scaled_s_1 = q->y * s;
+  const double scaled_s_2 = q->z * s;
+  const double scaled_s_3 = q->w * s;
+  const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
+  const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
+  const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
+  const double upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0 ? upper_3a : scaled_s_3;
   const double v_s_size_0 = fabs(upper_0);
   const double v_s_size_1 = fabs(upper_1);
   const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
@@ -1070,18 +470,51 @@ static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, k
 
 /* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
    v: vector; qo: quaternion (x, y, z, w), the scalar last.
-   34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.
-   Error <= qo: 7 u of its largest component; searched, not proved. */
+   43 mul, 53 add, 2 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 2 less, 6 select.
+   Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+     searched, not proved. */
 static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo) {
   const double h_0 = 0.5 * v->x;
   const double h_1 = 0.5 * v->y;
   const double h_2 = 0.5 * v->z;
-  const double x_a = h_0 * h_0, x_b = h_1 * h_1, x_c = x_a + x_b, x_d = h_2 * h_2, x = x_c + x_d;
-  const double size = sqrt(x);
-  const double cosine_a = cos(size), cosine = x < 1.0 ? 1.0 : cosine_a;
-  const double sine_a = sin(size), sine = x < 1.0 ? 1.0 : sine_a;
-  const double divisor = x < 1.0 ? 2.0 : size;
-  const double far_k = sine / divisor;
+  const double size_0 = fabs(h_0);
+  const double size_1 = fabs(h_1);
+  const double size_2 = fabs(h_2);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = h_0 + grid;
+  const double shifted_1 = h_1 + grid;
+  const double shifted_2 = h_2 + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
+  const double low_0 = h_0 - high_0;
+  const double low_1 = h_1 - high_1;
+  const double low_2 = h_2 - high_2;
+  const double sum_0 = h_0 + high_0;
+  const double sum_1 = h_1 + high_1;
+  const double sum_2 = h_2 + high_2;
+  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double x = squares + cross;
+  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
+  const double theta_low = theta - theta_high;
+  const double theta_sum = theta + theta_high;
+  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double residual = cross_rest + exact;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
+  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
+  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double far_k = sine / theta;
   const double k_a = 6.446950284384474e-26 * x, k_b = k_a - 3.868170170630684e-23, k_c = x * k_b,
       k_d = k_c + 1.9572941063391263e-20, k_e = x * k_d, k_f = k_e - 8.22063524662433e-18,
       k_g = x * k_f, k_h = k_g + 2.8114572543455206e-15, k_i = x * k_h,
@@ -1111,27 +544,43 @@ static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo)
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
-   11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.
+   15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.
    Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
-  const double upper_0a = -q->x, upper_0 = q->w < 0.0 ? upper_0a : q->x;
-  const double upper_1a = -q->y, upper_1 = q->w < 0.0 ? upper_1a : q->y;
-  const double upper_2a = -q->z, upper_2 = q->w < 0.0 ? upper_2a : q->z;
-  const double upper_3a = -q->w, upper_3 = q->w < 0.0 ? upper_3a : q->w;
+  const double s_size_0 = fabs(q->x);
+  const double s_size_1 = fabs(q->y);
+  const double s_size_2 = fabs(q->z);
+  const double s_size_3 = fabs(q->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double scaled_s_0 = q->x * s;
+  const double scaled_s_1 = q->y * s;
+  const double scaled_s_2 = q->z * s;
+  const double scaled_s_3 = q->w * s;
+  const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
+  const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
+  const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
+  const double upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0 ? upper_3a : scaled_s_3;
   const double v_s_size_0 = fabs(upper_0);
   const double v_s_size_1 = fabs(upper_1);
   const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
@@ -1147,11 +596,12 @@ static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo)
 
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-   76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16
+   85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
      select.
-   Error <= qo: 12 u of its largest component; searched, not proved. */
-static inline void ksl_quaternion_interpolated(const ksl_quaternion_t *q1,
-    const ksl_quaternion_t *q2, const double k, ksl_quaternion_t *qo) {
+   Error <= qo: 12 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
+     searched, not proved. */
+static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
+    const double k, ksl_quaternion_t *qo) {
   const double between_0a = q1->w * q2->x, between_0b = q1->x * q2->w,
       between_0c = between_0a - between_0b, between_0d = q1->z * q2->y, between_0e = q1->y * q2->z,
       between_0f = between_0d - between_0e, between_0 = between_0c + between_0f;
@@ -1175,14 +625,16 @@ static inline void ksl_quaternion_interpolated(const ksl_quaternion_t *q1,
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
@@ -1193,13 +645,47 @@ static inline void ksl_quaternion_interpolated(const ksl_quaternion_t *q1,
   const double step_0 = rate * kv_0;
   const double step_1 = rate * kv_1;
   const double step_2 = rate * kv_2;
-  const double exp_x_a = step_0 * step_0, exp_x_b = step_1 * step_1, exp_x_c = exp_x_a + exp_x_b,
-      exp_x_d = step_2 * step_2, exp_x = exp_x_c + exp_x_d;
-  const double exp_size = sqrt(exp_x);
-  const double exp_cosine_a = cos(exp_size), exp_cosine = exp_x < 1.0 ? 1.0 : exp_cosine_a;
-  const double exp_sine_a = sin(exp_size), exp_sine = exp_x < 1.0 ? 1.0 : exp_sine_a;
-  const double exp_divisor = exp_x < 1.0 ? 2.0 : exp_size;
-  const double exp_far_k = exp_sine / exp_divisor;
+  const double exp_size_0 = fabs(step_0);
+  const double exp_size_1 = fabs(step_1);
+  const double exp_size_2 = fabs(step_2);
+  const double exp_sizes_a = exp_size_0 + exp_size_1, exp_sizes = exp_sizes_a + exp_size_2;
+  const double exp_grid = exp_sizes * 268435456.0;
+  const double exp_shifted_0 = step_0 + exp_grid;
+  const double exp_shifted_1 = step_1 + exp_grid;
+  const double exp_shifted_2 = step_2 + exp_grid;
+  const double exp_high_0 = exp_shifted_0 - exp_grid;
+  const double exp_high_1 = exp_shifted_1 - exp_grid;
+  const double exp_high_2 = exp_shifted_2 - exp_grid;
+  const double exp_low_0 = step_0 - exp_high_0;
+  const double exp_low_1 = step_1 - exp_high_1;
+  const double exp_low_2 = step_2 - exp_high_2;
+  const double exp_sum_0 = step_0 + exp_high_0;
+  const double exp_sum_1 = step_1 + exp_high_1;
+  const double exp_sum_2 = step_2 + exp_high_2;
+  const double exp_squares_a = exp_high_0 * exp_high_0, exp_squares_b = exp_high_1 * exp_high_1,
+      exp_squares_c = exp_squares_a + exp_squares_b, exp_squares_d = exp_high_2 * exp_high_2,
+      exp_squares = exp_squares_c + exp_squares_d;
+  const double exp_cross_a = exp_low_0 * exp_sum_0, exp_cross_b = exp_low_1 * exp_sum_1,
+      exp_cross_c = exp_cross_a + exp_cross_b, exp_cross_d = exp_low_2 * exp_sum_2,
+      exp_cross = exp_cross_c + exp_cross_d;
+  const double exp_x = exp_squares + exp_cross;
+  const double exp_theta_a = sqrt(exp_x), exp_theta = exp_x < 1.0 ? 1.0 : exp_theta_a;
+  const double exp_theta_shifted = exp_grid + exp_theta;
+  const double exp_theta_high = exp_theta_shifted - exp_grid;
+  const double exp_theta_low = exp_theta - exp_theta_high;
+  const double exp_theta_sum = exp_theta + exp_theta_high;
+  const double exp_cross_rest_a = exp_theta_low * exp_theta_sum,
+      exp_cross_rest = exp_cross - exp_cross_rest_a;
+  const double exp_exact_a = exp_theta_high * exp_theta_high, exp_exact = exp_squares - exp_exact_a;
+  const double exp_residual = exp_cross_rest + exp_exact;
+  const double exp_small_a = 0.5 * exp_residual, exp_small = exp_small_a / exp_theta;
+  const double exp_delta_a = fabs(exp_small), exp_delta = exp_delta_a < 0.0078125 ? exp_small : 0.0;
+  const double exp_far_sine_a = sin(exp_theta), exp_far_sine = exp_x < 1.0 ? 1.0 : exp_far_sine_a;
+  const double exp_far_cosine_a = cos(exp_theta),
+      exp_far_cosine = exp_x < 1.0 ? 0.0 : exp_far_cosine_a;
+  const double exp_sine_a = exp_delta * exp_far_cosine, exp_sine = exp_sine_a + exp_far_sine;
+  const double exp_cosine_a = exp_delta * exp_far_sine, exp_cosine = exp_far_cosine - exp_cosine_a;
+  const double exp_far_k = exp_sine / exp_theta;
   const double exp_k_a = 6.446950284384474e-26 * exp_x, exp_k_b = exp_k_a - 3.868170170630684e-23,
       exp_k_c = exp_x * exp_k_b, exp_k_d = exp_k_c + 1.9572941063391263e-20,
       exp_k_e = exp_x * exp_k_d, exp_k_f = exp_k_e - 8.22063524662433e-18,
@@ -1284,22 +770,6 @@ static inline void ksl_quaternionf_scale(ksl_quaternionf_t *self, const float a)
   self->w = self_3_new;
 }
 
-/* y = a x + y.
-   a: number; x, y: quaternion (x, y, z, w), the scalar last.
-   4 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_axpy_qqf(const float a, const ksl_quaternionf_t *x, ksl_quaternionf_t *y) {
-  const float y_0_new_a = a * x->x, y_0_new = y_0_new_a + y->x;
-  const float y_1_new_a = a * x->y, y_1_new = y_1_new_a + y->y;
-  const float y_2_new_a = a * x->z, y_2_new = y_2_new_a + y->z;
-  const float y_3_new_a = a * x->w, y_3_new = y_3_new_a + y->w;
-  y->x = y_0_new;
-  y->y = y_1_new;
-  y->z = y_2_new;
-  y->w = y_3_new;
-}
-
 /* self = (0; 1).
    self: quaternion (x, y, z, w), the scalar last.
    No arithmetic.
@@ -1328,7 +798,7 @@ static inline void ksl_quaternionf_conjugated(const ksl_quaternionf_t *q, ksl_qu
 
 /* |q| = sqrt(v·v + w^2).
    q: quaternion (x, y, z, w), the scalar last.
-   9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select. */
+   9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline float ksl_quaternionf_norm(const ksl_quaternionf_t *q) {
   const float s_size_0 = fabsf(q->x);
   const float s_size_1 = fabsf(q->y);
@@ -1338,21 +808,23 @@ static inline float ksl_quaternionf_norm(const ksl_quaternionf_t *q) {
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
-      s = s_largest3 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = q->x * s;
   const float y_1 = q->y * s;
   const float y_2 = q->z * s;
   const float y_3 = q->w * s;
   const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
-  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
+      r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float norm = n * r;
   return norm;
 }
 
 /* self = self / |self|; zero stays zero.
    self: quaternion (x, y, z, w), the scalar last.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternionf_normalize(ksl_quaternionf_t *self) {
   const float s_size_0 = fabsf(self->x);
   const float s_size_1 = fabsf(self->y);
@@ -1362,7 +834,8 @@ static inline void ksl_quaternionf_normalize(ksl_quaternionf_t *self) {
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
-      s = s_largest3 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = self->x * s;
   const float y_1 = self->y * s;
   const float y_2 = self->z * s;
@@ -1392,7 +865,7 @@ static inline void ksl_quaternionf_normalize(ksl_quaternionf_t *self) {
 
 /* qo = q / |q|; zero stays zero.
    q, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_quaternionf_t *qo) {
   const float s_size_0 = fabsf(q->x);
   const float s_size_1 = fabsf(q->y);
@@ -1402,7 +875,8 @@ static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_qu
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
-      s = s_largest3 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = q->x * s;
   const float y_1 = q->y * s;
   const float y_2 = q->z * s;
@@ -1430,12 +904,75 @@ static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_qu
   qo->w = qo_3;
 }
 
+/* qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qqf(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = q1->x * q2->w, qo_0b = q1->y * q2->z, qo_0c = q1->z * q2->y,
+      qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d, qo_0f = q1->w * q2->x, qo_0 = qo_0e + qo_0f;
+  const float qo_1a = q1->z * q2->x, qo_1b = q1->x * q2->z, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->y * q2->w, qo_1e = qo_1c + qo_1d, qo_1f = q1->w * q2->y, qo_1 = qo_1e + qo_1f;
+  const float qo_2a = q1->x * q2->y, qo_2b = q1->y * q2->x, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->z * q2->w, qo_2e = qo_2c + qo_2d, qo_2f = q1->w * q2->z, qo_2 = qo_2e + qo_2f;
+  const float qo_3a = q1->w * q2->w, qo_3b = q1->x * q2->x, qo_3c = q1->y * q2->y,
+      qo_3d = qo_3b + qo_3c, qo_3e = q1->z * q2->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = q1* q2, q1* the conjugate.
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_qconjqf(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = q1->w * q2->x, qo_0b = q1->x * q2->w, qo_0c = qo_0a - qo_0b,
+      qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const float qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->w * q2->y, qo_1e = q1->y * q2->w, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const float qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->w * q2->z, qo_2e = q1->z * q2->w, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const float qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
+      qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d, qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = q1 q2*, q2* the conjugate.
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_qqconjf(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = q1->x * q2->w, qo_0b = q1->w * q2->x, qo_0c = qo_0a - qo_0b,
+      qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const float qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->y * q2->w, qo_1e = q1->w * q2->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const float qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->z * q2->w, qo_2e = q1->w * q2->z, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const float qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
+      qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d, qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
 /* vo = R(q) v, |q| = 1.
    q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    18 mul, 12 add.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
-static inline void ksl_rotate_qvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
+static inline void ksl_product_qvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const float c_0a = q->y * v->z, c_0b = q->z * v->y, c_0 = c_0a - c_0b;
   const float c_1a = q->z * v->x, c_1b = q->x * v->z, c_1 = c_1a - c_1b;
@@ -1462,7 +999,7 @@ static inline void ksl_rotate_qvf(const ksl_quaternionf_t *q, const ksl_vec3f_t 
    18 mul, 12 add.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
-static inline void ksl_rotate_qconjvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
+static inline void ksl_product_qconjvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const float c_0a = q->z * v->y, c_0b = q->y * v->z, c_0 = c_0a - c_0b;
   const float c_1a = q->x * v->z, c_1b = q->z * v->x, c_1 = c_1a - c_1b;
@@ -1484,678 +1021,11 @@ static inline void ksl_rotate_qconjvf(const ksl_quaternionf_t *q, const ksl_vec3
   vo->z = vo_2;
 }
 
-/* qo = q1i q2i.
-   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
-   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qqf(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = q1i->x * q2i->w, qo_0b = q1i->y * q2i->z, qo_0c = q1i->z * q2i->y,
-      qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d, qo_0f = q1i->w * q2i->x, qo_0 = qo_0e + qo_0f;
-  const float qo_1a = q1i->z * q2i->x, qo_1b = q1i->x * q2i->z, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1i->y * q2i->w, qo_1e = qo_1c + qo_1d, qo_1f = q1i->w * q2i->y, qo_1 = qo_1e + qo_1f;
-  const float qo_2a = q1i->x * q2i->y, qo_2b = q1i->y * q2i->x, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1i->z * q2i->w, qo_2e = qo_2c + qo_2d, qo_2f = q1i->w * q2i->z, qo_2 = qo_2e + qo_2f;
-  const float qo_3a = q1i->w * q2i->w, qo_3b = q1i->x * q2i->x, qo_3c = q1i->y * q2i->y,
-      qo_3d = qo_3b + qo_3c, qo_3e = q1i->z * q2i->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = q1i q2i*.
-   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
-   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
-     barring over- and underflow. */
-static inline void ksl_product_qqconjf(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = q1i->x * q2i->w, qo_0b = q1i->w * q2i->x, qo_0c = qo_0a - qo_0b,
-      qo_0d = q1i->z * q2i->y, qo_0e = q1i->y * q2i->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const float qo_1a = q1i->x * q2i->z, qo_1b = q1i->z * q2i->x, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1i->y * q2i->w, qo_1e = q1i->w * q2i->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const float qo_2a = q1i->y * q2i->x, qo_2b = q1i->x * q2i->y, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1i->z * q2i->w, qo_2e = q1i->w * q2i->z, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const float qo_3a = q1i->x * q2i->x, qo_3b = q1i->y * q2i->y, qo_3c = qo_3a + qo_3b,
-      qo_3d = q1i->z * q2i->z, qo_3e = qo_3c + qo_3d, qo_3f = q1i->w * q2i->w, qo_3 = qo_3e + qo_3f;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = q1i* q2i.
-   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
-   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
-     barring over- and underflow. */
-static inline void ksl_product_qconjqf(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = q1i->w * q2i->x, qo_0b = q1i->x * q2i->w, qo_0c = qo_0a - qo_0b,
-      qo_0d = q1i->z * q2i->y, qo_0e = q1i->y * q2i->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const float qo_1a = q1i->x * q2i->z, qo_1b = q1i->z * q2i->x, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1i->w * q2i->y, qo_1e = q1i->y * q2i->w, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const float qo_2a = q1i->y * q2i->x, qo_2b = q1i->x * q2i->y, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1i->w * q2i->z, qo_2e = q1i->z * q2i->w, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const float qo_3a = q1i->x * q2i->x, qo_3b = q1i->y * q2i->y, qo_3c = qo_3a + qo_3b,
-      qo_3d = q1i->z * q2i->z, qo_3e = qo_3c + qo_3d, qo_3f = q1i->w * q2i->w, qo_3 = qo_3e + qo_3f;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = q1i* q2i*.
-   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
-   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qconjqconjf(const ksl_quaternionf_t *q1i,
-    const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
-  const float qo_0a = q1i->y * q2i->z, qo_0b = q1i->z * q2i->y, qo_0c = qo_0a - qo_0b,
-      qo_0d = q1i->x * q2i->w, qo_0e = qo_0c - qo_0d, qo_0f = q1i->w * q2i->x, qo_0 = qo_0e - qo_0f;
-  const float qo_1a = q1i->z * q2i->x, qo_1b = q1i->x * q2i->z, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1i->y * q2i->w, qo_1e = qo_1c - qo_1d, qo_1f = q1i->w * q2i->y, qo_1 = qo_1e - qo_1f;
-  const float qo_2a = q1i->x * q2i->y, qo_2b = q1i->y * q2i->x, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1i->z * q2i->w, qo_2e = qo_2c - qo_2d, qo_2f = q1i->w * q2i->z, qo_2 = qo_2e - qo_2f;
-  const float qo_3a = q1i->w * q2i->w, qo_3b = q1i->x * q2i->x, qo_3c = q1i->y * q2i->y,
-      qo_3d = qo_3b + qo_3c, qo_3e = q1i->z * q2i->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qxqf(const float dci[2], const ksl_quaternionf_t *qi,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = dci[0] * qi->w, qo_0b = dci[1] * qi->x, qo_0 = qo_0a + qo_0b;
-  const float qo_1a = dci[1] * qi->y, qo_1b = dci[0] * qi->z, qo_1 = qo_1a - qo_1b;
-  const float qo_2a = dci[0] * qi->y, qo_2b = dci[1] * qi->z, qo_2 = qo_2a + qo_2b;
-  const float qo_3a = dci[1] * qi->w, qo_3b = dci[0] * qi->x, qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add, 1 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qxqconjf(const float dci[2], const ksl_quaternionf_t *qi,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = dci[0] * qi->w, qo_0b = dci[1] * qi->x, qo_0 = qo_0a - qo_0b;
-  const float qo_1a = dci[0] * qi->z, qo_1b = dci[1] * qi->y, qo_1 = qo_1a - qo_1b;
-  const float qo_2a = dci[0] * qi->y, qo_2b = dci[1] * qi->z, qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const float qo_3a = dci[0] * qi->x, qo_3b = dci[1] * qi->w, qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qxconjqf(const float dci[2], const ksl_quaternionf_t *qi,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = dci[1] * qi->x, qo_0b = dci[0] * qi->w, qo_0 = qo_0a - qo_0b;
-  const float qo_1a = dci[0] * qi->z, qo_1b = dci[1] * qi->y, qo_1 = qo_1a + qo_1b;
-  const float qo_2a = dci[1] * qi->z, qo_2b = dci[0] * qi->y, qo_2 = qo_2a - qo_2b;
-  const float qo_3a = dci[0] * qi->x, qo_3b = dci[1] * qi->w, qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add, 2 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qxconjqconjf(const float dci[2], const ksl_quaternionf_t *qi,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = dci[0] * qi->w, qo_0b = dci[1] * qi->x, qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const float qo_1a = dci[0] * qi->z, qo_1b = dci[1] * qi->y, qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const float qo_2a = dci[0] * qi->y, qo_2b = dci[1] * qi->z, qo_2 = qo_2a - qo_2b;
-  const float qo_3a = dci[1] * qi->w, qo_3b = dci[0] * qi->x, qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qqxf(const ksl_quaternionf_t *qi, const float dci[2],
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = qi->x * dci[1], qo_0b = qi->w * dci[0], qo_0 = qo_0a + qo_0b;
-  const float qo_1a = qi->y * dci[1], qo_1b = qi->z * dci[0], qo_1 = qo_1a + qo_1b;
-  const float qo_2a = qi->z * dci[1], qo_2b = qi->y * dci[0], qo_2 = qo_2a - qo_2b;
-  const float qo_3a = qi->w * dci[1], qo_3b = qi->x * dci[0], qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qqxconjf(const ksl_quaternionf_t *qi, const float dci[2],
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = qi->x * dci[1], qo_0b = qi->w * dci[0], qo_0 = qo_0a - qo_0b;
-  const float qo_1a = qi->y * dci[1], qo_1b = qi->z * dci[0], qo_1 = qo_1a - qo_1b;
-  const float qo_2a = qi->y * dci[0], qo_2b = qi->z * dci[1], qo_2 = qo_2a + qo_2b;
-  const float qo_3a = qi->x * dci[0], qo_3b = qi->w * dci[1], qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add, 1 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qconjqxf(const ksl_quaternionf_t *qi, const float dci[2],
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = qi->w * dci[0], qo_0b = qi->x * dci[1], qo_0 = qo_0a - qo_0b;
-  const float qo_1a = qi->y * dci[1], qo_1b = qi->z * dci[0], qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const float qo_2a = qi->y * dci[0], qo_2b = qi->z * dci[1], qo_2 = qo_2a - qo_2b;
-  const float qo_3a = qi->x * dci[0], qo_3b = qi->w * dci[1], qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add, 2 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qconjqxconjf(const ksl_quaternionf_t *qi, const float dci[2],
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = qi->x * dci[1], qo_0b = qi->w * dci[0], qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const float qo_1a = qi->z * dci[0], qo_1b = qi->y * dci[1], qo_1 = qo_1a - qo_1b;
-  const float qo_2a = qi->y * dci[0], qo_2b = qi->z * dci[1], qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const float qo_3a = qi->w * dci[1], qo_3b = qi->x * dci[0], qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qyqf(const float dci[2], const ksl_quaternionf_t *qi,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = dci[0] * qi->z, qo_0b = dci[1] * qi->x, qo_0 = qo_0a + qo_0b;
-  const float qo_1a = dci[0] * qi->w, qo_1b = dci[1] * qi->y, qo_1 = qo_1a + qo_1b;
-  const float qo_2a = dci[1] * qi->z, qo_2b = dci[0] * qi->x, qo_2 = qo_2a - qo_2b;
-  const float qo_3a = dci[1] * qi->w, qo_3b = dci[0] * qi->y, qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add, 1 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qyqconjf(const float dci[2], const ksl_quaternionf_t *qi,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = dci[0] * qi->z, qo_0b = dci[1] * qi->x, qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const float qo_1a = dci[0] * qi->w, qo_1b = dci[1] * qi->y, qo_1 = qo_1a - qo_1b;
-  const float qo_2a = dci[0] * qi->x, qo_2b = dci[1] * qi->z, qo_2 = qo_2a - qo_2b;
-  const float qo_3a = dci[0] * qi->y, qo_3b = dci[1] * qi->w, qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qyconjqf(const float dci[2], const ksl_quaternionf_t *qi,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = dci[1] * qi->x, qo_0b = dci[0] * qi->z, qo_0 = qo_0a - qo_0b;
-  const float qo_1a = dci[1] * qi->y, qo_1b = dci[0] * qi->w, qo_1 = qo_1a - qo_1b;
-  const float qo_2a = dci[0] * qi->x, qo_2b = dci[1] * qi->z, qo_2 = qo_2a + qo_2b;
-  const float qo_3a = dci[0] * qi->y, qo_3b = dci[1] * qi->w, qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add, 2 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qyconjqconjf(const float dci[2], const ksl_quaternionf_t *qi,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = dci[0] * qi->z, qo_0b = dci[1] * qi->x, qo_0 = qo_0a - qo_0b;
-  const float qo_1a = dci[0] * qi->w, qo_1b = dci[1] * qi->y, qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const float qo_2a = dci[0] * qi->x, qo_2b = dci[1] * qi->z, qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const float qo_3a = dci[1] * qi->w, qo_3b = dci[0] * qi->y, qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qqyf(const ksl_quaternionf_t *qi, const float dci[2],
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = qi->x * dci[1], qo_0b = qi->z * dci[0], qo_0 = qo_0a - qo_0b;
-  const float qo_1a = qi->y * dci[1], qo_1b = qi->w * dci[0], qo_1 = qo_1a + qo_1b;
-  const float qo_2a = qi->x * dci[0], qo_2b = qi->z * dci[1], qo_2 = qo_2a + qo_2b;
-  const float qo_3a = qi->w * dci[1], qo_3b = qi->y * dci[0], qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qqyconjf(const ksl_quaternionf_t *qi, const float dci[2],
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = qi->x * dci[1], qo_0b = qi->z * dci[0], qo_0 = qo_0a + qo_0b;
-  const float qo_1a = qi->y * dci[1], qo_1b = qi->w * dci[0], qo_1 = qo_1a - qo_1b;
-  const float qo_2a = qi->z * dci[1], qo_2b = qi->x * dci[0], qo_2 = qo_2a - qo_2b;
-  const float qo_3a = qi->y * dci[0], qo_3b = qi->w * dci[1], qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add, 1 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qconjqyf(const ksl_quaternionf_t *qi, const float dci[2],
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = qi->z * dci[0], qo_0b = qi->x * dci[1], qo_0 = qo_0a - qo_0b;
-  const float qo_1a = qi->w * dci[0], qo_1b = qi->y * dci[1], qo_1 = qo_1a - qo_1b;
-  const float qo_2a = qi->x * dci[0], qo_2b = qi->z * dci[1], qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const float qo_3a = qi->y * dci[0], qo_3b = qi->w * dci[1], qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add, 2 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qconjqyconjf(const ksl_quaternionf_t *qi, const float dci[2],
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = qi->x * dci[1], qo_0b = qi->z * dci[0], qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const float qo_1a = qi->y * dci[1], qo_1b = qi->w * dci[0], qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const float qo_2a = qi->x * dci[0], qo_2b = qi->z * dci[1], qo_2 = qo_2a - qo_2b;
-  const float qo_3a = qi->w * dci[1], qo_3b = qi->y * dci[0], qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qzqf(const float dci[2], const ksl_quaternionf_t *qi,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = dci[1] * qi->x, qo_0b = dci[0] * qi->y, qo_0 = qo_0a - qo_0b;
-  const float qo_1a = dci[0] * qi->x, qo_1b = dci[1] * qi->y, qo_1 = qo_1a + qo_1b;
-  const float qo_2a = dci[0] * qi->w, qo_2b = dci[1] * qi->z, qo_2 = qo_2a + qo_2b;
-  const float qo_3a = dci[1] * qi->w, qo_3b = dci[0] * qi->z, qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add, 1 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qzqconjf(const float dci[2], const ksl_quaternionf_t *qi,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = dci[0] * qi->y, qo_0b = dci[1] * qi->x, qo_0 = qo_0a - qo_0b;
-  const float qo_1a = dci[0] * qi->x, qo_1b = dci[1] * qi->y, qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const float qo_2a = dci[0] * qi->w, qo_2b = dci[1] * qi->z, qo_2 = qo_2a - qo_2b;
-  const float qo_3a = dci[0] * qi->z, qo_3b = dci[1] * qi->w, qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qzconjqf(const float dci[2], const ksl_quaternionf_t *qi,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = dci[0] * qi->y, qo_0b = dci[1] * qi->x, qo_0 = qo_0a + qo_0b;
-  const float qo_1a = dci[1] * qi->y, qo_1b = dci[0] * qi->x, qo_1 = qo_1a - qo_1b;
-  const float qo_2a = dci[1] * qi->z, qo_2b = dci[0] * qi->w, qo_2 = qo_2a - qo_2b;
-  const float qo_3a = dci[0] * qi->z, qo_3b = dci[1] * qi->w, qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle.
-   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-   8 mul, 4 add, 2 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qzconjqconjf(const float dci[2], const ksl_quaternionf_t *qi,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = dci[0] * qi->y, qo_0b = dci[1] * qi->x, qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const float qo_1a = dci[0] * qi->x, qo_1b = dci[1] * qi->y, qo_1 = qo_1a - qo_1b;
-  const float qo_2a = dci[0] * qi->w, qo_2b = dci[1] * qi->z, qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const float qo_3a = dci[1] * qi->w, qo_3b = dci[0] * qi->z, qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qqzf(const ksl_quaternionf_t *qi, const float dci[2],
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = qi->x * dci[1], qo_0b = qi->y * dci[0], qo_0 = qo_0a + qo_0b;
-  const float qo_1a = qi->y * dci[1], qo_1b = qi->x * dci[0], qo_1 = qo_1a - qo_1b;
-  const float qo_2a = qi->z * dci[1], qo_2b = qi->w * dci[0], qo_2 = qo_2a + qo_2b;
-  const float qo_3a = qi->w * dci[1], qo_3b = qi->z * dci[0], qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qqzconjf(const ksl_quaternionf_t *qi, const float dci[2],
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = qi->x * dci[1], qo_0b = qi->y * dci[0], qo_0 = qo_0a - qo_0b;
-  const float qo_1a = qi->x * dci[0], qo_1b = qi->y * dci[1], qo_1 = qo_1a + qo_1b;
-  const float qo_2a = qi->z * dci[1], qo_2b = qi->w * dci[0], qo_2 = qo_2a - qo_2b;
-  const float qo_3a = qi->z * dci[0], qo_3b = qi->w * dci[1], qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add, 1 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qconjqzf(const ksl_quaternionf_t *qi, const float dci[2],
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = qi->x * dci[1], qo_0b = qi->y * dci[0], qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const float qo_1a = qi->x * dci[0], qo_1b = qi->y * dci[1], qo_1 = qo_1a - qo_1b;
-  const float qo_2a = qi->w * dci[0], qo_2b = qi->z * dci[1], qo_2 = qo_2a - qo_2b;
-  const float qo_3a = qi->z * dci[0], qo_3b = qi->w * dci[1], qo_3 = qo_3a + qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
-   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-   8 mul, 4 add, 2 neg.
-   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qconjqzconjf(const ksl_quaternionf_t *qi, const float dci[2],
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = qi->y * dci[0], qo_0b = qi->x * dci[1], qo_0 = qo_0a - qo_0b;
-  const float qo_1a = qi->x * dci[0], qo_1b = qi->y * dci[1], qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const float qo_2a = qi->z * dci[1], qo_2b = qi->w * dci[0], qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const float qo_3a = qi->w * dci[1], qo_3b = qi->z * dci[0], qo_3 = qo_3a - qo_3b;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi (vi; 0).
-   qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
-   12 mul, 8 add, 1 neg.
-   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qvf(const ksl_quaternionf_t *qi, const ksl_vec3f_t *vi,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = qi->y * vi->z, qo_0b = qi->z * vi->y, qo_0c = qo_0a - qo_0b,
-      qo_0d = qi->w * vi->x, qo_0 = qo_0c + qo_0d;
-  const float qo_1a = qi->z * vi->x, qo_1b = qi->x * vi->z, qo_1c = qo_1a - qo_1b,
-      qo_1d = qi->w * vi->y, qo_1 = qo_1c + qo_1d;
-  const float qo_2a = qi->x * vi->y, qo_2b = qi->y * vi->x, qo_2c = qo_2a - qo_2b,
-      qo_2d = qi->w * vi->z, qo_2 = qo_2c + qo_2d;
-  const float qo_3a = qi->x * vi->x, qo_3b = qi->y * vi->y, qo_3c = qo_3a + qo_3b,
-      qo_3d = qi->z * vi->z, qo_3e = qo_3c + qo_3d, qo_3 = -qo_3e;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = qi* (vi; 0).
-   qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
-   12 mul, 8 add.
-   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qconjvf(const ksl_quaternionf_t *qi, const ksl_vec3f_t *vi,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = qi->z * vi->y, qo_0b = qi->y * vi->z, qo_0c = qo_0a - qo_0b,
-      qo_0d = qi->w * vi->x, qo_0 = qo_0c + qo_0d;
-  const float qo_1a = qi->x * vi->z, qo_1b = qi->z * vi->x, qo_1c = qo_1a - qo_1b,
-      qo_1d = qi->w * vi->y, qo_1 = qo_1c + qo_1d;
-  const float qo_2a = qi->y * vi->x, qo_2b = qi->x * vi->y, qo_2c = qo_2a - qo_2b,
-      qo_2d = qi->w * vi->z, qo_2 = qo_2c + qo_2d;
-  const float qo_3a = qi->x * vi->x, qo_3b = qi->y * vi->y, qo_3c = qo_3a + qo_3b,
-      qo_3d = qi->z * vi->z, qo_3 = qo_3c + qo_3d;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (vi; 0) qi.
-   vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
-   12 mul, 8 add, 1 neg.
-   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_vqf(const ksl_vec3f_t *vi, const ksl_quaternionf_t *qi,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = vi->x * qi->w, qo_0b = vi->y * qi->z, qo_0c = vi->z * qi->y,
-      qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
-  const float qo_1a = vi->z * qi->x, qo_1b = vi->x * qi->z, qo_1c = qo_1a - qo_1b,
-      qo_1d = vi->y * qi->w, qo_1 = qo_1c + qo_1d;
-  const float qo_2a = vi->x * qi->y, qo_2b = vi->y * qi->x, qo_2c = qo_2a - qo_2b,
-      qo_2d = vi->z * qi->w, qo_2 = qo_2c + qo_2d;
-  const float qo_3a = vi->x * qi->x, qo_3b = vi->y * qi->y, qo_3c = qo_3a + qo_3b,
-      qo_3d = vi->z * qi->z, qo_3e = qo_3c + qo_3d, qo_3 = -qo_3e;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = (vi; 0) qi*.
-   vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
-   12 mul, 8 add.
-   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_vqconjf(const ksl_vec3f_t *vi, const ksl_quaternionf_t *qi,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = vi->x * qi->w, qo_0b = vi->z * qi->y, qo_0c = vi->y * qi->z,
-      qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
-  const float qo_1a = vi->x * qi->z, qo_1b = vi->z * qi->x, qo_1c = qo_1a - qo_1b,
-      qo_1d = vi->y * qi->w, qo_1 = qo_1c + qo_1d;
-  const float qo_2a = vi->y * qi->x, qo_2b = vi->x * qi->y, qo_2c = qo_2a - qo_2b,
-      qo_2d = vi->z * qi->w, qo_2 = qo_2c + qo_2d;
-  const float qo_3a = vi->x * qi->x, qo_3b = vi->y * qi->y, qo_3c = qo_3a + qo_3b,
-      qo_3d = vi->z * qi->z, qo_3 = qo_3c + qo_3d;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* q1i·q2i.
-   q1i, q2i: quaternion (x, y, z, w), the scalar last.
-   4 mul, 3 add.
-   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline float ksl_dot_qqf(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i) {
-  const float dot_a = q1i->x * q2i->x, dot_b = q1i->y * q2i->y, dot_c = dot_a + dot_b,
-      dot_d = q1i->z * q2i->z, dot_e = dot_c + dot_d, dot_f = q1i->w * q2i->w, dot = dot_e + dot_f;
-  return dot;
-}
-
-/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
-     first order; not normalized.
-   dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
-   15 mul, 12 add.
-   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_add_dpiToqf(const ksl_vec3f_t *dpi, ksl_quaternionf_t *qi) {
-  const float qi_0_new_a = 0.5f * dpi->x, qi_0_new_b = qi_0_new_a * qi->w,
-      qi_0_new_c = 0.5f * dpi->z, qi_0_new_d = qi_0_new_c * qi->y, qi_0_new_e = 0.5f * dpi->y,
-      qi_0_new_f = qi_0_new_e * qi->z, qi_0_new_g = qi_0_new_d - qi_0_new_f,
-      qi_0_new_h = qi_0_new_b + qi_0_new_g, qi_0_new = qi_0_new_h + qi->x;
-  const float qi_1_new_a = qi_0_new_a * qi->z, qi_1_new_b = qi_0_new_c * qi->x,
-      qi_1_new_c = qi_1_new_a - qi_1_new_b, qi_1_new_d = qi_0_new_e * qi->w,
-      qi_1_new_e = qi_1_new_c + qi_1_new_d, qi_1_new = qi_1_new_e + qi->y;
-  const float qi_2_new_a = qi_0_new_e * qi->x, qi_2_new_b = qi_0_new_a * qi->y,
-      qi_2_new_c = qi_2_new_a - qi_2_new_b, qi_2_new_d = qi_0_new_c * qi->w,
-      qi_2_new_e = qi_2_new_c + qi_2_new_d, qi_2_new = qi_2_new_e + qi->z;
-  const float qi_3_new_a = qi_0_new_a * qi->x, qi_3_new_b = qi_0_new_e * qi->y,
-      qi_3_new_c = qi_3_new_a + qi_3_new_b, qi_3_new_d = qi_0_new_c * qi->z,
-      qi_3_new_e = qi_3_new_c + qi_3_new_d, qi_3_new = qi->w - qi_3_new_e;
-  qi->x = qi_0_new;
-  qi->y = qi_1_new;
-  qi->z = qi_2_new;
-  qi->w = qi_3_new;
-}
-
-/* qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order.
-   dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
-   15 mul, 12 add.
-   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_subtract_dpiFromqf(const ksl_vec3f_t *dpi, ksl_quaternionf_t *qi) {
-  const float qi_0_new_a = 0.5f * dpi->y, qi_0_new_b = qi_0_new_a * qi->z,
-      qi_0_new_c = 0.5f * dpi->z, qi_0_new_d = qi_0_new_c * qi->y,
-      qi_0_new_e = qi_0_new_b - qi_0_new_d, qi_0_new_f = 0.5f * dpi->x,
-      qi_0_new_g = qi_0_new_f * qi->w, qi_0_new_h = qi_0_new_e - qi_0_new_g,
-      qi_0_new = qi_0_new_h + qi->x;
-  const float qi_1_new_a = qi_0_new_c * qi->x, qi_1_new_b = qi_0_new_f * qi->z,
-      qi_1_new_c = qi_1_new_a - qi_1_new_b, qi_1_new_d = qi_0_new_a * qi->w,
-      qi_1_new_e = qi_1_new_c - qi_1_new_d, qi_1_new = qi_1_new_e + qi->y;
-  const float qi_2_new_a = qi_0_new_f * qi->y, qi_2_new_b = qi_0_new_a * qi->x,
-      qi_2_new_c = qi_2_new_a - qi_2_new_b, qi_2_new_d = qi_0_new_c * qi->w,
-      qi_2_new_e = qi_2_new_c - qi_2_new_d, qi_2_new = qi_2_new_e + qi->z;
-  const float qi_3_new_a = qi_0_new_f * qi->x, qi_3_new_b = qi_0_new_a * qi->y,
-      qi_3_new_c = qi_3_new_a + qi_3_new_b, qi_3_new_d = qi_0_new_c * qi->z,
-      qi_3_new_e = qi_3_new_c + qi_3_new_d, qi_3_new = qi_3_new_e + qi->w;
-  qi->x = qi_0_new;
-  qi->y = qi_1_new;
-  qi->z = qi_2_new;
-  qi->w = qi_3_new;
-}
-
-/* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-     reference frame, rad/s, and what draws its norm to 1.
-   w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
-   23 mul, 16 add.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_omega_to_dquaternionf(const ksl_vec3f_t *w, const ksl_quaternionf_t *qi,
-    ksl_quaternionf_t *dqo) {
-  const float dqo_0a = 0.5f * w->x, dqo_0b = dqo_0a * qi->w, dqo_0c = 0.5f * w->y,
-      dqo_0d = dqo_0c * qi->z, dqo_0e = 0.5f * w->z, dqo_0f = dqo_0e * qi->y,
-      dqo_0g = dqo_0d - dqo_0f, dqo_0h = dqo_0b + dqo_0g, dqo_0i = qi->x * qi->x,
-      dqo_0j = 1.0f - dqo_0i, dqo_0k = qi->y * qi->y, dqo_0l = dqo_0j - dqo_0k,
-      dqo_0m = qi->z * qi->z, dqo_0n = dqo_0l - dqo_0m, dqo_0o = qi->w * qi->w,
-      dqo_0p = dqo_0n - dqo_0o, dqo_0q = qi->x * dqo_0p, dqo_0 = dqo_0h + dqo_0q;
-  const float dqo_1a = dqo_0e * qi->x, dqo_1b = dqo_0a * qi->z, dqo_1c = dqo_1a - dqo_1b,
-      dqo_1d = dqo_0c * qi->w, dqo_1e = dqo_1c + dqo_1d, dqo_1f = qi->y * dqo_0p,
-      dqo_1 = dqo_1e + dqo_1f;
-  const float dqo_2a = dqo_0a * qi->y, dqo_2b = dqo_0c * qi->x, dqo_2c = dqo_2a - dqo_2b,
-      dqo_2d = dqo_0e * qi->w, dqo_2e = dqo_2c + dqo_2d, dqo_2f = qi->z * dqo_0p,
-      dqo_2 = dqo_2e + dqo_2f;
-  const float dqo_3a = qi->w * dqo_0p, dqo_3b = dqo_0a * qi->x, dqo_3c = dqo_0c * qi->y,
-      dqo_3d = dqo_3b + dqo_3c, dqo_3e = dqo_0e * qi->z, dqo_3f = dqo_3d + dqo_3e,
-      dqo_3 = dqo_3a - dqo_3f;
-  dqo->x = dqo_0;
-  dqo->y = dqo_1;
-  dqo->z = dqo_2;
-  dqo->w = dqo_3;
-}
-
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
+     |q| < 2^63; searched, not proved. */
 static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_mat3x3f_t *R) {
   const float squares_0 = q->w * q->w;
   const float squares_1 = q->x * q->x;
@@ -2202,7 +1072,7 @@ static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_m
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
-   Error <= qo: 5 u of its largest component; searched, not proved. */
+   Error <= qo: 5 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quaternionf_t *qo) {
   const float p_0 = R->m21 - R->m12;
   const float p_1 = R->m02 - R->m20;
@@ -2250,7 +1120,7 @@ static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quate
 /* qo = (axis sin angle/2; cos angle/2); axis of length 1.
    axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 1 sin, 1 cos.
-   Error <= qo: 3 u of its largest component; searched, not proved. */
+   Error <= qo: 3 u of its largest component for |axis| = 1; searched, not proved. */
 static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
     ksl_quaternionf_t *qo) {
   const float half = 0.5f * angle;
@@ -2268,26 +1138,42 @@ static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, cons
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
      nothing turns; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
-   8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
+   12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.
    Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
 static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, ksl_vec3f_t *axis) {
-  const float upper_0a = -q->x, upper_0 = q->w < 0.0f ? upper_0a : q->x;
-  const float upper_1a = -q->y, upper_1 = q->w < 0.0f ? upper_1a : q->y;
-  const float upper_2a = -q->z, upper_2 = q->w < 0.0f ? upper_2a : q->z;
-  const float upper_3a = -q->w, upper_3 = q->w < 0.0f ? upper_3a : q->w;
+  const float s_size_0 = fabsf(q->x);
+  const float s_size_1 = fabsf(q->y);
+  const float s_size_2 = fabsf(q->z);
+  const float s_size_3 = fabsf(q->w);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
+  const float scaled_s_0 = q->x * s;
+  const float scaled_s_1 = q->y * s;
+  const float scaled_s_2 = q->z * s;
+  const float scaled_s_3 = q->w * s;
+  const float upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0f ? upper_0a : scaled_s_0;
+  const float upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0f ? upper_1a : scaled_s_1;
+  const float upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0f ? upper_2a : scaled_s_2;
+  const float upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0f ? upper_3a : scaled_s_3;
   const float v_s_size_0 = fabsf(upper_0);
   const float v_s_size_1 = fabsf(upper_1);
   const float v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
-      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
+      v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
+      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
   const float v_y_0 = upper_0 * v_s;
   const float v_y_1 = upper_1 * v_s;
   const float v_y_2 = upper_2 * v_s;
   const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
-  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
+      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = v_n * v_r;
   const float half = atan2f(n, upper_3);
   const float divisor = v_n == 0.0f ? 1.0f : v_n;
@@ -2304,18 +1190,51 @@ static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, 
 
 /* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
    v: vector; qo: quaternion (x, y, z, w), the scalar last.
-   34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.
-   Error <= qo: 7 u of its largest component; searched, not proved. */
+   43 mul, 53 add, 2 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 2 less, 6 select.
+   Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+     searched, not proved. */
 static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *qo) {
   const float h_0 = 0.5f * v->x;
   const float h_1 = 0.5f * v->y;
   const float h_2 = 0.5f * v->z;
-  const float x_a = h_0 * h_0, x_b = h_1 * h_1, x_c = x_a + x_b, x_d = h_2 * h_2, x = x_c + x_d;
-  const float size = sqrtf(x);
-  const float cosine_a = cosf(size), cosine = x < 1.0f ? 1.0f : cosine_a;
-  const float sine_a = sinf(size), sine = x < 1.0f ? 1.0f : sine_a;
-  const float divisor = x < 1.0f ? 2.0f : size;
-  const float far_k = sine / divisor;
+  const float size_0 = fabsf(h_0);
+  const float size_1 = fabsf(h_1);
+  const float size_2 = fabsf(h_2);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = h_0 + grid;
+  const float shifted_1 = h_1 + grid;
+  const float shifted_2 = h_2 + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
+  const float low_0 = h_0 - high_0;
+  const float low_1 = h_1 - high_1;
+  const float low_2 = h_2 - high_2;
+  const float sum_0 = h_0 + high_0;
+  const float sum_1 = h_1 + high_1;
+  const float sum_2 = h_2 + high_2;
+  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float x = squares + cross;
+  const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
+  const float theta_low = theta - theta_high;
+  const float theta_sum = theta + theta_high;
+  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float residual = cross_rest + exact;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
+  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
+  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float far_k = sine / theta;
   const float k_a = 6.4469503e-26f * x, k_b = k_a - 3.8681703e-23f, k_c = x * k_b,
       k_d = k_c + 1.9572942e-20f, k_e = x * k_d, k_f = k_e - 8.220635e-18f, k_g = x * k_f,
       k_h = k_g + 2.8114574e-15f, k_i = x * k_h, k_j = k_i - 7.6471636e-13f, k_k = x * k_j,
@@ -2343,26 +1262,42 @@ static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
-   11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.
+   15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.
    Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *vo) {
-  const float upper_0a = -q->x, upper_0 = q->w < 0.0f ? upper_0a : q->x;
-  const float upper_1a = -q->y, upper_1 = q->w < 0.0f ? upper_1a : q->y;
-  const float upper_2a = -q->z, upper_2 = q->w < 0.0f ? upper_2a : q->z;
-  const float upper_3a = -q->w, upper_3 = q->w < 0.0f ? upper_3a : q->w;
+  const float s_size_0 = fabsf(q->x);
+  const float s_size_1 = fabsf(q->y);
+  const float s_size_2 = fabsf(q->z);
+  const float s_size_3 = fabsf(q->w);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
+  const float scaled_s_0 = q->x * s;
+  const float scaled_s_1 = q->y * s;
+  const float scaled_s_2 = q->z * s;
+  const float scaled_s_3 = q->w * s;
+  const float upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0f ? upper_0a : scaled_s_0;
+  const float upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0f ? upper_1a : scaled_s_1;
+  const float upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0f ? upper_2a : scaled_s_2;
+  const float upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0f ? upper_3a : scaled_s_3;
   const float v_s_size_0 = fabsf(upper_0);
   const float v_s_size_1 = fabsf(upper_1);
   const float v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
-      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
+      v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
+      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
   const float v_y_0 = upper_0 * v_s;
   const float v_y_1 = upper_1 * v_s;
   const float v_y_2 = upper_2 * v_s;
   const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
-  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
+      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = v_n * v_r;
   const float half = atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
@@ -2378,11 +1313,12 @@ static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *
 
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-   76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16
+   85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
      select.
-   Error <= qo: 12 u of its largest component; searched, not proved. */
-static inline void ksl_quaternionf_interpolated(const ksl_quaternionf_t *q1,
-    const ksl_quaternionf_t *q2, const float k, ksl_quaternionf_t *qo) {
+   Error <= qo: 12 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
+     searched, not proved. */
+static inline void ksl_quaternionf_slerp(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
+    const float k, ksl_quaternionf_t *qo) {
   const float between_0a = q1->w * q2->x, between_0b = q1->x * q2->w,
       between_0c = between_0a - between_0b, between_0d = q1->z * q2->y, between_0e = q1->y * q2->z,
       between_0f = between_0d - between_0e, between_0 = between_0c + between_0f;
@@ -2406,13 +1342,15 @@ static inline void ksl_quaternionf_interpolated(const ksl_quaternionf_t *q1,
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
-      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
+      v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
+      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
   const float v_y_0 = upper_0 * v_s;
   const float v_y_1 = upper_1 * v_s;
   const float v_y_2 = upper_2 * v_s;
   const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
-  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
+      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = v_n * v_r;
   const float half = atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
@@ -2423,13 +1361,48 @@ static inline void ksl_quaternionf_interpolated(const ksl_quaternionf_t *q1,
   const float step_0 = rate * kv_0;
   const float step_1 = rate * kv_1;
   const float step_2 = rate * kv_2;
-  const float exp_x_a = step_0 * step_0, exp_x_b = step_1 * step_1, exp_x_c = exp_x_a + exp_x_b,
-      exp_x_d = step_2 * step_2, exp_x = exp_x_c + exp_x_d;
-  const float exp_size = sqrtf(exp_x);
-  const float exp_cosine_a = cosf(exp_size), exp_cosine = exp_x < 1.0f ? 1.0f : exp_cosine_a;
-  const float exp_sine_a = sinf(exp_size), exp_sine = exp_x < 1.0f ? 1.0f : exp_sine_a;
-  const float exp_divisor = exp_x < 1.0f ? 2.0f : exp_size;
-  const float exp_far_k = exp_sine / exp_divisor;
+  const float exp_size_0 = fabsf(step_0);
+  const float exp_size_1 = fabsf(step_1);
+  const float exp_size_2 = fabsf(step_2);
+  const float exp_sizes_a = exp_size_0 + exp_size_1, exp_sizes = exp_sizes_a + exp_size_2;
+  const float exp_grid = exp_sizes * 8192.0f;
+  const float exp_shifted_0 = step_0 + exp_grid;
+  const float exp_shifted_1 = step_1 + exp_grid;
+  const float exp_shifted_2 = step_2 + exp_grid;
+  const float exp_high_0 = exp_shifted_0 - exp_grid;
+  const float exp_high_1 = exp_shifted_1 - exp_grid;
+  const float exp_high_2 = exp_shifted_2 - exp_grid;
+  const float exp_low_0 = step_0 - exp_high_0;
+  const float exp_low_1 = step_1 - exp_high_1;
+  const float exp_low_2 = step_2 - exp_high_2;
+  const float exp_sum_0 = step_0 + exp_high_0;
+  const float exp_sum_1 = step_1 + exp_high_1;
+  const float exp_sum_2 = step_2 + exp_high_2;
+  const float exp_squares_a = exp_high_0 * exp_high_0, exp_squares_b = exp_high_1 * exp_high_1,
+      exp_squares_c = exp_squares_a + exp_squares_b, exp_squares_d = exp_high_2 * exp_high_2,
+      exp_squares = exp_squares_c + exp_squares_d;
+  const float exp_cross_a = exp_low_0 * exp_sum_0, exp_cross_b = exp_low_1 * exp_sum_1,
+      exp_cross_c = exp_cross_a + exp_cross_b, exp_cross_d = exp_low_2 * exp_sum_2,
+      exp_cross = exp_cross_c + exp_cross_d;
+  const float exp_x = exp_squares + exp_cross;
+  const float exp_theta_a = sqrtf(exp_x), exp_theta = exp_x < 1.0f ? 1.0f : exp_theta_a;
+  const float exp_theta_shifted = exp_grid + exp_theta;
+  const float exp_theta_high = exp_theta_shifted - exp_grid;
+  const float exp_theta_low = exp_theta - exp_theta_high;
+  const float exp_theta_sum = exp_theta + exp_theta_high;
+  const float exp_cross_rest_a = exp_theta_low * exp_theta_sum,
+      exp_cross_rest = exp_cross - exp_cross_rest_a;
+  const float exp_exact_a = exp_theta_high * exp_theta_high, exp_exact = exp_squares - exp_exact_a;
+  const float exp_residual = exp_cross_rest + exp_exact;
+  const float exp_small_a = 0.5f * exp_residual, exp_small = exp_small_a / exp_theta;
+  const float exp_delta_a = fabsf(exp_small),
+      exp_delta = exp_delta_a < 0.0078125f ? exp_small : 0.0f;
+  const float exp_far_sine_a = sinf(exp_theta), exp_far_sine = exp_x < 1.0f ? 1.0f : exp_far_sine_a;
+  const float exp_far_cosine_a = cosf(exp_theta),
+      exp_far_cosine = exp_x < 1.0f ? 0.0f : exp_far_cosine_a;
+  const float exp_sine_a = exp_delta * exp_far_cosine, exp_sine = exp_sine_a + exp_far_sine;
+  const float exp_cosine_a = exp_delta * exp_far_sine, exp_cosine = exp_far_cosine - exp_cosine_a;
+  const float exp_far_k = exp_sine / exp_theta;
   const float exp_k_a = 6.4469503e-26f * exp_x, exp_k_b = exp_k_a - 3.8681703e-23f,
       exp_k_c = exp_x * exp_k_b, exp_k_d = exp_k_c + 1.9572942e-20f, exp_k_e = exp_x * exp_k_d,
       exp_k_f = exp_k_e - 8.220635e-18f, exp_k_g = exp_x * exp_k_f,
@@ -2498,144 +1471,5 @@ static inline ksl_quaternionf_t *ksl_quaternionf_alloc(int n) {
 }
 
 #endif
-
-/* What KSL declares beside formulas. */
-
-
-/* The same as ksl_quaternion_from_mat3x3. */
-static inline void ksl_mat3x3_toQuaternion(const ksl_mat3x3_t *ri,
-    ksl_quaternion_t *qo) {
-  ksl_quaternion_from_mat3x3(ri, qo);
-}
-
-/* Normalizes qi, and sets ro to its rotation: qi = qi / |qi|, ro = R(qi). */
-static inline void ksl_quaternion_toMat3x3(ksl_quaternion_t *qi,
-    ksl_mat3x3_t *ro) {
-  ksl_quaternion_normalize(qi);
-  ksl_mat3x3_from_quaternion(qi, ro);
-}
-
-/* qo = q1i (q1i* q2i)^t along the arc from q1i to q2i, which is the longer one where q1i·q2i < 0: q1i
-     at t = 0, q2i at t = 1.  |q1i| = |q2i| = 1; not defined where q2i = -q1i.
-     ksl_quaternion_interpolated goes the shorter way. */
-static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1i,
-    const ksl_quaternion_t *q2i, double *t, ksl_quaternion_t *qo) {
-  const double k = *t, twice = 2 * k;
-  if (ksl_dot_qq(q1i, q2i) >= 0) {
-    ksl_quaternion_interpolated(q1i, q2i, k, qo);
-  } else { /* by way of the middle: either half is the shorter arc */
-    ksl_quaternion_t middle = *q2i;
-    ksl_axpy_qq(1.0, q1i, &middle);
-    ksl_quaternion_normalize(&middle);
-    if (twice <= 1) {
-      ksl_quaternion_interpolated(q1i, &middle, twice, qo);
-    } else {
-      ksl_quaternion_interpolated(&middle, q2i, twice - 1, qo);
-    }
-  }
-}
-
-/* qo = slerp(slerp(qi[0], qi[3], t), slerp(qi[1], qi[2], t), 2 t (1 - t)): Shoemake's curve from qi[0]
-     to qi[3] with the inner control points qi[1], qi[2]; all of norm 1. */
-static inline void ksl_quaternion_squad(
-    ksl_quaternion_t qi[4], double *t, ksl_quaternion_t *qo) {
-  ksl_quaternion_t ends, inner;
-  const double rest = 1 - *t, twice = 2 * *t;
-  double k = twice * rest;
-  ksl_quaternion_slerp(&qi[0], &qi[3], t, &ends);
-  ksl_quaternion_slerp(&qi[1], &qi[2], t, &inner);
-  ksl_quaternion_slerp(&ends, &inner, &k, qo);
-}
-
-/* qo = (1 - t) q1i ± t q2i along the shorter arc, normalized; q1i where t < 1e-9, q2i where t >= 1. */
-static inline void ksl_quaternion_nlerp(
-    const ksl_quaternion_t *q1i, const ksl_quaternion_t *q2i, const double *t,
-    ksl_quaternion_t *qo) {
-  const double k = *t, towards = ksl_dot_qq(q1i, q2i) < 0 ? -k : k;
-  ksl_quaternion_t o = k >= 1 ? *q2i : *q1i;
-  if (k >= 1e-9 && k < 1) {
-    ksl_quaternion_scale(&o, 1 - k);
-    ksl_axpy_qq(towards, q2i, &o);
-    ksl_quaternion_normalize(&o);
-  }
-  *qo = o;
-}
-
-/* qo = q1i^-1 q2i, q1i^-1 = q1i* / q1i·q1i: q1i of any norm but zero whose square neither over- nor
-     underflows. */
-static inline void ksl_quaternion_product_uqinverseq(
-    ksl_quaternion_t *q1i, ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
-  const double square = ksl_dot_qq(q1i, q1i);
-  ksl_quaternion_product_qconjq(q1i, q2i, qo);
-  ksl_quaternion_scale(qo, 1 / square);
-}
-
-/* The same as ksl_quaternionf_from_mat3x3. */
-static inline void ksl_mat3x3f_toQuaternion(const ksl_mat3x3f_t *ri,
-    ksl_quaternionf_t *qo) {
-  ksl_quaternionf_from_mat3x3(ri, qo);
-}
-
-/* Normalizes qi, and sets ro to its rotation: qi = qi / |qi|, ro = R(qi). */
-static inline void ksl_quaternionf_toMat3x3f(ksl_quaternionf_t *qi,
-    ksl_mat3x3f_t *ro) {
-  ksl_quaternionf_normalize(qi);
-  ksl_mat3x3f_from_quaternion(qi, ro);
-}
-
-/* qo = q1i (q1i* q2i)^t along the arc from q1i to q2i, which is the longer one where q1i·q2i < 0: q1i
-     at t = 0, q2i at t = 1.  |q1i| = |q2i| = 1; not defined where q2i = -q1i.
-     ksl_quaternionf_interpolated goes the shorter way. */
-static inline void ksl_slerpf(const ksl_quaternionf_t *q1i,
-    const ksl_quaternionf_t *q2i, float *t, ksl_quaternionf_t *qo) {
-  const float k = *t, twice = 2 * k;
-  if (ksl_dot_qqf(q1i, q2i) >= 0) {
-    ksl_quaternionf_interpolated(q1i, q2i, k, qo);
-  } else { /* by way of the middle: either half is the shorter arc */
-    ksl_quaternionf_t middle = *q2i;
-    ksl_axpy_qqf(1.0f, q1i, &middle);
-    ksl_quaternionf_normalize(&middle);
-    if (twice <= 1) {
-      ksl_quaternionf_interpolated(q1i, &middle, twice, qo);
-    } else {
-      ksl_quaternionf_interpolated(&middle, q2i, twice - 1, qo);
-    }
-  }
-}
-
-/* qo = slerp(slerp(qi[0], qi[3], t), slerp(qi[1], qi[2], t), 2 t (1 - t)): Shoemake's curve from qi[0]
-     to qi[3] with the inner control points qi[1], qi[2]; all of norm 1. */
-static inline void ksl_squadf(
-    ksl_quaternionf_t qi[4], float *t, ksl_quaternionf_t *qo) {
-  ksl_quaternionf_t ends, inner;
-  const float rest = 1 - *t, twice = 2 * *t;
-  float k = twice * rest;
-  ksl_slerpf(&qi[0], &qi[3], t, &ends);
-  ksl_slerpf(&qi[1], &qi[2], t, &inner);
-  ksl_slerpf(&ends, &inner, &k, qo);
-}
-
-/* qo = (1 - t) q1i ± t q2i along the shorter arc, normalized; q1i where t < 1e-9, q2i where t >= 1. */
-static inline void ksl_nlerpf(
-    const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i, const float *t,
-    ksl_quaternionf_t *qo) {
-  const float k = *t, towards = ksl_dot_qqf(q1i, q2i) < 0 ? -k : k;
-  ksl_quaternionf_t o = k >= 1 ? *q2i : *q1i;
-  if (k >= 1e-9f && k < 1) {
-    ksl_quaternionf_scale(&o, 1 - k);
-    ksl_axpy_qqf(towards, q2i, &o);
-    ksl_quaternionf_normalize(&o);
-  }
-  *qo = o;
-}
-
-/* qo = q1i^-1 q2i, q1i^-1 = q1i* / q1i·q1i: q1i of any norm but zero whose square neither over- nor
-     underflows. */
-static inline void ksl_product_uqinverseqf(
-    ksl_quaternionf_t *q1i, ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
-  const float square = ksl_dot_qqf(q1i, q1i);
-  ksl_product_qconjqf(q1i, q2i, qo);
-  ksl_quaternionf_scale(qo, 1 / square);
-}
 
 #endif

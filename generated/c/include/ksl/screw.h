@@ -215,7 +215,7 @@ static inline void ksl_subtract_ss(const ksl_screw_t *s1, const ksl_screw_t *s2,
 
 /* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
    si: screw (v in m/s; ω in rad/s).
-   7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select. */
+   7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select. */
 static inline double ksl_screw_norm(const ksl_screw_t *si) {
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(si->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(si->m3),
@@ -229,21 +229,23 @@ static inline double ksl_screw_norm(const ksl_screw_t *si) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm = n * r;
   return norm;
 }
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_screw_normalize(ksl_screw_t *self) {
   const double small_a = fabs(self->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(self->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m3),
@@ -257,7 +259,8 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -294,7 +297,7 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) {
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(si->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(si->m3),
@@ -308,7 +311,8 @@ static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) 
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -1350,7 +1354,7 @@ static inline void ksl_subtract_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *
 
 /* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
    si: screw (v in m/s; ω in rad/s).
-   7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select. */
+   7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select. */
 static inline float ksl_screwf_norm(const ksl_screwf_t *si) {
   const float small_a = fabsf(si->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(si->m4), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(si->m3),
@@ -1364,20 +1368,22 @@ static inline float ksl_screwf_norm(const ksl_screwf_t *si) {
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
-      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = p_0 * s;
   const float y_1 = p_1 * s;
   const float y_2 = p_2 * s;
   const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrtf(n_e);
-  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
+      r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float norm = n * r;
   return norm;
 }
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   const float small_a = fabsf(self->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(self->m4), small_f = small_d < 1e-06f ? small_c : 0.0f,
@@ -1391,7 +1397,8 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
-      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = p_0 * s;
   const float y_1 = p_1 * s;
   const float y_2 = p_2 * s;
@@ -1428,7 +1435,7 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *so) {
   const float small_a = fabsf(si->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(si->m4), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(si->m3),
@@ -1442,7 +1449,8 @@ static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *s
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
-      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = p_0 * s;
   const float y_1 = p_1 * s;
   const float y_2 = p_2 * s;

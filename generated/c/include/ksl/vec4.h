@@ -117,7 +117,7 @@ static inline void ksl_vec4_swap(ksl_vec4_t *v1, ksl_vec4_t *v2) {
 
 /* |v| = sqrt(v·v), all four components.
    v: vector (x, y, z) and a homogeneous coordinate w.
-   9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select. */
+   9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline double ksl_vec4_l2norm(const ksl_vec4_t *v) {
   const double s_size_0 = fabs(v->x);
   const double s_size_1 = fabs(v->y);
@@ -127,7 +127,8 @@ static inline double ksl_vec4_l2norm(const ksl_vec4_t *v) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = v->x * s;
   const double y_1 = v->y * s;
   const double y_2 = v->z * s;
@@ -135,14 +136,15 @@ static inline double ksl_vec4_l2norm(const ksl_vec4_t *v) {
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm = n * r;
   return norm;
 }
 
 /* self = self / |self|; the zero vector stays zero.
    self: vector (x, y, z) and a homogeneous coordinate w.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_vec4_normalize(ksl_vec4_t *self) {
   const double s_size_0 = fabs(self->x);
   const double s_size_1 = fabs(self->y);
@@ -152,7 +154,8 @@ static inline void ksl_vec4_normalize(ksl_vec4_t *self) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = self->x * s;
   const double y_1 = self->y * s;
   const double y_2 = self->z * s;
@@ -182,7 +185,7 @@ static inline void ksl_vec4_normalize(ksl_vec4_t *self) {
 
 /* vo = v / |v|; the zero vector stays zero.
    v, vo: vector (x, y, z) and a homogeneous coordinate w.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_vec4_normalized(const ksl_vec4_t *v, ksl_vec4_t *vo) {
   const double s_size_0 = fabs(v->x);
   const double s_size_1 = fabs(v->y);
@@ -192,7 +195,8 @@ static inline void ksl_vec4_normalized(const ksl_vec4_t *v, ksl_vec4_t *vo) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = v->x * s;
   const double y_1 = v->y * s;
   const double y_2 = v->z * s;
@@ -330,7 +334,7 @@ static inline void ksl_vec4f_swap(ksl_vec4f_t *v1, ksl_vec4f_t *v2) {
 
 /* |v| = sqrt(v·v), all four components.
    v: vector (x, y, z) and a homogeneous coordinate w.
-   9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select. */
+   9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline float ksl_vec4f_l2norm(const ksl_vec4f_t *v) {
   const float s_size_0 = fabsf(v->x);
   const float s_size_1 = fabsf(v->y);
@@ -340,21 +344,23 @@ static inline float ksl_vec4f_l2norm(const ksl_vec4f_t *v) {
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
-      s = s_largest3 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = v->x * s;
   const float y_1 = v->y * s;
   const float y_2 = v->z * s;
   const float y_3 = v->w * s;
   const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
-  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
+      r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float norm = n * r;
   return norm;
 }
 
 /* self = self / |self|; the zero vector stays zero.
    self: vector (x, y, z) and a homogeneous coordinate w.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_vec4f_normalize(ksl_vec4f_t *self) {
   const float s_size_0 = fabsf(self->x);
   const float s_size_1 = fabsf(self->y);
@@ -364,7 +370,8 @@ static inline void ksl_vec4f_normalize(ksl_vec4f_t *self) {
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
-      s = s_largest3 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = self->x * s;
   const float y_1 = self->y * s;
   const float y_2 = self->z * s;
@@ -394,7 +401,7 @@ static inline void ksl_vec4f_normalize(ksl_vec4f_t *self) {
 
 /* vo = v / |v|; the zero vector stays zero.
    v, vo: vector (x, y, z) and a homogeneous coordinate w.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_vec4f_normalized(const ksl_vec4f_t *v, ksl_vec4f_t *vo) {
   const float s_size_0 = fabsf(v->x);
   const float s_size_1 = fabsf(v->y);
@@ -404,7 +411,8 @@ static inline void ksl_vec4f_normalized(const ksl_vec4f_t *v, ksl_vec4f_t *vo) {
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
-      s = s_largest3 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = v->x * s;
   const float y_1 = v->y * s;
   const float y_2 = v->z * s;

@@ -52,7 +52,7 @@ static inline void ksl_vec4_scaled_accurate(const ksl_vec4_t *v, const double k,
 
 /* |v| = sqrt(v·v), all four components.
    v: vector (x, y, z) and a homogeneous coordinate w.
-   12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
+   12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 3 equal, 12
      select. */
 static inline double ksl_vec4_l2norm_accurate(const ksl_vec4_t *v) {
   const double s_size_0 = fabs(v->x);
@@ -63,7 +63,8 @@ static inline double ksl_vec4_l2norm_accurate(const ksl_vec4_t *v) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = v->x * s;
   const double y_1 = v->y * s;
   const double y_2 = v->z * s;
@@ -85,7 +86,8 @@ static inline double ksl_vec4_l2norm_accurate(const ksl_vec4_t *v) {
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm_of_n = n + n_lo, norm_of_n_right = norm_of_n - n,
       norm_of_n_left = norm_of_n - norm_of_n_right, norm_of_n_left_rest = n - norm_of_n_left,
       norm_of_n_right_rest = n_lo - norm_of_n_right,
@@ -100,7 +102,7 @@ static inline double ksl_vec4_l2norm_accurate(const ksl_vec4_t *v) {
 
 /* self = self / |self|; the zero vector stays zero.
    self: vector (x, y, z) and a homogeneous coordinate w.
-   33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+   33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
      select. */
 static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
   const double s_size_0 = fabs(self->x);
@@ -111,7 +113,8 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = self->x * s;
   const double y_1 = self->y * s;
   const double y_2 = self->z * s;
@@ -134,7 +137,13 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double enlarged_0 = self->x * up;
   const double enlarged_1 = self->y * up;
   const double enlarged_2 = self->z * up;
@@ -241,7 +250,7 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
 
 /* vo = v / |v|; the zero vector stays zero.
    v, vo: vector (x, y, z) and a homogeneous coordinate w.
-   33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+   33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
      select. */
 static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t *vo) {
   const double s_size_0 = fabs(v->x);
@@ -252,7 +261,8 @@ static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t 
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = v->x * s;
   const double y_1 = v->y * s;
   const double y_2 = v->z * s;
@@ -275,7 +285,13 @@ static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t 
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double enlarged_0 = v->x * up;
   const double enlarged_1 = v->y * up;
   const double enlarged_2 = v->z * up;
@@ -402,7 +418,7 @@ static inline void ksl_vec4f_scaled_accurate(const ksl_vec4f_t *v, const float k
 
 /* |v| = sqrt(v·v), all four components.
    v: vector (x, y, z) and a homogeneous coordinate w.
-   9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select. */
+   9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline float ksl_vec4f_l2norm_accurate(const ksl_vec4f_t *v) {
   const double s_size_0 = fabs((double)v->x);
   const double s_size_1 = fabs((double)v->y);
@@ -412,7 +428,8 @@ static inline float ksl_vec4f_l2norm_accurate(const ksl_vec4f_t *v) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest3 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = (double)v->x * s;
   const double y_1 = (double)v->y * s;
   const double y_2 = (double)v->z * s;
@@ -420,14 +437,15 @@ static inline float ksl_vec4f_l2norm_accurate(const ksl_vec4f_t *v) {
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
-      r = 1.0 < s ? 7.888609052210118e-31 : r_b;
+      r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
+      r = 1.8014398509481984e+16 < s ? 3.0814879110195774e-33 : r_d;
   const double norm = n * r;
   return (float)norm;
 }
 
 /* self = self / |self|; the zero vector stays zero.
    self: vector (x, y, z) and a homogeneous coordinate w.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_vec4f_normalize_accurate(ksl_vec4f_t *self) {
   const double s_size_0 = fabs((double)self->x);
   const double s_size_1 = fabs((double)self->y);
@@ -437,7 +455,8 @@ static inline void ksl_vec4f_normalize_accurate(ksl_vec4f_t *self) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest3 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = (double)self->x * s;
   const double y_1 = (double)self->y * s;
   const double y_2 = (double)self->z * s;
@@ -467,7 +486,7 @@ static inline void ksl_vec4f_normalize_accurate(ksl_vec4f_t *self) {
 
 /* vo = v / |v|; the zero vector stays zero.
    v, vo: vector (x, y, z) and a homogeneous coordinate w.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_vec4f_normalized_accurate(const ksl_vec4f_t *v, ksl_vec4f_t *vo) {
   const double s_size_0 = fabs((double)v->x);
   const double s_size_1 = fabs((double)v->y);
@@ -477,7 +496,8 @@ static inline void ksl_vec4f_normalized_accurate(const ksl_vec4f_t *v, ksl_vec4f
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest3 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = (double)v->x * s;
   const double y_1 = (double)v->y * s;
   const double y_2 = (double)v->z * s;

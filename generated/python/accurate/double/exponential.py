@@ -16,8 +16,9 @@ def SO3_log(R):
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    40 mul, 189 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
-    less, 10 equal, 51 select.  Error <= vo: 5 u of its largest component; searched, not proved.
+    40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
+    less, 10 equal, 58 select.  Error <= vo: 5 u of its largest component for R a rotation;
+    searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -82,43 +83,88 @@ def SO3_log(R):
     column_2_lo = where(R_22 < 0, where(R_11 < R_00, s_1_lo, s_0_lo), high_2_lo)
     column_3 = where(R_22 < 0, low_3, high_3)
     column_3_lo = where(R_22 < 0, where(R_11 < R_00, p_0_lo, p_1_lo), high_3_lo)
-    upper_0 = where(column_3 < 0, -column_0, column_0)
-    upper_0_lo = where(column_3 < 0, -column_0_lo, column_0_lo)
-    upper_1 = where(column_3 < 0, -column_1, column_1)
-    upper_1_lo = where(column_3 < 0, -column_1_lo, column_1_lo)
-    upper_2 = where(column_3 < 0, -column_2, column_2)
-    upper_2_lo = where(column_3 < 0, -column_2_lo, column_2_lo)
-    upper_3 = where(column_3 < 0, -column_3, column_3)
-    upper_3_lo = where(column_3 < 0, -column_3_lo, column_3_lo)
-    v_s_size_0 = absolute(upper_0)
-    v_s_size_1 = absolute(upper_1)
-    v_s_size_2 = absolute(upper_2)
-    v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
-    v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    v_s = where(v_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, v_s_b)
-    v_y_0_of_upper_0 = upper_0 + upper_0_lo
-    v_y_0_of_upper_0_right = v_y_0_of_upper_0 - upper_0
-    v_y_0_of_upper_0_left_rest = upper_0 - (v_y_0_of_upper_0 - v_y_0_of_upper_0_right)
-    v_y_0_of_upper_0_lo = v_y_0_of_upper_0_left_rest + (upper_0_lo - v_y_0_of_upper_0_right)
-    v_y_0 = v_y_0_of_upper_0 * v_s
+    upper_0b_of_column_3 = column_3 + column_3_lo
+    upper_0b_of_column_3_right = upper_0b_of_column_3 - column_3
+    upper_0b_of_column_3_left_rest = column_3 - (upper_0b_of_column_3 - upper_0b_of_column_3_right)
+    upper_0b_of_column_3_right_rest = column_3_lo - upper_0b_of_column_3_right
+    upper_0b_of_column_3_lo = upper_0b_of_column_3_left_rest + upper_0b_of_column_3_right_rest
+    upper_0 = where(upper_0b_of_column_3 < 0, -column_0, column_0)
+    upper_0_lo = where(upper_0b_of_column_3 < 0, -column_0_lo, column_0_lo)
+    upper_1 = where(upper_0b_of_column_3 < 0, -column_1, column_1)
+    upper_1_lo = where(upper_0b_of_column_3 < 0, -column_1_lo, column_1_lo)
+    upper_2 = where(upper_0b_of_column_3 < 0, -column_2, column_2)
+    upper_2_lo = where(upper_0b_of_column_3 < 0, -column_2_lo, column_2_lo)
+    upper_3 = where(upper_0b_of_column_3 < 0, -upper_0b_of_column_3, upper_0b_of_column_3)
+    upper_3_lo = where(upper_0b_of_column_3 < 0, -upper_0b_of_column_3_lo, upper_0b_of_column_3_lo)
+    v_s_size_0_of_upper_0 = upper_0 + upper_0_lo
+    v_s_size_0_of_upper_0_right = v_s_size_0_of_upper_0 - upper_0
+    v_s_size_0_of_upper_0_left = v_s_size_0_of_upper_0 - v_s_size_0_of_upper_0_right
+    v_s_size_0_of_upper_0_left_rest = upper_0 - v_s_size_0_of_upper_0_left
+    v_s_size_0_of_upper_0_right_rest = upper_0_lo - v_s_size_0_of_upper_0_right
+    v_s_size_0_of_upper_0_lo = v_s_size_0_of_upper_0_left_rest + v_s_size_0_of_upper_0_right_rest
+    v_s_size_0 = absolute(v_s_size_0_of_upper_0)
+    v_s_size_0_opposite = -v_s_size_0_of_upper_0_lo
+    v_s_size_0_lo = where(v_s_size_0_of_upper_0 < 0, v_s_size_0_opposite, v_s_size_0_of_upper_0_lo)
+    v_s_size_1_of_upper_1 = upper_1 + upper_1_lo
+    v_s_size_1_of_upper_1_right = v_s_size_1_of_upper_1 - upper_1
+    v_s_size_1_of_upper_1_left = v_s_size_1_of_upper_1 - v_s_size_1_of_upper_1_right
+    v_s_size_1_of_upper_1_left_rest = upper_1 - v_s_size_1_of_upper_1_left
+    v_s_size_1_of_upper_1_right_rest = upper_1_lo - v_s_size_1_of_upper_1_right
+    v_s_size_1_of_upper_1_lo = v_s_size_1_of_upper_1_left_rest + v_s_size_1_of_upper_1_right_rest
+    v_s_size_1 = absolute(v_s_size_1_of_upper_1)
+    v_s_size_1_opposite = -v_s_size_1_of_upper_1_lo
+    v_s_size_1_lo = where(v_s_size_1_of_upper_1 < 0, v_s_size_1_opposite, v_s_size_1_of_upper_1_lo)
+    v_s_size_2_of_upper_2 = upper_2 + upper_2_lo
+    v_s_size_2_of_upper_2_right = v_s_size_2_of_upper_2 - upper_2
+    v_s_size_2_of_upper_2_left = v_s_size_2_of_upper_2 - v_s_size_2_of_upper_2_right
+    v_s_size_2_of_upper_2_left_rest = upper_2 - v_s_size_2_of_upper_2_left
+    v_s_size_2_of_upper_2_right_rest = upper_2_lo - v_s_size_2_of_upper_2_right
+    v_s_size_2_of_upper_2_lo = v_s_size_2_of_upper_2_left_rest + v_s_size_2_of_upper_2_right_rest
+    v_s_size_2 = absolute(v_s_size_2_of_upper_2)
+    v_s_size_2_opposite = -v_s_size_2_of_upper_2_lo
+    v_s_size_2_lo = where(v_s_size_2_of_upper_2 < 0, v_s_size_2_opposite, v_s_size_2_of_upper_2_lo)
+    v_s_largest1a_of_v_s_size_0 = v_s_size_0 + v_s_size_0_lo
+    v_s_largest1a_of_v_s_size_0_right = v_s_largest1a_of_v_s_size_0 - v_s_size_0
+    v_s_largest1a_of_v_s_size_0_left = v_s_largest1a_of_v_s_size_0 - v_s_largest1a_of_v_s_size_0_right
+    v_s_largest1a_of_v_s_size_0_left_rest = v_s_size_0 - v_s_largest1a_of_v_s_size_0_left
+    v_s_largest1a_of_v_s_size_0_right_rest = v_s_size_0_lo - v_s_largest1a_of_v_s_size_0_right
+    v_s_largest1a_of_v_s_size_0_lo = v_s_largest1a_of_v_s_size_0_left_rest + v_s_largest1a_of_v_s_size_0_right_rest
+    v_s_largest1a_of_v_s_size_1 = v_s_size_1 + v_s_size_1_lo
+    v_s_largest1a_of_v_s_size_1_right = v_s_largest1a_of_v_s_size_1 - v_s_size_1
+    v_s_largest1a_of_v_s_size_1_left = v_s_largest1a_of_v_s_size_1 - v_s_largest1a_of_v_s_size_1_right
+    v_s_largest1a_of_v_s_size_1_left_rest = v_s_size_1 - v_s_largest1a_of_v_s_size_1_left
+    v_s_largest1a_of_v_s_size_1_right_rest = v_s_size_1_lo - v_s_largest1a_of_v_s_size_1_right
+    v_s_largest1a_of_v_s_size_1_lo = v_s_largest1a_of_v_s_size_1_left_rest + v_s_largest1a_of_v_s_size_1_right_rest
+    v_s_largest1 = where(v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1, v_s_largest1a_of_v_s_size_1, v_s_largest1a_of_v_s_size_0)
+    v_s_largest1_lo = where(v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1, v_s_largest1a_of_v_s_size_1_lo, v_s_largest1a_of_v_s_size_0_lo)
+    v_s_largest2a_of_v_s_largest1 = v_s_largest1 + v_s_largest1_lo
+    v_s_largest2a_of_v_s_largest1_right = v_s_largest2a_of_v_s_largest1 - v_s_largest1
+    v_s_largest2a_of_v_s_largest1_left = v_s_largest2a_of_v_s_largest1 - v_s_largest2a_of_v_s_largest1_right
+    v_s_largest2a_of_v_s_largest1_left_rest = v_s_largest1 - v_s_largest2a_of_v_s_largest1_left
+    v_s_largest2a_of_v_s_largest1_right_rest = v_s_largest1_lo - v_s_largest2a_of_v_s_largest1_right
+    v_s_largest2a_of_v_s_largest1_lo = v_s_largest2a_of_v_s_largest1_left_rest + v_s_largest2a_of_v_s_largest1_right_rest
+    v_s_largest2a_of_v_s_size_2 = v_s_size_2 + v_s_size_2_lo
+    v_s_largest2a_of_v_s_size_2_right = v_s_largest2a_of_v_s_size_2 - v_s_size_2
+    v_s_largest2a_of_v_s_size_2_left = v_s_largest2a_of_v_s_size_2 - v_s_largest2a_of_v_s_size_2_right
+    v_s_largest2a_of_v_s_size_2_left_rest = v_s_size_2 - v_s_largest2a_of_v_s_size_2_left
+    v_s_largest2a_of_v_s_size_2_right_rest = v_s_size_2_lo - v_s_largest2a_of_v_s_size_2_right
+    v_s_largest2a_of_v_s_size_2_lo = v_s_largest2a_of_v_s_size_2_left_rest + v_s_largest2a_of_v_s_size_2_right_rest
+    v_s_largest2 = where(v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2, v_s_largest2a_of_v_s_size_2, v_s_largest2a_of_v_s_largest1)
+    v_s_largest2_lo = where(v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2, v_s_largest2a_of_v_s_size_2_lo, v_s_largest2a_of_v_s_largest1_lo)
+    v_s_a_of_v_s_largest2 = v_s_largest2 + v_s_largest2_lo
+    v_s_b = where(6.703903964971299e+153 < v_s_a_of_v_s_largest2, float64(3.7291703656001034e-155), float64(1))
+    v_s_d = where(v_s_a_of_v_s_largest2 < 256, 1.3093562431584567e+151, v_s_b)
+    v_s = where(v_s_a_of_v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
+    v_y_0 = v_s_size_0_of_upper_0 * v_s
     v_y_0_inverse = 1 / v_s
-    v_y_0_lost = v_y_0_of_upper_0 - v_y_0 * v_y_0_inverse
-    v_y_0_lo = where(v_y_0_lost == 0, 0, (v_y_0_lost + v_y_0_of_upper_0_lo) * v_s)
-    v_y_1_of_upper_1 = upper_1 + upper_1_lo
-    v_y_1_of_upper_1_right = v_y_1_of_upper_1 - upper_1
-    v_y_1_of_upper_1_left_rest = upper_1 - (v_y_1_of_upper_1 - v_y_1_of_upper_1_right)
-    v_y_1_of_upper_1_lo = v_y_1_of_upper_1_left_rest + (upper_1_lo - v_y_1_of_upper_1_right)
-    v_y_1 = v_y_1_of_upper_1 * v_s
-    v_y_1_lost = v_y_1_of_upper_1 - v_y_1 * v_y_0_inverse
-    v_y_1_lo = where(v_y_1_lost == 0, 0, (v_y_1_lost + v_y_1_of_upper_1_lo) * v_s)
-    v_y_2_of_upper_2 = upper_2 + upper_2_lo
-    v_y_2_of_upper_2_right = v_y_2_of_upper_2 - upper_2
-    v_y_2_of_upper_2_left_rest = upper_2 - (v_y_2_of_upper_2 - v_y_2_of_upper_2_right)
-    v_y_2_of_upper_2_lo = v_y_2_of_upper_2_left_rest + (upper_2_lo - v_y_2_of_upper_2_right)
-    v_y_2 = v_y_2_of_upper_2 * v_s
-    v_y_2_lost = v_y_2_of_upper_2 - v_y_2 * v_y_0_inverse
-    v_y_2_lo = where(v_y_2_lost == 0, 0, (v_y_2_lost + v_y_2_of_upper_2_lo) * v_s)
+    v_y_0_lost = v_s_size_0_of_upper_0 - v_y_0 * v_y_0_inverse
+    v_y_0_lo = where(v_y_0_lost == 0, 0, (v_y_0_lost + v_s_size_0_of_upper_0_lo) * v_s)
+    v_y_1 = v_s_size_1_of_upper_1 * v_s
+    v_y_1_lost = v_s_size_1_of_upper_1 - v_y_1 * v_y_0_inverse
+    v_y_1_lo = where(v_y_1_lost == 0, 0, (v_y_1_lost + v_s_size_1_of_upper_1_lo) * v_s)
+    v_y_2 = v_s_size_2_of_upper_2 * v_s
+    v_y_2_lost = v_s_size_2_of_upper_2 - v_y_2 * v_y_0_inverse
+    v_y_2_lo = where(v_y_2_lost == 0, 0, (v_y_2_lost + v_s_size_2_of_upper_2_lo) * v_s)
     v_n_a = v_y_0 * v_y_0
     v_n_b = v_y_1 * v_y_1
     v_n_c = v_n_a + v_n_b
@@ -142,7 +188,8 @@ def SO3_log(R):
     v_n_residual = v_n_exact + v_n_of_v_n_e_lo
     v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
     v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
-    v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
+    v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
+    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
     n_of_v_n = v_n + v_n_lo
     n_of_v_n_right = n_of_v_n - v_n
     n = n_of_v_n * v_r
@@ -186,17 +233,17 @@ def SO3_log(R):
     k_cross = k * k_of_divisor_lo
     k_residual = k_numerator - k_cross
     k_lo = k_residual / k_of_divisor
-    vector_0 = v_y_0_of_upper_0 * k
-    vector_0_cross = v_y_0_of_upper_0_lo * k + v_y_0_of_upper_0 * k_lo
-    vector_1 = v_y_1_of_upper_1 * k
-    vector_1_cross = v_y_1_of_upper_1_lo * k + v_y_1_of_upper_1 * k_lo
-    vector_2 = v_y_2_of_upper_2 * k
-    vector_2_cross = v_y_2_of_upper_2_lo * k + v_y_2_of_upper_2 * k_lo
-    vector_0_lo = product_error(v_y_0_of_upper_0, k, vector_0) + vector_0_cross
+    vector_0 = v_s_size_0_of_upper_0 * k
+    vector_0_cross = v_s_size_0_of_upper_0_lo * k + v_s_size_0_of_upper_0 * k_lo
+    vector_1 = v_s_size_1_of_upper_1 * k
+    vector_1_cross = v_s_size_1_of_upper_1_lo * k + v_s_size_1_of_upper_1 * k_lo
+    vector_2 = v_s_size_2_of_upper_2 * k
+    vector_2_cross = v_s_size_2_of_upper_2_lo * k + v_s_size_2_of_upper_2 * k_lo
+    vector_0_lo = product_error(v_s_size_0_of_upper_0, k, vector_0) + vector_0_cross
     vector_0_rounded = vector_0 + vector_0_lo
-    vector_1_lo = product_error(v_y_1_of_upper_1, k, vector_1) + vector_1_cross
+    vector_1_lo = product_error(v_s_size_1_of_upper_1, k, vector_1) + vector_1_cross
     vector_1_rounded = vector_1 + vector_1_lo
-    vector_2_lo = product_error(v_y_2_of_upper_2, k, vector_2) + vector_2_cross
+    vector_2_lo = product_error(v_s_size_2_of_upper_2, k, vector_2) + vector_2_cross
     vector_2_rounded = vector_2 + vector_2_lo
     return (where(vector_0_rounded == vector_0_rounded, vector_0_rounded, vector_0),
         where(vector_1_rounded == vector_1_rounded, vector_1_rounded, vector_1),

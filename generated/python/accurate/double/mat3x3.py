@@ -65,8 +65,8 @@ def mat3x3_inverse(R):
     u times the sum of its terms' sizes), and Ro = NaN.
 
     (3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.
-    52 mul, 161 add, 9 product error, 21 product rest, 18 div, 10 abs, 1 less, 11 equal, 33
-    select.  Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p
+    56 mul, 194 add, 9 product error, 31 product rest, 18 div, 1 neg, 10 abs, 2 less, 11 equal,
+    34 select.  Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p
     the sums of the sizes of the terms of the cofactor and of det R; barring over- and
     underflow.
     """
@@ -146,14 +146,67 @@ def mat3x3_inverse(R):
     size2_0 = absolute(R_02)
     size2_1 = absolute(R_12)
     size2_2 = absolute(R_22)
-    permanent_d = size0_0 * (size1_1 * size2_2 + size1_2 * size2_1)
-    permanent_i = permanent_d + size0_1 * (size1_0 * size2_2 + size1_2 * size2_0)
-    permanent = permanent_i + size0_2 * (size1_0 * size2_1 + size1_1 * size2_0)
-    least = permanent * 8.881784197001252e-16 + 1.0261342003245941e-289
-    regular = where(least < absolute(d), float64(1), float64(0))
-    divisor = where(regular == 1, d, 1)
-    divisor_lo = where(regular == 1, d_lo, 0)
-    det = where(regular == 1, d, 0)
+    permanent_a = size1_1 * size2_2
+    permanent_b = size1_2 * size2_1
+    permanent_c = permanent_a + permanent_b
+    permanent_c_right = permanent_c - permanent_a
+    permanent_c_left = permanent_c - permanent_c_right
+    permanent_c_left_rest = product_rest(size1_1, size2_2, permanent_a, permanent_c_left)
+    permanent_c_right_rest = product_rest(size1_2, size2_1, permanent_b, permanent_c_right)
+    permanent_c_lo = permanent_c_left_rest + permanent_c_right_rest
+    permanent_d = size0_0 * permanent_c
+    permanent_d_cross2 = size0_0 * permanent_c_lo
+    permanent_e = size1_0 * size2_2
+    permanent_f = size1_2 * size2_0
+    permanent_g = permanent_e + permanent_f
+    permanent_g_right = permanent_g - permanent_e
+    permanent_g_left = permanent_g - permanent_g_right
+    permanent_g_left_rest = product_rest(size1_0, size2_2, permanent_e, permanent_g_left)
+    permanent_g_right_rest = product_rest(size1_2, size2_0, permanent_f, permanent_g_right)
+    permanent_g_lo = permanent_g_left_rest + permanent_g_right_rest
+    permanent_h = size0_1 * permanent_g
+    permanent_h_cross2 = size0_1 * permanent_g_lo
+    permanent_i = permanent_d + permanent_h
+    permanent_i_right = permanent_i - permanent_d
+    permanent_i_left = permanent_i - permanent_i_right
+    permanent_i_left_rest = product_rest(size0_0, permanent_c, permanent_d, permanent_i_left)
+    permanent_i_right_rest = product_rest(size0_1, permanent_g, permanent_h, permanent_i_right)
+    permanent_i_cross = permanent_d_cross2 + permanent_h_cross2
+    permanent_i_lo1 = permanent_i_left_rest + permanent_i_right_rest
+    permanent_i_lo = permanent_i_lo1 + permanent_i_cross
+    permanent_j = size1_0 * size2_1
+    permanent_k = size1_1 * size2_0
+    permanent_l = permanent_j + permanent_k
+    permanent_l_right = permanent_l - permanent_j
+    permanent_l_left = permanent_l - permanent_l_right
+    permanent_l_left_rest = product_rest(size1_0, size2_1, permanent_j, permanent_l_left)
+    permanent_l_right_rest = product_rest(size1_1, size2_0, permanent_k, permanent_l_right)
+    permanent_l_lo = permanent_l_left_rest + permanent_l_right_rest
+    permanent_m = size0_2 * permanent_l
+    permanent_m_cross2 = size0_2 * permanent_l_lo
+    permanent = permanent_i + permanent_m
+    permanent_right = permanent - permanent_i
+    permanent_right_rest = product_rest(size0_2, permanent_l, permanent_m, permanent_right)
+    permanent_lo1 = permanent_i - (permanent - permanent_right) + permanent_right_rest
+    permanent_lo2 = permanent_lo1 + permanent_m_cross2
+    permanent_lo = permanent_lo2 + permanent_i_lo
+    least_a = permanent * 8.881784197001252e-16
+    least_a_cross1 = permanent_lo * 8.881784197001252e-16
+    least = least_a + 1.0261342003245941e-289
+    least_right = least - least_a
+    least_left_rest = product_rest(permanent, 8.881784197001252e-16, least_a, least - least_right)
+    least_lo1 = least_left_rest + (1.0261342003245941e-289 - least_right)
+    least_lo = least_lo1 + least_a_cross1
+    regular_a_of_d = d + d_lo
+    regular_a_of_d_right = regular_a_of_d - d
+    regular_a_of_d_lo = d - (regular_a_of_d - regular_a_of_d_right) + (d_lo - regular_a_of_d_right)
+    regular_a_lo = where(regular_a_of_d < 0, -regular_a_of_d_lo, regular_a_of_d_lo)
+    regular_b_of_least = least + least_lo
+    regular_b_of_regular_a = absolute(regular_a_of_d) + regular_a_lo
+    regular = where(regular_b_of_least < regular_b_of_regular_a, float64(1), float64(0))
+    divisor = where(regular == 1, regular_a_of_d, 1)
+    divisor_lo = where(regular == 1, regular_a_of_d_lo, 0)
+    det = where(regular == 1, regular_a_of_d, 0)
     Ro_00a_of_n0_0 = n0_0 + n0_0_lo
     Ro_00a_of_n0_0_right = Ro_00a_of_n0_0 - n0_0
     Ro_00a_of_n0_0_left_rest = n0_0 - (Ro_00a_of_n0_0 - Ro_00a_of_n0_0_right)
@@ -275,7 +328,7 @@ def mat3x3_inverse(R):
     Ro_22a_lo = Ro_22a_residual / Ro_00a_of_divisor
     Ro_22 = where(regular == 1, Ro_22a, nan)
     Ro_22_lo = where(regular == 1, Ro_22a_lo, 0)
-    det_rounded = det + where(regular == 1, d_lo, 0)
+    det_rounded = det + where(regular == 1, regular_a_of_d_lo, 0)
     Ro_00_rounded = Ro_00 + Ro_00_lo
     Ro_01_rounded = Ro_01 + Ro_01_lo
     Ro_02_rounded = Ro_02 + Ro_02_lo
@@ -303,8 +356,8 @@ def mat3x3_normalize(self):
     side of it, the third its side of both; NaN where rows depend on each other to rounding.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
-    142 mul, 333 add, 16 product error, 30 product rest, 30 div, 4 sqrt, 6 neg, 10 abs, 21 less,
-    24 equal, 71 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not
+    154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
+    27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not
     proved.
     """
     self_00, self_01, self_02, self_10, self_11, self_12, self_20, self_21, self_22 = self
@@ -314,7 +367,8 @@ def mat3x3_normalize(self):
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
     q0_s_b = where(6.703903964971299e+153 < q0_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    q0_s = where(q0_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, q0_s_b)
+    q0_s_d = where(q0_s_largest2 < 256, 1.3093562431584567e+151, q0_s_b)
+    q0_s = where(q0_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, q0_s_d)
     q0_y_0 = self_00 * q0_s
     q0_y_1 = self_01 * q0_s
     q0_y_2 = self_02 * q0_s
@@ -341,8 +395,13 @@ def mat3x3_normalize(self):
     q0_n_exact = q0_n_of_q0_n_e - q0_n_product - product_error(q0_n, q0_n, q0_n_product)
     q0_n_residual = q0_n_exact + q0_n_of_q0_n_e_lo
     q0_n_lo = q0_n_residual / where(q0_n == 0, 1, q0_n + q0_n)
-    q0_divisor = where(q0_n == 0, q0_up, q0_n)
-    q0_divisor_lo = where(q0_n == 0, 0, q0_n_lo)
+    q0_divisor_a_of_q0_n = q0_n + q0_n_lo
+    q0_divisor_a_of_q0_n_right = q0_divisor_a_of_q0_n - q0_n
+    q0_divisor_a_of_q0_n_left_rest = q0_n - (q0_divisor_a_of_q0_n - q0_divisor_a_of_q0_n_right)
+    q0_divisor_a_of_q0_n_right_rest = q0_n_lo - q0_divisor_a_of_q0_n_right
+    q0_divisor_a_of_q0_n_lo = q0_divisor_a_of_q0_n_left_rest + q0_divisor_a_of_q0_n_right_rest
+    q0_divisor = where(q0_divisor_a_of_q0_n == 0, q0_up, q0_divisor_a_of_q0_n)
+    q0_divisor_lo = where(q0_divisor_a_of_q0_n == 0, 0, q0_divisor_a_of_q0_n_lo)
     q0_enlarged_0 = self_00 * q0_up
     q0_enlarged_1 = self_01 * q0_up
     q0_enlarged_2 = self_02 * q0_up
@@ -410,7 +469,8 @@ def mat3x3_normalize(self):
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
     u1_s_b = where(6.703903964971299e+153 < u1_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    u1_s = where(u1_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, u1_s_b)
+    u1_s_d = where(u1_s_largest2 < 256, 1.3093562431584567e+151, u1_s_b)
+    u1_s = where(u1_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u1_s_d)
     u1_y_0 = self_10 * u1_s
     u1_y_1 = self_11 * u1_s
     u1_y_2 = self_12 * u1_s
@@ -437,8 +497,13 @@ def mat3x3_normalize(self):
     u1_n_exact = u1_n_of_u1_n_e - u1_n_product - product_error(u1_n, u1_n, u1_n_product)
     u1_n_residual = u1_n_exact + u1_n_of_u1_n_e_lo
     u1_n_lo = u1_n_residual / where(u1_n == 0, 1, u1_n + u1_n)
-    u1_divisor = where(u1_n == 0, u1_up, u1_n)
-    u1_divisor_lo = where(u1_n == 0, 0, u1_n_lo)
+    u1_divisor_a_of_u1_n = u1_n + u1_n_lo
+    u1_divisor_a_of_u1_n_right = u1_divisor_a_of_u1_n - u1_n
+    u1_divisor_a_of_u1_n_left_rest = u1_n - (u1_divisor_a_of_u1_n - u1_divisor_a_of_u1_n_right)
+    u1_divisor_a_of_u1_n_right_rest = u1_n_lo - u1_divisor_a_of_u1_n_right
+    u1_divisor_a_of_u1_n_lo = u1_divisor_a_of_u1_n_left_rest + u1_divisor_a_of_u1_n_right_rest
+    u1_divisor = where(u1_divisor_a_of_u1_n == 0, u1_up, u1_divisor_a_of_u1_n)
+    u1_divisor_lo = where(u1_divisor_a_of_u1_n == 0, 0, u1_divisor_a_of_u1_n_lo)
     u1_enlarged_0 = self_10 * u1_up
     u1_enlarged_1 = self_11 * u1_up
     u1_enlarged_2 = self_12 * u1_up
@@ -588,8 +653,11 @@ def mat3x3_normalize(self):
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor = where(n == 0, 1, n)
-    divisor_lo = where(n == 0, 0, n_lo)
+    divisor_a_of_n = n + n_lo
+    divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
+    divisor = where(divisor_a_of_n == 0, 1, divisor_a_of_n)
+    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
     q1_0_of_twice_0 = twice_0 + twice_0_lo
     q1_0_of_twice_0_right = q1_0_of_twice_0 - twice_0
     q1_0_of_twice_0_left_rest = twice_0 - (q1_0_of_twice_0 - q1_0_of_twice_0_right)
@@ -654,7 +722,8 @@ def mat3x3_normalize(self):
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
     u2_s_b = where(6.703903964971299e+153 < u2_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    u2_s = where(u2_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, u2_s_b)
+    u2_s_d = where(u2_s_largest2 < 256, 1.3093562431584567e+151, u2_s_b)
+    u2_s = where(u2_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u2_s_d)
     u2_y_0 = self_20 * u2_s
     u2_y_1 = self_21 * u2_s
     u2_y_2 = self_22 * u2_s
@@ -681,8 +750,13 @@ def mat3x3_normalize(self):
     u2_n_exact = u2_n_of_u2_n_e - u2_n_product - product_error(u2_n, u2_n, u2_n_product)
     u2_n_residual = u2_n_exact + u2_n_of_u2_n_e_lo
     u2_n_lo = u2_n_residual / where(u2_n == 0, 1, u2_n + u2_n)
-    u2_divisor = where(u2_n == 0, u2_up, u2_n)
-    u2_divisor_lo = where(u2_n == 0, 0, u2_n_lo)
+    u2_divisor_a_of_u2_n = u2_n + u2_n_lo
+    u2_divisor_a_of_u2_n_right = u2_divisor_a_of_u2_n - u2_n
+    u2_divisor_a_of_u2_n_left_rest = u2_n - (u2_divisor_a_of_u2_n - u2_divisor_a_of_u2_n_right)
+    u2_divisor_a_of_u2_n_right_rest = u2_n_lo - u2_divisor_a_of_u2_n_right
+    u2_divisor_a_of_u2_n_lo = u2_divisor_a_of_u2_n_left_rest + u2_divisor_a_of_u2_n_right_rest
+    u2_divisor = where(u2_divisor_a_of_u2_n == 0, u2_up, u2_divisor_a_of_u2_n)
+    u2_divisor_lo = where(u2_divisor_a_of_u2_n == 0, 0, u2_divisor_a_of_u2_n_lo)
     u2_enlarged_0 = self_20 * u2_up
     u2_enlarged_1 = self_21 * u2_up
     u2_enlarged_2 = self_22 * u2_up
@@ -711,18 +785,76 @@ def mat3x3_normalize(self):
     u2_quotient_2_residual = u2_quotient_2_exact - u2_quotient_2 * u2_quotient_0_of_u2_divisor_lo
     u2_quotient_2_lo = u2_quotient_2_residual / u2_quotient_0_of_u2_divisor
     u2_0_of_u2_quotient_0 = u2_quotient_0 + u2_quotient_0_lo
+    u2_0_of_u2_quotient_0_right = u2_0_of_u2_quotient_0 - u2_quotient_0
+    u2_0_of_u2_quotient_0_left = u2_0_of_u2_quotient_0 - u2_0_of_u2_quotient_0_right
+    u2_0_of_u2_quotient_0_left_rest = u2_quotient_0 - u2_0_of_u2_quotient_0_left
+    u2_0_of_u2_quotient_0_right_rest = u2_quotient_0_lo - u2_0_of_u2_quotient_0_right
+    u2_0_of_u2_quotient_0_lo = u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest
     u2_0 = u2_0_of_u2_quotient_0 * u2_down
+    u2_0_inverse = 1 / u2_down
+    u2_0_lost = u2_0_of_u2_quotient_0 - u2_0 * u2_0_inverse
+    u2_0_rest = u2_0_lost + u2_0_of_u2_quotient_0_lo
+    u2_0_small = u2_0_rest * u2_down
+    u2_0_lo = where(u2_0_lost == 0, 0, u2_0_small)
     u2_1_of_u2_quotient_1 = u2_quotient_1 + u2_quotient_1_lo
+    u2_1_of_u2_quotient_1_right = u2_1_of_u2_quotient_1 - u2_quotient_1
+    u2_1_of_u2_quotient_1_left = u2_1_of_u2_quotient_1 - u2_1_of_u2_quotient_1_right
+    u2_1_of_u2_quotient_1_left_rest = u2_quotient_1 - u2_1_of_u2_quotient_1_left
+    u2_1_of_u2_quotient_1_right_rest = u2_quotient_1_lo - u2_1_of_u2_quotient_1_right
+    u2_1_of_u2_quotient_1_lo = u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest
     u2_1 = u2_1_of_u2_quotient_1 * u2_down
+    u2_1_lost = u2_1_of_u2_quotient_1 - u2_1 * u2_0_inverse
+    u2_1_rest = u2_1_lost + u2_1_of_u2_quotient_1_lo
+    u2_1_small = u2_1_rest * u2_down
+    u2_1_lo = where(u2_1_lost == 0, 0, u2_1_small)
     u2_2_of_u2_quotient_2 = u2_quotient_2 + u2_quotient_2_lo
+    u2_2_of_u2_quotient_2_right = u2_2_of_u2_quotient_2 - u2_quotient_2
+    u2_2_of_u2_quotient_2_left = u2_2_of_u2_quotient_2 - u2_2_of_u2_quotient_2_right
+    u2_2_of_u2_quotient_2_left_rest = u2_quotient_2 - u2_2_of_u2_quotient_2_left
+    u2_2_of_u2_quotient_2_right_rest = u2_quotient_2_lo - u2_2_of_u2_quotient_2_right
+    u2_2_of_u2_quotient_2_lo = u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest
     u2_2 = u2_2_of_u2_quotient_2 * u2_down
-    side = normal_0 * u2_0 + normal_1 * u2_1 + normal_2 * u2_2
-    q2_0 = where(side < 0, -normal_0, normal_0)
-    q2_1 = where(side < 0, -normal_1, normal_1)
-    q2_2 = where(side < 0, -normal_2, normal_2)
-    size = absolute(side)
-    less = where(n < size, n, size)
-    dependent = where(less < 1.7763568394002505e-15, float64(1), float64(0))
+    u2_2_lost = u2_2_of_u2_quotient_2 - u2_2 * u2_0_inverse
+    u2_2_rest = u2_2_lost + u2_2_of_u2_quotient_2_lo
+    u2_2_small = u2_2_rest * u2_down
+    u2_2_lo = where(u2_2_lost == 0, 0, u2_2_small)
+    side_a = normal_0 * u2_0
+    side_a_cross2 = normal_0 * u2_0_lo
+    side_a_cross = normal_0_lo * u2_0 + side_a_cross2
+    side_b = normal_1 * u2_1
+    side_b_cross2 = normal_1 * u2_1_lo
+    side_b_cross = normal_1_lo * u2_1 + side_b_cross2
+    side_c = side_a + side_b
+    side_c_right = side_c - side_a
+    side_c_left_rest = product_rest(normal_0, u2_0, side_a, side_c - side_c_right)
+    side_c_cross = side_a_cross + side_b_cross
+    side_c_lo1 = side_c_left_rest + product_rest(normal_1, u2_1, side_b, side_c_right)
+    side_c_lo = side_c_lo1 + side_c_cross
+    side_d = normal_2 * u2_2
+    side_d_cross2 = normal_2 * u2_2_lo
+    side_d_cross = normal_2_lo * u2_2 + side_d_cross2
+    side = side_c + side_d
+    side_right = side - side_c
+    side_lo1 = side_c - (side - side_right) + product_rest(normal_2, u2_2, side_d, side_right)
+    side_lo2 = side_lo1 + side_d_cross
+    side_lo = side_lo2 + side_c_lo
+    q2_0b_of_side = side + side_lo
+    q2_0b_of_side_right = q2_0b_of_side - side
+    q2_0b_of_side_left_rest = side - (q2_0b_of_side - q2_0b_of_side_right)
+    q2_0b_of_side_lo = q2_0b_of_side_left_rest + (side_lo - q2_0b_of_side_right)
+    q2_0 = where(q2_0b_of_side < 0, -normal_0, normal_0)
+    q2_1 = where(q2_0b_of_side < 0, -normal_1, normal_1)
+    q2_2 = where(q2_0b_of_side < 0, -normal_2, normal_2)
+    size = absolute(q2_0b_of_side)
+    size_lo = where(q2_0b_of_side < 0, -q2_0b_of_side_lo, q2_0b_of_side_lo)
+    less_a_of_size = size + size_lo
+    less_a_of_size_right = less_a_of_size - size
+    less_a_of_size_left_rest = size - (less_a_of_size - less_a_of_size_right)
+    less_a_of_size_lo = less_a_of_size_left_rest + (size_lo - less_a_of_size_right)
+    less = where(divisor_a_of_n < less_a_of_size, divisor_a_of_n, less_a_of_size)
+    less_lo = where(divisor_a_of_n < less_a_of_size, divisor_a_of_n_lo, less_a_of_size_lo)
+    dependent_a_of_less = less + less_lo
+    dependent = where(dependent_a_of_less < 1.7763568394002505e-15, float64(1), float64(0))
     self_00_new = where(dependent == 1, nan, q0_0)
     self_01_new = where(dependent == 1, nan, q0_1)
     self_02_new = where(dependent == 1, nan, q0_2)
@@ -730,11 +862,11 @@ def mat3x3_normalize(self):
     self_11_new = where(dependent == 1, nan, q1_1)
     self_12_new = where(dependent == 1, nan, q1_2)
     self_20_new = where(dependent == 1, nan, q2_0)
-    self_20_new_lo = where(dependent == 1, 0, where(side < 0, -normal_0_lo, normal_0_lo))
+    self_20_new_lo = where(dependent == 1, 0, where(q2_0b_of_side < 0, -normal_0_lo, normal_0_lo))
     self_21_new = where(dependent == 1, nan, q2_1)
-    self_21_new_lo = where(dependent == 1, 0, where(side < 0, -normal_1_lo, normal_1_lo))
+    self_21_new_lo = where(dependent == 1, 0, where(q2_0b_of_side < 0, -normal_1_lo, normal_1_lo))
     self_22_new = where(dependent == 1, nan, q2_2)
-    self_22_new_lo = where(dependent == 1, 0, where(side < 0, -normal_2_lo, normal_2_lo))
+    self_22_new_lo = where(dependent == 1, 0, where(q2_0b_of_side < 0, -normal_2_lo, normal_2_lo))
     self_00_new_rounded = self_00_new + where(dependent == 1, 0, q0_0_lo)
     self_01_new_rounded = self_01_new + where(dependent == 1, 0, q0_1_lo)
     self_02_new_rounded = self_02_new + where(dependent == 1, 0, q0_2_lo)
@@ -761,8 +893,8 @@ def mat3x3_normalized(R):
     side of it, the third its side of both; NaN where rows depend on each other to rounding.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
-    142 mul, 333 add, 16 product error, 30 product rest, 30 div, 4 sqrt, 6 neg, 10 abs, 21 less,
-    24 equal, 71 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not
+    154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
+    27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not
     proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
@@ -772,7 +904,8 @@ def mat3x3_normalized(R):
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
     q0_s_b = where(6.703903964971299e+153 < q0_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    q0_s = where(q0_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, q0_s_b)
+    q0_s_d = where(q0_s_largest2 < 256, 1.3093562431584567e+151, q0_s_b)
+    q0_s = where(q0_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, q0_s_d)
     q0_y_0 = R_00 * q0_s
     q0_y_1 = R_01 * q0_s
     q0_y_2 = R_02 * q0_s
@@ -799,8 +932,13 @@ def mat3x3_normalized(R):
     q0_n_exact = q0_n_of_q0_n_e - q0_n_product - product_error(q0_n, q0_n, q0_n_product)
     q0_n_residual = q0_n_exact + q0_n_of_q0_n_e_lo
     q0_n_lo = q0_n_residual / where(q0_n == 0, 1, q0_n + q0_n)
-    q0_divisor = where(q0_n == 0, q0_up, q0_n)
-    q0_divisor_lo = where(q0_n == 0, 0, q0_n_lo)
+    q0_divisor_a_of_q0_n = q0_n + q0_n_lo
+    q0_divisor_a_of_q0_n_right = q0_divisor_a_of_q0_n - q0_n
+    q0_divisor_a_of_q0_n_left_rest = q0_n - (q0_divisor_a_of_q0_n - q0_divisor_a_of_q0_n_right)
+    q0_divisor_a_of_q0_n_right_rest = q0_n_lo - q0_divisor_a_of_q0_n_right
+    q0_divisor_a_of_q0_n_lo = q0_divisor_a_of_q0_n_left_rest + q0_divisor_a_of_q0_n_right_rest
+    q0_divisor = where(q0_divisor_a_of_q0_n == 0, q0_up, q0_divisor_a_of_q0_n)
+    q0_divisor_lo = where(q0_divisor_a_of_q0_n == 0, 0, q0_divisor_a_of_q0_n_lo)
     q0_enlarged_0 = R_00 * q0_up
     q0_enlarged_1 = R_01 * q0_up
     q0_enlarged_2 = R_02 * q0_up
@@ -868,7 +1006,8 @@ def mat3x3_normalized(R):
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
     u1_s_b = where(6.703903964971299e+153 < u1_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    u1_s = where(u1_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, u1_s_b)
+    u1_s_d = where(u1_s_largest2 < 256, 1.3093562431584567e+151, u1_s_b)
+    u1_s = where(u1_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u1_s_d)
     u1_y_0 = R_10 * u1_s
     u1_y_1 = R_11 * u1_s
     u1_y_2 = R_12 * u1_s
@@ -895,8 +1034,13 @@ def mat3x3_normalized(R):
     u1_n_exact = u1_n_of_u1_n_e - u1_n_product - product_error(u1_n, u1_n, u1_n_product)
     u1_n_residual = u1_n_exact + u1_n_of_u1_n_e_lo
     u1_n_lo = u1_n_residual / where(u1_n == 0, 1, u1_n + u1_n)
-    u1_divisor = where(u1_n == 0, u1_up, u1_n)
-    u1_divisor_lo = where(u1_n == 0, 0, u1_n_lo)
+    u1_divisor_a_of_u1_n = u1_n + u1_n_lo
+    u1_divisor_a_of_u1_n_right = u1_divisor_a_of_u1_n - u1_n
+    u1_divisor_a_of_u1_n_left_rest = u1_n - (u1_divisor_a_of_u1_n - u1_divisor_a_of_u1_n_right)
+    u1_divisor_a_of_u1_n_right_rest = u1_n_lo - u1_divisor_a_of_u1_n_right
+    u1_divisor_a_of_u1_n_lo = u1_divisor_a_of_u1_n_left_rest + u1_divisor_a_of_u1_n_right_rest
+    u1_divisor = where(u1_divisor_a_of_u1_n == 0, u1_up, u1_divisor_a_of_u1_n)
+    u1_divisor_lo = where(u1_divisor_a_of_u1_n == 0, 0, u1_divisor_a_of_u1_n_lo)
     u1_enlarged_0 = R_10 * u1_up
     u1_enlarged_1 = R_11 * u1_up
     u1_enlarged_2 = R_12 * u1_up
@@ -1046,8 +1190,11 @@ def mat3x3_normalized(R):
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor = where(n == 0, 1, n)
-    divisor_lo = where(n == 0, 0, n_lo)
+    divisor_a_of_n = n + n_lo
+    divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
+    divisor = where(divisor_a_of_n == 0, 1, divisor_a_of_n)
+    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
     q1_0_of_twice_0 = twice_0 + twice_0_lo
     q1_0_of_twice_0_right = q1_0_of_twice_0 - twice_0
     q1_0_of_twice_0_left_rest = twice_0 - (q1_0_of_twice_0 - q1_0_of_twice_0_right)
@@ -1112,7 +1259,8 @@ def mat3x3_normalized(R):
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
     u2_s_b = where(6.703903964971299e+153 < u2_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    u2_s = where(u2_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, u2_s_b)
+    u2_s_d = where(u2_s_largest2 < 256, 1.3093562431584567e+151, u2_s_b)
+    u2_s = where(u2_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u2_s_d)
     u2_y_0 = R_20 * u2_s
     u2_y_1 = R_21 * u2_s
     u2_y_2 = R_22 * u2_s
@@ -1139,8 +1287,13 @@ def mat3x3_normalized(R):
     u2_n_exact = u2_n_of_u2_n_e - u2_n_product - product_error(u2_n, u2_n, u2_n_product)
     u2_n_residual = u2_n_exact + u2_n_of_u2_n_e_lo
     u2_n_lo = u2_n_residual / where(u2_n == 0, 1, u2_n + u2_n)
-    u2_divisor = where(u2_n == 0, u2_up, u2_n)
-    u2_divisor_lo = where(u2_n == 0, 0, u2_n_lo)
+    u2_divisor_a_of_u2_n = u2_n + u2_n_lo
+    u2_divisor_a_of_u2_n_right = u2_divisor_a_of_u2_n - u2_n
+    u2_divisor_a_of_u2_n_left_rest = u2_n - (u2_divisor_a_of_u2_n - u2_divisor_a_of_u2_n_right)
+    u2_divisor_a_of_u2_n_right_rest = u2_n_lo - u2_divisor_a_of_u2_n_right
+    u2_divisor_a_of_u2_n_lo = u2_divisor_a_of_u2_n_left_rest + u2_divisor_a_of_u2_n_right_rest
+    u2_divisor = where(u2_divisor_a_of_u2_n == 0, u2_up, u2_divisor_a_of_u2_n)
+    u2_divisor_lo = where(u2_divisor_a_of_u2_n == 0, 0, u2_divisor_a_of_u2_n_lo)
     u2_enlarged_0 = R_20 * u2_up
     u2_enlarged_1 = R_21 * u2_up
     u2_enlarged_2 = R_22 * u2_up
@@ -1169,18 +1322,76 @@ def mat3x3_normalized(R):
     u2_quotient_2_residual = u2_quotient_2_exact - u2_quotient_2 * u2_quotient_0_of_u2_divisor_lo
     u2_quotient_2_lo = u2_quotient_2_residual / u2_quotient_0_of_u2_divisor
     u2_0_of_u2_quotient_0 = u2_quotient_0 + u2_quotient_0_lo
+    u2_0_of_u2_quotient_0_right = u2_0_of_u2_quotient_0 - u2_quotient_0
+    u2_0_of_u2_quotient_0_left = u2_0_of_u2_quotient_0 - u2_0_of_u2_quotient_0_right
+    u2_0_of_u2_quotient_0_left_rest = u2_quotient_0 - u2_0_of_u2_quotient_0_left
+    u2_0_of_u2_quotient_0_right_rest = u2_quotient_0_lo - u2_0_of_u2_quotient_0_right
+    u2_0_of_u2_quotient_0_lo = u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest
     u2_0 = u2_0_of_u2_quotient_0 * u2_down
+    u2_0_inverse = 1 / u2_down
+    u2_0_lost = u2_0_of_u2_quotient_0 - u2_0 * u2_0_inverse
+    u2_0_rest = u2_0_lost + u2_0_of_u2_quotient_0_lo
+    u2_0_small = u2_0_rest * u2_down
+    u2_0_lo = where(u2_0_lost == 0, 0, u2_0_small)
     u2_1_of_u2_quotient_1 = u2_quotient_1 + u2_quotient_1_lo
+    u2_1_of_u2_quotient_1_right = u2_1_of_u2_quotient_1 - u2_quotient_1
+    u2_1_of_u2_quotient_1_left = u2_1_of_u2_quotient_1 - u2_1_of_u2_quotient_1_right
+    u2_1_of_u2_quotient_1_left_rest = u2_quotient_1 - u2_1_of_u2_quotient_1_left
+    u2_1_of_u2_quotient_1_right_rest = u2_quotient_1_lo - u2_1_of_u2_quotient_1_right
+    u2_1_of_u2_quotient_1_lo = u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest
     u2_1 = u2_1_of_u2_quotient_1 * u2_down
+    u2_1_lost = u2_1_of_u2_quotient_1 - u2_1 * u2_0_inverse
+    u2_1_rest = u2_1_lost + u2_1_of_u2_quotient_1_lo
+    u2_1_small = u2_1_rest * u2_down
+    u2_1_lo = where(u2_1_lost == 0, 0, u2_1_small)
     u2_2_of_u2_quotient_2 = u2_quotient_2 + u2_quotient_2_lo
+    u2_2_of_u2_quotient_2_right = u2_2_of_u2_quotient_2 - u2_quotient_2
+    u2_2_of_u2_quotient_2_left = u2_2_of_u2_quotient_2 - u2_2_of_u2_quotient_2_right
+    u2_2_of_u2_quotient_2_left_rest = u2_quotient_2 - u2_2_of_u2_quotient_2_left
+    u2_2_of_u2_quotient_2_right_rest = u2_quotient_2_lo - u2_2_of_u2_quotient_2_right
+    u2_2_of_u2_quotient_2_lo = u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest
     u2_2 = u2_2_of_u2_quotient_2 * u2_down
-    side = normal_0 * u2_0 + normal_1 * u2_1 + normal_2 * u2_2
-    q2_0 = where(side < 0, -normal_0, normal_0)
-    q2_1 = where(side < 0, -normal_1, normal_1)
-    q2_2 = where(side < 0, -normal_2, normal_2)
-    size = absolute(side)
-    less = where(n < size, n, size)
-    dependent = where(less < 1.7763568394002505e-15, float64(1), float64(0))
+    u2_2_lost = u2_2_of_u2_quotient_2 - u2_2 * u2_0_inverse
+    u2_2_rest = u2_2_lost + u2_2_of_u2_quotient_2_lo
+    u2_2_small = u2_2_rest * u2_down
+    u2_2_lo = where(u2_2_lost == 0, 0, u2_2_small)
+    side_a = normal_0 * u2_0
+    side_a_cross2 = normal_0 * u2_0_lo
+    side_a_cross = normal_0_lo * u2_0 + side_a_cross2
+    side_b = normal_1 * u2_1
+    side_b_cross2 = normal_1 * u2_1_lo
+    side_b_cross = normal_1_lo * u2_1 + side_b_cross2
+    side_c = side_a + side_b
+    side_c_right = side_c - side_a
+    side_c_left_rest = product_rest(normal_0, u2_0, side_a, side_c - side_c_right)
+    side_c_cross = side_a_cross + side_b_cross
+    side_c_lo1 = side_c_left_rest + product_rest(normal_1, u2_1, side_b, side_c_right)
+    side_c_lo = side_c_lo1 + side_c_cross
+    side_d = normal_2 * u2_2
+    side_d_cross2 = normal_2 * u2_2_lo
+    side_d_cross = normal_2_lo * u2_2 + side_d_cross2
+    side = side_c + side_d
+    side_right = side - side_c
+    side_lo1 = side_c - (side - side_right) + product_rest(normal_2, u2_2, side_d, side_right)
+    side_lo2 = side_lo1 + side_d_cross
+    side_lo = side_lo2 + side_c_lo
+    q2_0b_of_side = side + side_lo
+    q2_0b_of_side_right = q2_0b_of_side - side
+    q2_0b_of_side_left_rest = side - (q2_0b_of_side - q2_0b_of_side_right)
+    q2_0b_of_side_lo = q2_0b_of_side_left_rest + (side_lo - q2_0b_of_side_right)
+    q2_0 = where(q2_0b_of_side < 0, -normal_0, normal_0)
+    q2_1 = where(q2_0b_of_side < 0, -normal_1, normal_1)
+    q2_2 = where(q2_0b_of_side < 0, -normal_2, normal_2)
+    size = absolute(q2_0b_of_side)
+    size_lo = where(q2_0b_of_side < 0, -q2_0b_of_side_lo, q2_0b_of_side_lo)
+    less_a_of_size = size + size_lo
+    less_a_of_size_right = less_a_of_size - size
+    less_a_of_size_left_rest = size - (less_a_of_size - less_a_of_size_right)
+    less_a_of_size_lo = less_a_of_size_left_rest + (size_lo - less_a_of_size_right)
+    less = where(divisor_a_of_n < less_a_of_size, divisor_a_of_n, less_a_of_size)
+    less_lo = where(divisor_a_of_n < less_a_of_size, divisor_a_of_n_lo, less_a_of_size_lo)
+    dependent_a_of_less = less + less_lo
+    dependent = where(dependent_a_of_less < 1.7763568394002505e-15, float64(1), float64(0))
     Ro_00 = where(dependent == 1, nan, q0_0)
     Ro_01 = where(dependent == 1, nan, q0_1)
     Ro_02 = where(dependent == 1, nan, q0_2)
@@ -1188,17 +1399,20 @@ def mat3x3_normalized(R):
     Ro_11 = where(dependent == 1, nan, q1_1)
     Ro_12 = where(dependent == 1, nan, q1_2)
     Ro_20 = where(dependent == 1, nan, q2_0)
+    Ro_20_lo = where(dependent == 1, 0, where(q2_0b_of_side < 0, -normal_0_lo, normal_0_lo))
     Ro_21 = where(dependent == 1, nan, q2_1)
+    Ro_21_lo = where(dependent == 1, 0, where(q2_0b_of_side < 0, -normal_1_lo, normal_1_lo))
     Ro_22 = where(dependent == 1, nan, q2_2)
+    Ro_22_lo = where(dependent == 1, 0, where(q2_0b_of_side < 0, -normal_2_lo, normal_2_lo))
     Ro_00_rounded = Ro_00 + where(dependent == 1, 0, q0_0_lo)
     Ro_01_rounded = Ro_01 + where(dependent == 1, 0, q0_1_lo)
     Ro_02_rounded = Ro_02 + where(dependent == 1, 0, q0_2_lo)
     Ro_10_rounded = Ro_10 + where(dependent == 1, 0, q1_0_lo)
     Ro_11_rounded = Ro_11 + where(dependent == 1, 0, q1_1_lo)
     Ro_12_rounded = Ro_12 + where(dependent == 1, 0, q1_2_lo)
-    Ro_20_rounded = Ro_20 + where(dependent == 1, 0, where(side < 0, -normal_0_lo, normal_0_lo))
-    Ro_21_rounded = Ro_21 + where(dependent == 1, 0, where(side < 0, -normal_1_lo, normal_1_lo))
-    Ro_22_rounded = Ro_22 + where(dependent == 1, 0, where(side < 0, -normal_2_lo, normal_2_lo))
+    Ro_20_rounded = Ro_20 + Ro_20_lo
+    Ro_21_rounded = Ro_21 + Ro_21_lo
+    Ro_22_rounded = Ro_22 + Ro_22_lo
     return (where(Ro_00_rounded == Ro_00_rounded, Ro_00_rounded, Ro_00),
         where(Ro_01_rounded == Ro_01_rounded, Ro_01_rounded, Ro_01),
         where(Ro_02_rounded == Ro_02_rounded, Ro_02_rounded, Ro_02),
@@ -1320,8 +1534,11 @@ def euler_xyz_from_mat3x3(R):
     n_exact = n_of_n_c - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_c - (n_of_n_c - n_of_n_c_right) + (n_c_lo - n_of_n_c_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor = where(n == 0, 1, n)
-    divisor_lo = where(n == 0, 0, n_lo)
+    divisor_a_of_n = n + n_lo
+    divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
+    divisor = where(divisor_a_of_n == 0, 1, divisor_a_of_n)
+    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
     cosine_a_of_divisor = divisor + divisor_lo
     cosine_a_of_divisor_right = cosine_a_of_divisor - divisor
     cosine_a_of_divisor_left_rest = divisor - (cosine_a_of_divisor - cosine_a_of_divisor_right)
@@ -1333,8 +1550,8 @@ def euler_xyz_from_mat3x3(R):
     cosine_a_exact = R_00 - cosine_a_product - cosine_a_product_error
     cosine_a_residual = cosine_a_exact - cosine_a * cosine_a_of_divisor_lo
     cosine_a_lo = cosine_a_residual / cosine_a_of_divisor
-    cosine = where(n == 0, 1, cosine_a)
-    cosine_lo = where(n == 0, 0, cosine_a_lo)
+    cosine = where(divisor_a_of_n == 0, 1, cosine_a)
+    cosine_lo = where(divisor_a_of_n == 0, 0, cosine_a_lo)
     sine_a = -R_01
     sine = sine_a / cosine_a_of_divisor
     sine_product = sine * cosine_a_of_divisor
@@ -1342,7 +1559,7 @@ def euler_xyz_from_mat3x3(R):
     sine_residual = sine_exact - sine * cosine_a_of_divisor_lo
     sine_lo = sine_residual / cosine_a_of_divisor
     polar = arctan2(sine_a, R_00)
-    third = where(n == 0, 0, polar)
+    third = where(divisor_a_of_n == 0, 0, polar)
     left_1a = R_10 * sine
     left_1b = R_11 * cosine
     left_1 = left_1a + left_1b
@@ -1379,18 +1596,14 @@ def euler_xyz_from_mat3x3(R):
     angles_0_divisor2 = angles_0_divisor * angles_0_square
     angles_0_safe = where(angles_0_most == 0, 1, angles_0_divisor2)
     angles_0_lo = angles_0_cross / angles_0_safe
-    angles_1_of_n = n + n_lo
-    angles_1_of_n_right = angles_1_of_n - n
-    angles_1_of_n_lo = n - (angles_1_of_n - angles_1_of_n_right) + (n_lo - angles_1_of_n_right)
-    angles_1 = arctan2(R_02, angles_1_of_n)
+    angles_1 = arctan2(R_02, divisor_a_of_n)
     angles_1_size0 = absolute(R_02)
-    angles_1_size1 = absolute(angles_1_of_n)
+    angles_1_size1 = absolute(divisor_a_of_n)
     angles_1_most = where(angles_1_size0 < angles_1_size1, angles_1_size1, angles_1_size0)
     angles_1_divisor = where(angles_1_most == 0, 1, angles_1_most)
     angles_1_part0 = R_02 / angles_1_divisor
-    angles_1_part1 = angles_1_of_n / angles_1_divisor
-    angles_1_cross2 = angles_1_part0 * angles_1_of_n_lo
-    angles_1_cross = angles_1_part1 * 0 - angles_1_cross2
+    angles_1_part1 = divisor_a_of_n / angles_1_divisor
+    angles_1_cross = angles_1_part1 * 0 - angles_1_part0 * divisor_a_of_n_lo
     angles_1_square = angles_1_part1 * angles_1_part1 + angles_1_part0 * angles_1_part0
     angles_1_divisor2 = angles_1_divisor * angles_1_square
     angles_1_safe = where(angles_1_most == 0, 1, angles_1_divisor2)
@@ -1425,8 +1638,11 @@ def euler_xyx_from_mat3x3(R):
     n_exact = n_of_n_c - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_c - (n_of_n_c - n_of_n_c_right) + (n_c_lo - n_of_n_c_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor = where(n == 0, 1, n)
-    divisor_lo = where(n == 0, 0, n_lo)
+    divisor_a_of_n = n + n_lo
+    divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
+    divisor = where(divisor_a_of_n == 0, 1, divisor_a_of_n)
+    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
     cosine_a_of_divisor = divisor + divisor_lo
     cosine_a_of_divisor_right = cosine_a_of_divisor - divisor
     cosine_a_of_divisor_left_rest = divisor - (cosine_a_of_divisor - cosine_a_of_divisor_right)
@@ -1438,15 +1654,15 @@ def euler_xyx_from_mat3x3(R):
     cosine_a_exact = R_02 - cosine_a_product - cosine_a_product_error
     cosine_a_residual = cosine_a_exact - cosine_a * cosine_a_of_divisor_lo
     cosine_a_lo = cosine_a_residual / cosine_a_of_divisor
-    cosine = where(n == 0, 1, cosine_a)
-    cosine_lo = where(n == 0, 0, cosine_a_lo)
+    cosine = where(divisor_a_of_n == 0, 1, cosine_a)
+    cosine_lo = where(divisor_a_of_n == 0, 0, cosine_a_lo)
     sine = R_01 / cosine_a_of_divisor
     sine_product = sine * cosine_a_of_divisor
     sine_exact = R_01 - sine_product - product_error(sine, cosine_a_of_divisor, sine_product)
     sine_residual = sine_exact - sine * cosine_a_of_divisor_lo
     sine_lo = sine_residual / cosine_a_of_divisor
     polar = arctan2(R_01, R_02)
-    third = where(n == 0, 0, polar)
+    third = where(divisor_a_of_n == 0, 0, polar)
     left_1a = R_11 * cosine
     left_1b = R_12 * sine
     left_1 = left_1a - left_1b
@@ -1483,18 +1699,14 @@ def euler_xyx_from_mat3x3(R):
     angles_0_divisor2 = angles_0_divisor * angles_0_square
     angles_0_safe = where(angles_0_most == 0, 1, angles_0_divisor2)
     angles_0_lo = angles_0_cross / angles_0_safe
-    angles_1_of_n = n + n_lo
-    angles_1_of_n_right = angles_1_of_n - n
-    angles_1_of_n_lo = n - (angles_1_of_n - angles_1_of_n_right) + (n_lo - angles_1_of_n_right)
-    angles_1 = arctan2(angles_1_of_n, R_00)
-    angles_1_size0 = absolute(angles_1_of_n)
+    angles_1 = arctan2(divisor_a_of_n, R_00)
+    angles_1_size0 = absolute(divisor_a_of_n)
     angles_1_size1 = absolute(R_00)
     angles_1_most = where(angles_1_size0 < angles_1_size1, angles_1_size1, angles_1_size0)
     angles_1_divisor = where(angles_1_most == 0, 1, angles_1_most)
-    angles_1_part0 = angles_1_of_n / angles_1_divisor
+    angles_1_part0 = divisor_a_of_n / angles_1_divisor
     angles_1_part1 = R_00 / angles_1_divisor
-    angles_1_cross1 = angles_1_part1 * angles_1_of_n_lo
-    angles_1_cross = angles_1_cross1 - angles_1_part0 * 0
+    angles_1_cross = angles_1_part1 * divisor_a_of_n_lo - angles_1_part0 * 0
     angles_1_square = angles_1_part1 * angles_1_part1 + angles_1_part0 * angles_1_part0
     angles_1_divisor2 = angles_1_divisor * angles_1_square
     angles_1_safe = where(angles_1_most == 0, 1, angles_1_divisor2)
@@ -1512,7 +1724,7 @@ def mat3x3_jacobi(A, V):
     I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
 
     (3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.
-    51 mul, 147 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13
+    51 mul, 153 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13
     equal, 18 select.  |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched,
     not proved.
     """
@@ -1532,12 +1744,20 @@ def mat3x3_jacobi(A, V):
     theta_exact = theta_of_apart - theta_product - product_error(theta, divisor, theta_product)
     theta_numerator = theta_exact + theta_of_apart_lo
     theta_lo = theta_numerator / divisor
-    absolute = absolute(theta)
-    size_a = theta * theta
+    magnitude_of_theta = theta + theta_lo
+    magnitude_of_theta_right = magnitude_of_theta - theta
+    magnitude_of_theta_left_rest = theta - (magnitude_of_theta - magnitude_of_theta_right)
+    magnitude_of_theta_lo = magnitude_of_theta_left_rest + (theta_lo - magnitude_of_theta_right)
+    magnitude = absolute(magnitude_of_theta)
+    magnitude_lo = where(magnitude_of_theta < 0, -magnitude_of_theta_lo, magnitude_of_theta_lo)
+    size_a = magnitude_of_theta * magnitude_of_theta
+    size_a_cross1 = magnitude_of_theta_lo * magnitude_of_theta
+    size_a_cross = size_a_cross1 + magnitude_of_theta * magnitude_of_theta_lo
     size_b = 1 + size_a
     size_b_right = size_b - 1
-    size_b_lo1 = 1 - (size_b - size_b_right) + product_rest(theta, theta, size_a, size_b_right)
-    size_b_lo = size_b_lo1 + (theta_lo * theta + theta * theta_lo)
+    size_b_right_rest = product_rest(magnitude_of_theta, magnitude_of_theta, size_a, size_b_right)
+    size_b_lo1 = 1 - (size_b - size_b_right) + size_b_right_rest
+    size_b_lo = size_b_lo1 + size_a_cross
     size_c_of_size_b = size_b + size_b_lo
     size_c_of_size_b_right = size_c_of_size_b - size_b
     size_c_of_size_b_left_rest = size_b - (size_c_of_size_b - size_c_of_size_b_right)
@@ -1547,13 +1767,13 @@ def mat3x3_jacobi(A, V):
     size_c_exact = size_c_of_size_b - size_c_product - product_error(size_c, size_c, size_c_product)
     size_c_residual = size_c_exact + size_c_of_size_b_lo
     size_c_lo = size_c_residual / where(size_c == 0, 1, size_c + size_c)
-    size = absolute + size_c
-    size_right = size - absolute
-    size_lo1 = absolute - (size - size_right) + (size_c - size_right)
+    size = magnitude + size_c
+    size_right = size - magnitude
+    size_lo1 = magnitude - (size - size_right) + (size_c - size_right)
     size_lo2 = size_lo1 + size_c_lo
-    size_lo = size_lo2 + where(theta < 0, -theta_lo, theta_lo)
-    along = where(theta < 0, -size, size)
-    along_lo = where(theta < 0, -size_lo, size_lo)
+    size_lo = size_lo2 + magnitude_lo
+    along = where(magnitude_of_theta < 0, -size, size)
+    along_lo = where(magnitude_of_theta < 0, -size_lo, size_lo)
     t_a_of_along = along + along_lo
     t_a_of_along_right = t_a_of_along - along
     t_a_of_along_lo = along - (t_a_of_along - t_a_of_along_right) + (along_lo - t_a_of_along_right)
@@ -1685,9 +1905,9 @@ def axis_angle_from_mat3x3(R):
     turns.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    35 mul, 204 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
-    less, 11 equal, 54 select.  Error <= angle: 8 u, axis: 5 u of its largest component;
-    searched, not proved.
+    35 mul, 235 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
+    less, 11 equal, 61 select.  Error <= angle: 8 u, axis: 5 u of its largest component for R a
+    rotation; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -1752,49 +1972,88 @@ def axis_angle_from_mat3x3(R):
     column_2_lo = where(R_22 < 0, where(R_11 < R_00, s_1_lo, s_0_lo), high_2_lo)
     column_3 = where(R_22 < 0, low_3, high_3)
     column_3_lo = where(R_22 < 0, where(R_11 < R_00, p_0_lo, p_1_lo), high_3_lo)
-    upper_0 = where(column_3 < 0, -column_0, column_0)
-    upper_0_lo = where(column_3 < 0, -column_0_lo, column_0_lo)
-    upper_1 = where(column_3 < 0, -column_1, column_1)
-    upper_1_lo = where(column_3 < 0, -column_1_lo, column_1_lo)
-    upper_2 = where(column_3 < 0, -column_2, column_2)
-    upper_2_lo = where(column_3 < 0, -column_2_lo, column_2_lo)
-    upper_3 = where(column_3 < 0, -column_3, column_3)
-    upper_3_lo = where(column_3 < 0, -column_3_lo, column_3_lo)
-    v_s_size_0 = absolute(upper_0)
-    v_s_size_1 = absolute(upper_1)
-    v_s_size_2 = absolute(upper_2)
-    v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
-    v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    v_s = where(v_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, v_s_b)
-    v_y_0_of_upper_0 = upper_0 + upper_0_lo
-    v_y_0_of_upper_0_right = v_y_0_of_upper_0 - upper_0
-    v_y_0_of_upper_0_left_rest = upper_0 - (v_y_0_of_upper_0 - v_y_0_of_upper_0_right)
-    v_y_0_of_upper_0_lo = v_y_0_of_upper_0_left_rest + (upper_0_lo - v_y_0_of_upper_0_right)
-    v_y_0 = v_y_0_of_upper_0 * v_s
+    upper_0b_of_column_3 = column_3 + column_3_lo
+    upper_0b_of_column_3_right = upper_0b_of_column_3 - column_3
+    upper_0b_of_column_3_left_rest = column_3 - (upper_0b_of_column_3 - upper_0b_of_column_3_right)
+    upper_0b_of_column_3_right_rest = column_3_lo - upper_0b_of_column_3_right
+    upper_0b_of_column_3_lo = upper_0b_of_column_3_left_rest + upper_0b_of_column_3_right_rest
+    upper_0 = where(upper_0b_of_column_3 < 0, -column_0, column_0)
+    upper_0_lo = where(upper_0b_of_column_3 < 0, -column_0_lo, column_0_lo)
+    upper_1 = where(upper_0b_of_column_3 < 0, -column_1, column_1)
+    upper_1_lo = where(upper_0b_of_column_3 < 0, -column_1_lo, column_1_lo)
+    upper_2 = where(upper_0b_of_column_3 < 0, -column_2, column_2)
+    upper_2_lo = where(upper_0b_of_column_3 < 0, -column_2_lo, column_2_lo)
+    upper_3 = where(upper_0b_of_column_3 < 0, -upper_0b_of_column_3, upper_0b_of_column_3)
+    upper_3_lo = where(upper_0b_of_column_3 < 0, -upper_0b_of_column_3_lo, upper_0b_of_column_3_lo)
+    v_s_size_0_of_upper_0 = upper_0 + upper_0_lo
+    v_s_size_0_of_upper_0_right = v_s_size_0_of_upper_0 - upper_0
+    v_s_size_0_of_upper_0_left = v_s_size_0_of_upper_0 - v_s_size_0_of_upper_0_right
+    v_s_size_0_of_upper_0_left_rest = upper_0 - v_s_size_0_of_upper_0_left
+    v_s_size_0_of_upper_0_right_rest = upper_0_lo - v_s_size_0_of_upper_0_right
+    v_s_size_0_of_upper_0_lo = v_s_size_0_of_upper_0_left_rest + v_s_size_0_of_upper_0_right_rest
+    v_s_size_0 = absolute(v_s_size_0_of_upper_0)
+    v_s_size_0_opposite = -v_s_size_0_of_upper_0_lo
+    v_s_size_0_lo = where(v_s_size_0_of_upper_0 < 0, v_s_size_0_opposite, v_s_size_0_of_upper_0_lo)
+    v_s_size_1_of_upper_1 = upper_1 + upper_1_lo
+    v_s_size_1_of_upper_1_right = v_s_size_1_of_upper_1 - upper_1
+    v_s_size_1_of_upper_1_left = v_s_size_1_of_upper_1 - v_s_size_1_of_upper_1_right
+    v_s_size_1_of_upper_1_left_rest = upper_1 - v_s_size_1_of_upper_1_left
+    v_s_size_1_of_upper_1_right_rest = upper_1_lo - v_s_size_1_of_upper_1_right
+    v_s_size_1_of_upper_1_lo = v_s_size_1_of_upper_1_left_rest + v_s_size_1_of_upper_1_right_rest
+    v_s_size_1 = absolute(v_s_size_1_of_upper_1)
+    v_s_size_1_opposite = -v_s_size_1_of_upper_1_lo
+    v_s_size_1_lo = where(v_s_size_1_of_upper_1 < 0, v_s_size_1_opposite, v_s_size_1_of_upper_1_lo)
+    v_s_size_2_of_upper_2 = upper_2 + upper_2_lo
+    v_s_size_2_of_upper_2_right = v_s_size_2_of_upper_2 - upper_2
+    v_s_size_2_of_upper_2_left = v_s_size_2_of_upper_2 - v_s_size_2_of_upper_2_right
+    v_s_size_2_of_upper_2_left_rest = upper_2 - v_s_size_2_of_upper_2_left
+    v_s_size_2_of_upper_2_right_rest = upper_2_lo - v_s_size_2_of_upper_2_right
+    v_s_size_2_of_upper_2_lo = v_s_size_2_of_upper_2_left_rest + v_s_size_2_of_upper_2_right_rest
+    v_s_size_2 = absolute(v_s_size_2_of_upper_2)
+    v_s_size_2_opposite = -v_s_size_2_of_upper_2_lo
+    v_s_size_2_lo = where(v_s_size_2_of_upper_2 < 0, v_s_size_2_opposite, v_s_size_2_of_upper_2_lo)
+    v_s_largest1a_of_v_s_size_0 = v_s_size_0 + v_s_size_0_lo
+    v_s_largest1a_of_v_s_size_0_right = v_s_largest1a_of_v_s_size_0 - v_s_size_0
+    v_s_largest1a_of_v_s_size_0_left = v_s_largest1a_of_v_s_size_0 - v_s_largest1a_of_v_s_size_0_right
+    v_s_largest1a_of_v_s_size_0_left_rest = v_s_size_0 - v_s_largest1a_of_v_s_size_0_left
+    v_s_largest1a_of_v_s_size_0_right_rest = v_s_size_0_lo - v_s_largest1a_of_v_s_size_0_right
+    v_s_largest1a_of_v_s_size_0_lo = v_s_largest1a_of_v_s_size_0_left_rest + v_s_largest1a_of_v_s_size_0_right_rest
+    v_s_largest1a_of_v_s_size_1 = v_s_size_1 + v_s_size_1_lo
+    v_s_largest1a_of_v_s_size_1_right = v_s_largest1a_of_v_s_size_1 - v_s_size_1
+    v_s_largest1a_of_v_s_size_1_left = v_s_largest1a_of_v_s_size_1 - v_s_largest1a_of_v_s_size_1_right
+    v_s_largest1a_of_v_s_size_1_left_rest = v_s_size_1 - v_s_largest1a_of_v_s_size_1_left
+    v_s_largest1a_of_v_s_size_1_right_rest = v_s_size_1_lo - v_s_largest1a_of_v_s_size_1_right
+    v_s_largest1a_of_v_s_size_1_lo = v_s_largest1a_of_v_s_size_1_left_rest + v_s_largest1a_of_v_s_size_1_right_rest
+    v_s_largest1 = where(v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1, v_s_largest1a_of_v_s_size_1, v_s_largest1a_of_v_s_size_0)
+    v_s_largest1_lo = where(v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1, v_s_largest1a_of_v_s_size_1_lo, v_s_largest1a_of_v_s_size_0_lo)
+    v_s_largest2a_of_v_s_largest1 = v_s_largest1 + v_s_largest1_lo
+    v_s_largest2a_of_v_s_largest1_right = v_s_largest2a_of_v_s_largest1 - v_s_largest1
+    v_s_largest2a_of_v_s_largest1_left = v_s_largest2a_of_v_s_largest1 - v_s_largest2a_of_v_s_largest1_right
+    v_s_largest2a_of_v_s_largest1_left_rest = v_s_largest1 - v_s_largest2a_of_v_s_largest1_left
+    v_s_largest2a_of_v_s_largest1_right_rest = v_s_largest1_lo - v_s_largest2a_of_v_s_largest1_right
+    v_s_largest2a_of_v_s_largest1_lo = v_s_largest2a_of_v_s_largest1_left_rest + v_s_largest2a_of_v_s_largest1_right_rest
+    v_s_largest2a_of_v_s_size_2 = v_s_size_2 + v_s_size_2_lo
+    v_s_largest2a_of_v_s_size_2_right = v_s_largest2a_of_v_s_size_2 - v_s_size_2
+    v_s_largest2a_of_v_s_size_2_left = v_s_largest2a_of_v_s_size_2 - v_s_largest2a_of_v_s_size_2_right
+    v_s_largest2a_of_v_s_size_2_left_rest = v_s_size_2 - v_s_largest2a_of_v_s_size_2_left
+    v_s_largest2a_of_v_s_size_2_right_rest = v_s_size_2_lo - v_s_largest2a_of_v_s_size_2_right
+    v_s_largest2a_of_v_s_size_2_lo = v_s_largest2a_of_v_s_size_2_left_rest + v_s_largest2a_of_v_s_size_2_right_rest
+    v_s_largest2 = where(v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2, v_s_largest2a_of_v_s_size_2, v_s_largest2a_of_v_s_largest1)
+    v_s_largest2_lo = where(v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2, v_s_largest2a_of_v_s_size_2_lo, v_s_largest2a_of_v_s_largest1_lo)
+    v_s_a_of_v_s_largest2 = v_s_largest2 + v_s_largest2_lo
+    v_s_b = where(6.703903964971299e+153 < v_s_a_of_v_s_largest2, float64(3.7291703656001034e-155), float64(1))
+    v_s_d = where(v_s_a_of_v_s_largest2 < 256, 1.3093562431584567e+151, v_s_b)
+    v_s = where(v_s_a_of_v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
+    v_y_0 = v_s_size_0_of_upper_0 * v_s
     v_y_0_inverse = 1 / v_s
-    v_y_0_lost = v_y_0_of_upper_0 - v_y_0 * v_y_0_inverse
-    v_y_0_rest = v_y_0_lost + v_y_0_of_upper_0_lo
-    v_y_0_small = v_y_0_rest * v_s
-    v_y_0_lo = where(v_y_0_lost == 0, 0, v_y_0_small)
-    v_y_1_of_upper_1 = upper_1 + upper_1_lo
-    v_y_1_of_upper_1_right = v_y_1_of_upper_1 - upper_1
-    v_y_1_of_upper_1_left_rest = upper_1 - (v_y_1_of_upper_1 - v_y_1_of_upper_1_right)
-    v_y_1_of_upper_1_lo = v_y_1_of_upper_1_left_rest + (upper_1_lo - v_y_1_of_upper_1_right)
-    v_y_1 = v_y_1_of_upper_1 * v_s
-    v_y_1_lost = v_y_1_of_upper_1 - v_y_1 * v_y_0_inverse
-    v_y_1_rest = v_y_1_lost + v_y_1_of_upper_1_lo
-    v_y_1_small = v_y_1_rest * v_s
-    v_y_1_lo = where(v_y_1_lost == 0, 0, v_y_1_small)
-    v_y_2_of_upper_2 = upper_2 + upper_2_lo
-    v_y_2_of_upper_2_right = v_y_2_of_upper_2 - upper_2
-    v_y_2_of_upper_2_left_rest = upper_2 - (v_y_2_of_upper_2 - v_y_2_of_upper_2_right)
-    v_y_2_of_upper_2_lo = v_y_2_of_upper_2_left_rest + (upper_2_lo - v_y_2_of_upper_2_right)
-    v_y_2 = v_y_2_of_upper_2 * v_s
-    v_y_2_lost = v_y_2_of_upper_2 - v_y_2 * v_y_0_inverse
-    v_y_2_rest = v_y_2_lost + v_y_2_of_upper_2_lo
-    v_y_2_small = v_y_2_rest * v_s
-    v_y_2_lo = where(v_y_2_lost == 0, 0, v_y_2_small)
+    v_y_0_lost = v_s_size_0_of_upper_0 - v_y_0 * v_y_0_inverse
+    v_y_0_lo = where(v_y_0_lost == 0, 0, (v_y_0_lost + v_s_size_0_of_upper_0_lo) * v_s)
+    v_y_1 = v_s_size_1_of_upper_1 * v_s
+    v_y_1_lost = v_s_size_1_of_upper_1 - v_y_1 * v_y_0_inverse
+    v_y_1_lo = where(v_y_1_lost == 0, 0, (v_y_1_lost + v_s_size_1_of_upper_1_lo) * v_s)
+    v_y_2 = v_s_size_2_of_upper_2 * v_s
+    v_y_2_lost = v_s_size_2_of_upper_2 - v_y_2 * v_y_0_inverse
+    v_y_2_lo = where(v_y_2_lost == 0, 0, (v_y_2_lost + v_s_size_2_of_upper_2_lo) * v_s)
     v_n_a = v_y_0 * v_y_0
     v_n_b = v_y_1 * v_y_1
     v_n_c = v_n_a + v_n_b
@@ -1818,7 +2077,8 @@ def axis_angle_from_mat3x3(R):
     v_n_residual = v_n_exact + v_n_of_v_n_e_lo
     v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
     v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
-    v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
+    v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
+    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
     n_of_v_n = v_n + v_n_lo
     n_of_v_n_right = n_of_v_n - v_n
     n_of_v_n_lo = v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right)

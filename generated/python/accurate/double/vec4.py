@@ -54,7 +54,7 @@ def vec4_l2norm(v):
     """|v| = sqrt(v·v), all four components.
 
     (4)->().  v: vector (x, y, z) and a homogeneous coordinate w; norm: number.
-    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
+    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 3 equal, 12
     select.
     """
     v_0, v_1, v_2, v_3 = v
@@ -66,7 +66,8 @@ def vec4_l2norm(v):
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
     s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest3 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
     y_2 = v_2 * s
@@ -94,7 +95,8 @@ def vec4_l2norm(v):
     n_residual = n_exact + (n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
     r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
-    r = where(1 < s, 2.409919865102884e-181, r_b)
+    r_d = where(1 < s, 7.637340908749012e-152, r_b)
+    r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     norm_of_n = n + n_lo
     norm_of_n_right = norm_of_n - n
     norm = norm_of_n * r
@@ -110,7 +112,7 @@ def vec4_normalize(self):
     """self = self / |self|; the zero vector stays zero.
 
     (4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.
-    33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
     select.
     """
     self_0, self_1, self_2, self_3 = self
@@ -122,7 +124,8 @@ def vec4_normalize(self):
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
     s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest3 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
     y_2 = self_2 * s
@@ -151,8 +154,11 @@ def vec4_normalize(self):
     n_exact = n_of_n_g - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor = where(n == 0, up, n)
-    divisor_lo = where(n == 0, 0, n_lo)
+    divisor_a_of_n = n + n_lo
+    divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
+    divisor = where(divisor_a_of_n == 0, up, divisor_a_of_n)
+    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
     enlarged_0 = self_0 * up
     enlarged_1 = self_1 * up
     enlarged_2 = self_2 * up
@@ -247,7 +253,7 @@ def vec4_normalized(v):
     """vo = v / |v|; the zero vector stays zero.
 
     (4)->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w.
-    33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
     select.
     """
     v_0, v_1, v_2, v_3 = v
@@ -259,7 +265,8 @@ def vec4_normalized(v):
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
     s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest3 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
     y_2 = v_2 * s
@@ -288,8 +295,11 @@ def vec4_normalized(v):
     n_exact = n_of_n_g - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor = where(n == 0, up, n)
-    divisor_lo = where(n == 0, 0, n_lo)
+    divisor_a_of_n = n + n_lo
+    divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
+    divisor = where(divisor_a_of_n == 0, up, divisor_a_of_n)
+    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
     enlarged_0 = v_0 * up
     enlarged_1 = v_1 * up
     enlarged_2 = v_2 * up

@@ -72,28 +72,28 @@ def vec3_l2norm(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[
     """|v| = sqrt(v·v).
 
     (3)->().  v: vector; norm: number.
-    7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select.
+    7 mul, 2 add, 1 sqrt, 3 abs, 8 less, 8 select.
     """
 
 def vec3_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """self = self / |self|; the zero vector stays zero.
 
     (3)->(3).  self: vector.
-    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.
+    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select.
     """
 
 def vec3_normalized(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = v / |v|; the zero vector stays zero.
 
     (3)->(3).  v, vo: vector.
-    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.
+    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select.
     """
 
 def angle_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
 
     (3),(3)->().  v1, v2: vector; angle: number.
-    22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 14 less, 14 select.
+    22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 18 less, 18 select.
     """
 
 def dot_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -203,21 +203,21 @@ def vec4_l2norm(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[
     """|v| = sqrt(v·v), all four components.
 
     (4)->().  v: vector (x, y, z) and a homogeneous coordinate w; norm: number.
-    9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select.
+    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.
     """
 
 def vec4_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """self = self / |self|; the zero vector stays zero.
 
     (4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
 
 def vec4_normalized(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = v / |v|; the zero vector stays zero.
 
     (4)->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
 
 def mat3x3_determinant(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -243,7 +243,7 @@ def mat3x3_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> 
     side of it, the third its side of both; NaN where rows depend on each other to rounding.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
-    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 21 less, 5 equal, 36 select.  Rows are
+    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
     perpendicular, and of length 1, but for 4 u; searched, not proved.
     """
 
@@ -252,7 +252,7 @@ def mat3x3_normalized(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> ND
     side of it, the third its side of both; NaN where rows depend on each other to rounding.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
-    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 21 less, 5 equal, 36 select.  Rows are
+    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
     perpendicular, and of length 1, but for 4 u; searched, not proved.
     """
 
@@ -698,21 +698,21 @@ def screw_norm(si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[
     """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  si: screw (v in m/s; ω in rad/s); norm: number.
-    7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select.
+    7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select.
     """
 
 def screw_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """self = self / |self|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
 
 def screw_normalized(si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = si / |si|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
 
 def add_sst(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -975,21 +975,21 @@ def coscrew_norm(ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArra
     """|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  ci: coscrew (f in N; τ in N m); norm: number.
-    7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select.
+    7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select.
     """
 
 def coscrew_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
 
 def coscrew_normalized(ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
 
 def add_cct(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1284,21 +1284,21 @@ def quaternion_norm(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDAr
     """|q| = sqrt(v·v + w^2).
 
     (4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.
-    9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select.
+    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.
     """
 
 def quaternion_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """self = self / |self|; zero stays zero.
 
     (4)->(4).  self: quaternion (x, y, z, w), the scalar last.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
 
 def quaternion_normalized(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """qo = q / |q|; zero stays zero.
 
     (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
 
 def rotate_qv(q: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1611,7 +1611,8 @@ def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.float32] | None = ...) 
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
-    20 mul, 16 add, 1 div.  Error <= R: 5 u of its largest component; searched, not proved.
+    20 mul, 16 add, 1 div.  Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511,
+    in single precision 2^-45 < |q| < 2^63; searched, not proved.
     """
 
 def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1619,7 +1620,7 @@ def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) 
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
     4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 5 u of its largest
-    component; searched, not proved.
+    component for R a rotation; searched, not proved.
     """
 
 def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -1627,7 +1628,7 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float32] | No
     nothing turns; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.  Error <=
+    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.  Error <=
     angle: 5 u, axis: 4 u of its largest component; searched, not proved.
     """
 
@@ -1636,7 +1637,7 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArr
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.  Error <=
+    15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.  Error <=
     vo: 5 u of its largest component; searched, not proved.
     """
 
@@ -1644,8 +1645,8 @@ def SO3_log(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.f
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.  Error <=
-    vo: 5 u of its largest component; searched, not proved.
+    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=
+    vo: 5 u of its largest component for R a rotation; searched, not proved.
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -1653,8 +1654,8 @@ def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float32] | None, 
     turns.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.  Error <=
-    angle: 8 u, axis: 5 u of its largest component; searched, not proved.
+    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.  Error <=
+    angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not proved.
     """
 
 def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:

@@ -47,7 +47,7 @@ def vec4_l2norm(v):
     """|v| = sqrt(v·v), all four components.
 
     (4)->().  v: vector (x, y, z) and a homogeneous coordinate w; norm: number.
-    9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select.
+    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.
     """
     v_0, v_1, v_2, v_3 = v
     s_size_0 = absolute(v_0)
@@ -58,14 +58,16 @@ def vec4_l2norm(v):
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
     s_b = where(4.611686018427388e+18 < s_largest3, float64(2.710505431213761e-20), float64(1))
-    s = where(s_largest3 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
     y_2 = v_2 * s
     y_3 = v_3 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
     r_b = where(s < 1, float64(3.6893488147419103e+19), float64(1))
-    r = where(1 < s, 7.888609052210118e-31, r_b)
+    r_d = where(1 < s, 5.551115123125783e-17, r_b)
+    r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     norm = n * r
     return norm
 
@@ -75,7 +77,7 @@ def vec4_normalize(self):
     """self = self / |self|; the zero vector stays zero.
 
     (4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
     self_0, self_1, self_2, self_3 = self
     s_size_0 = absolute(self_0)
@@ -86,7 +88,8 @@ def vec4_normalize(self):
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
     s_b = where(4.611686018427388e+18 < s_largest3, float64(2.710505431213761e-20), float64(1))
-    s = where(s_largest3 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
     y_2 = self_2 * s
@@ -115,7 +118,7 @@ def vec4_normalized(v):
     """vo = v / |v|; the zero vector stays zero.
 
     (4)->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
     v_0, v_1, v_2, v_3 = v
     s_size_0 = absolute(v_0)
@@ -126,7 +129,8 @@ def vec4_normalized(v):
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
     s_b = where(4.611686018427388e+18 < s_largest3, float64(2.710505431213761e-20), float64(1))
-    s = where(s_largest3 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
     y_2 = v_2 * s
