@@ -74,7 +74,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "f38889d3b652a0aa") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "d81c70a1896d3eee") < 0) {
     Py_DECREF(module);
     return NULL;
   }

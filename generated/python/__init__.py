@@ -12,7 +12,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "f38889d3b652a0aa")
+COMPILED: bool = is_compiled("coscrew._gufunc", "d81c70a1896d3eee")
 
 if COMPILED:
     from coscrew._gufunc import (

@@ -73,7 +73,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "15279f5960211343") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "0b64d75a6631b773") < 0) {
     Py_DECREF(module);
     return NULL;
   }

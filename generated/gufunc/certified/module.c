@@ -72,7 +72,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "320b72fa83a99156") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "0d57d6e9427e229f") < 0) {
     Py_DECREF(module);
     return NULL;
   }

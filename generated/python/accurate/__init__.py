@@ -10,7 +10,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "15279f5960211343")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "0b64d75a6631b773")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

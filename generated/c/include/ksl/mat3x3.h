@@ -193,11 +193,11 @@ static inline void ksl_mat3x3_transposed(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_mat3x3_determinant(const ksl_mat3x3_t *R) {
-  const double n_0a = R->m11 * R->m22, n_0b = R->m12 * R->m21, n_0 = n_0a - n_0b;
-  const double n_1a = R->m02 * R->m21, n_1b = R->m01 * R->m22, n_1 = n_1a - n_1b;
-  const double n_2a = R->m01 * R->m12, n_2b = R->m02 * R->m11, n_2 = n_2a - n_2b;
-  const double det_a = R->m00 * n_0, det_b = R->m10 * n_1, det_c = det_a + det_b,
-      det_d = R->m20 * n_2, det = det_c + det_d;
+  const double n_0a = KSL_MUL(R->m11, R->m22), n_0b = KSL_MUL(R->m12, R->m21), n_0 = n_0a - n_0b;
+  const double n_1a = KSL_MUL(R->m02, R->m21), n_1b = KSL_MUL(R->m01, R->m22), n_1 = n_1a - n_1b;
+  const double n_2a = KSL_MUL(R->m01, R->m12), n_2b = KSL_MUL(R->m02, R->m11), n_2 = n_2a - n_2b;
+  const double det_a = KSL_MUL(R->m00, n_0), det_b = KSL_MUL(R->m10, n_1), det_c = det_a + det_b,
+      det_d = KSL_MUL(R->m20, n_2), det = det_c + det_d;
   return det;
 }
 
@@ -388,11 +388,11 @@ static inline void ksl_mat3x3f_transposed(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_mat3x3f_determinant(const ksl_mat3x3f_t *R) {
-  const float n_0a = R->m11 * R->m22, n_0b = R->m12 * R->m21, n_0 = n_0a - n_0b;
-  const float n_1a = R->m02 * R->m21, n_1b = R->m01 * R->m22, n_1 = n_1a - n_1b;
-  const float n_2a = R->m01 * R->m12, n_2b = R->m02 * R->m11, n_2 = n_2a - n_2b;
-  const float det_a = R->m00 * n_0, det_b = R->m10 * n_1, det_c = det_a + det_b,
-      det_d = R->m20 * n_2, det = det_c + det_d;
+  const float n_0a = KSL_MULF(R->m11, R->m22), n_0b = KSL_MULF(R->m12, R->m21), n_0 = n_0a - n_0b;
+  const float n_1a = KSL_MULF(R->m02, R->m21), n_1b = KSL_MULF(R->m01, R->m22), n_1 = n_1a - n_1b;
+  const float n_2a = KSL_MULF(R->m01, R->m12), n_2b = KSL_MULF(R->m02, R->m11), n_2 = n_2a - n_2b;
+  const float det_a = KSL_MULF(R->m00, n_0), det_b = KSL_MULF(R->m10, n_1), det_c = det_a + det_b,
+      det_d = KSL_MULF(R->m20, n_2), det = det_c + det_d;
   return det;
 }
 

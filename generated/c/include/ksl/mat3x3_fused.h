@@ -12,10 +12,11 @@
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_mat3x3_determinant_fused(const ksl_mat3x3_t *R) {
-  const double n_0a = R->m11 * R->m22, n_0 = fma(-R->m12, R->m21, n_0a);
-  const double n_1a = R->m02 * R->m21, n_1 = fma(-R->m01, R->m22, n_1a);
-  const double n_2a = R->m01 * R->m12, n_2 = fma(-R->m02, R->m11, n_2a);
-  const double det_a = R->m00 * n_0, det_c = fma(R->m10, n_1, det_a), det = fma(R->m20, n_2, det_c);
+  const double n_0a = KSL_MUL(R->m11, R->m22), n_0 = fma(-R->m12, R->m21, n_0a);
+  const double n_1a = KSL_MUL(R->m02, R->m21), n_1 = fma(-R->m01, R->m22, n_1a);
+  const double n_2a = KSL_MUL(R->m01, R->m12), n_2 = fma(-R->m02, R->m11, n_2a);
+  const double det_a = KSL_MUL(R->m00, n_0), det_c = fma(R->m10, n_1, det_a),
+      det = fma(R->m20, n_2, det_c);
   return det;
 }
 
@@ -25,10 +26,10 @@ static inline double ksl_mat3x3_determinant_fused(const ksl_mat3x3_t *R) {
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_mat3x3f_determinant_fused(const ksl_mat3x3f_t *R) {
-  const float n_0a = R->m11 * R->m22, n_0 = fmaf(-R->m12, R->m21, n_0a);
-  const float n_1a = R->m02 * R->m21, n_1 = fmaf(-R->m01, R->m22, n_1a);
-  const float n_2a = R->m01 * R->m12, n_2 = fmaf(-R->m02, R->m11, n_2a);
-  const float det_a = R->m00 * n_0, det_c = fmaf(R->m10, n_1, det_a),
+  const float n_0a = KSL_MULF(R->m11, R->m22), n_0 = fmaf(-R->m12, R->m21, n_0a);
+  const float n_1a = KSL_MULF(R->m02, R->m21), n_1 = fmaf(-R->m01, R->m22, n_1a);
+  const float n_2a = KSL_MULF(R->m01, R->m12), n_2 = fmaf(-R->m02, R->m11, n_2a);
+  const float det_a = KSL_MULF(R->m00, n_0), det_c = fmaf(R->m10, n_1, det_a),
       det = fmaf(R->m20, n_2, det_c);
   return det;
 }
